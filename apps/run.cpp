@@ -1,4 +1,6 @@
 // `murosimf run`: builds a scene, runs it, reports.
+#include <fmt/format.h>
+
 #include "apps/command_line.h"
 #include "apps/interruption.h"
 #include "apps/last_words.h"
@@ -12,6 +14,7 @@
 #include "murosimf/recording/state_file.h"
 #include "murosimf/scene/scene.h"
 #include "murosimf/scene/scene_report.h"
+#include "murosimf/session/own_state.h"
 
 namespace murosimf::app {
 namespace {
@@ -19,6 +22,12 @@ namespace {
 std::string why_stopped(const RunAdvance& advance) {
   if (advance.crashed()) return "a crash";
   return interrupted() ? signal_name() : "a supervisor";
+}
+
+void go_on_from(scene::Scene& scene, const std::string& file) {
+  recording::load_state(scene, file);
+  const std::string who = session::own_state(scene.simulation().world(), scene.parts().outside.memory.get());
+  if (!who.empty()) scene.parts().remarks.note(fmt::format("{}: nothing of it is in {}", who, file));
 }
 
 int run_scene(const RunOptions& options, Steering& steering) {
@@ -33,7 +42,7 @@ int run_scene(const RunOptions& options, Steering& steering) {
   outputs.attach(scene, scene_options, game.get(), roboviz.get());
   scene.simulation().initialize();
   outputs.scene_is_read();
-  if (!options.from.empty()) recording::load_state(scene, options.from);
+  if (!options.from.empty()) go_on_from(scene, options.from);
   outputs.begin();
 
   RunAdvance advance(scene, options, outputs, game.get(), roboviz.get(), end);

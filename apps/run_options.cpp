@@ -97,9 +97,7 @@ std::string no_way_back(const RunOptions& options) {
   if (!options.log.empty()) return "its numbers are logged (--log)";
   if (!options.record.file.empty()) return "it is recorded (--record)";
   if (!options.web.html.empty()) return "it is written as HTML (--html)";
-  const GameArguments& game = options.game;
-  const bool outside = !game.game_controller.empty() || !game.team_links.empty() || !game.repeat.empty();
-  return outside ? "it has to do with the world outside" : "";
+  return options.game.log.empty() ? "" : "what comes from outside is written down (--game-log)";
 }
 
 std::optional<double> speed_of(const RunOptions& options) {

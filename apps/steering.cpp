@@ -16,6 +16,10 @@ namespace {
 /// What belongs to one run, and would have to be given up; empty: nothing.
 std::string why_it_stays(const RunOptions& options) {
   if (const std::string reason = no_way_back(options); !reason.empty()) return reason;
+  const GameArguments& game = options.game;
+  if (!game.game_controller.empty() || !game.team_links.empty() || !game.repeat.empty()) {
+    return "it has to do with the world outside";
+  }
   if (!options.listen.empty() || !options.serial.empty()) return "its robots have software (--listen, --serial)";
   if (!options.save_at.empty() || !options.save_state.empty()) return "its states are saved (--save-at, --save-state)";
   return options.picture.empty() ? "" : "a picture is made of it (--picture)";

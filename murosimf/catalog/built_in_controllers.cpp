@@ -1,12 +1,17 @@
 #include "murosimf/catalog/built_in_controllers.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <functional>
+
+#include <fmt/format.h>
 
 #include "murosimf/catalog/controller_options.h"
 #include "murosimf/connect/command_arrival.h"
 #include "murosimf/connect/controller_task.h"
 #include "murosimf/connect/library_software.h"
+#include "murosimf/connect/outside_memory.h"
 #include "murosimf/connect/serial/serial_software.h"
 #include "murosimf/connect/trajectory_file.h"
 #include "murosimf/connect/trajectory_player.h"
@@ -72,6 +77,7 @@ void attach_software(Simulation& simulation, Entity& robot, double rate, const c
                      connect::ControllerTaskOptions options, const ControllerOptions& given) {
   options.link = given.link;
   options.seed = given.seed;
+  options.memory = given.outside.memory;
   auto& task = simulation.attach<connect::ControllerTask>("control_software", robot, rate, make, options);
   if (task.port().command_link()) {
     const double every_tick = 1 / seconds(simulation.tick());  // [Hz]
@@ -81,6 +87,22 @@ void attach_software(Simulation& simulation, Entity& robot, double rate, const c
   simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz);
 }
 
+/// Software that goes before it is ready leaves the robot to what comes next, until the wall time for it is over.
+void attach_first_ready(connect::TcpServer& server, connect::TcpOptions options,
+                        const std::function<void(const connect::TcpOptions&)>& attach) {
+  const double limit = options.wait;
+  const auto end = std::chrono::steady_clock::now() + from_seconds(limit);
+  for (;;) {
+    try {
+      return attach(options);
+    } catch (const connect::SoftwareWent& went) {
+      options.wait = seconds(end - std::chrono::steady_clock::now());
+      if (options.wait <= 0) throw;
+      server.tell(fmt::format("{}; waiting for other software", went.what()));
+    }
+  }
+}
+
 void attach_tcp(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
   const connect::OutsideWorld& outside = options.outside;
   if (!options.software && !outside.repeated) {
@@ -88,12 +110,18 @@ void attach_tcp(Simulation& simulation, Entity& robot, const ControllerOptions& 
   }
   connect::TcpOptions given;
   tcp_options().apply(options.own, given);
-  const connect::OutsidePen pen(outside.channel("tcp:" + robot.name()));
-  const connect::ArrivedSoftware arrived =
-      outside.repeated ? connect::repeat_software(outside.repeated, robot.name(), given, options.seed, pen)
-                       : options.software->wait_for(robot.name(), given, options.seed, pen);
-  attach_software(simulation, robot, usual_rate(options.rate, arrived.rate), arrived.make,
-                  {.software = arrived.name, .budget = from_seconds(options.call_budget)}, options);
+  connect::OutsideNotes::Channel* const channel = outside.channel("tcp:" + robot.name());
+  const connect::OutsidePen pen(channel);
+  const auto attach = [&](const connect::ArrivedSoftware& arrived) {
+    attach_software(simulation, robot, usual_rate(options.rate, arrived.rate), arrived.make,
+                    {.software = arrived.name, .budget = from_seconds(options.call_budget)}, options);
+  };
+  if (outside.repeated)
+    return attach(connect::repeat_software(outside.repeated, robot.name(), given, options.seed, pen));
+  attach_first_ready(*options.software, given, [&](const connect::TcpOptions& left) {
+    if (channel) channel->clear();  // of software that was not ready
+    attach(options.software->wait_for(robot.name(), left, options.seed, pen));
+  });
 }
 
 void attach_library(Simulation& simulation, Entity& robot, const ControllerOptions& options) {

@@ -51,6 +51,8 @@ const OptionTable<connect::TcpOptions>& tcp_options() {
       {"limit", &Options::limit, "s", "wall time that an answer may take", shortest_limit, longest_limit},
       {"wait", &Options::wait, "s", "wall time for the software to come, and to get ready", shortest_limit,
        longest_limit},
+      {"absence", &Options::absence, "s",
+       "lock_step: wall time that the run stands still for other software when one has gone", 0, longest_limit},
   };
   return table;
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <span>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -10,7 +12,25 @@
 
 namespace murosimf::connect {
 
+namespace {
+
 using WallClock = std::chrono::steady_clock;
+
+std::string to_bytes(CallNote note) {
+  std::vector<std::byte> bytes;
+  StateArchive archive(bytes);
+  archive(note);
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+CallNote call_note(std::string_view bytes) {
+  StateArchive archive(std::as_bytes(std::span(bytes)));
+  CallNote note;
+  archive(note);
+  return note;
+}
+
+}  // namespace
 
 ControllerTask::ControllerTask(Setup& setup, const SoftwareMaker& make, ControllerTaskOptions options)
     : options_(std::move(options)),
@@ -22,34 +42,92 @@ ControllerTask::ControllerTask(Setup& setup, const SoftwareMaker& make, Controll
   report_.budget = options_.budget;
   software_ = make(setup, port_, [this](const std::string& line) { say(line); });
   port_.close();
+  report_.keeps_state = software_->keeps_state();
+  if (options_.memory && !software_->repeats_itself()) {
+    memory_ = &options_.memory->channel("software:" + robot_->name());
+  }
 }
 
 void ControllerTask::initialize() {
-  const SoftwareReport fresh{.software = report_.software, .rate_hz = report_.rate_hz, .budget = report_.budget};
-  report_ = fresh;
   seam_.report = &report_;
   now_ = {};
   port_.restart();
   port_.radio().refresh(now_);
-  const CallOutcome outcome = software_->start();
-  note(outcome.changes);
-  if (!outcome) refuse(outcome);
+  if (repeats()) {  // the entity comes in again, as it did then
+    (void)repeat_call(OutsideNote::began);
+  } else {
+    begin();
+  }
   take_over_commands();
   port_.settle();
 }
 
+void ControllerTask::begin() {
+  const SoftwareReport fresh{.software = report_.software,
+                             .rate_hz = report_.rate_hz,
+                             .budget = report_.budget,
+                             .keeps_state = report_.keeps_state};
+  report_ = fresh;
+  over_ = false;
+  const CallOutcome outcome = noted(OutsideNote::began, [&] { return software_->start(); });
+  note(outcome.changes);
+  if (!outcome) refuse(outcome);
+  tell_news();
+}
+
 void ControllerTask::step(const Instant& instant) noexcept {
-  if (!report_.ended.empty()) return;
   now_ = instant.now;
+  if (repeats()) {
+    if (repeat_call(OutsideNote::sent)) take_over_commands();
+    return;
+  }
+  if (over_) return;
+  if (std::exchange(jumped_, false)) port_.renew_wishes();
   port_.refresh(instant.now);
   const WallClock::time_point begin = WallClock::now();
-  const CallOutcome outcome = software_->step(instant.now);
+  const CallOutcome outcome = noted(OutsideNote::sent, [&] { return software_->step(now_); });
   count(WallClock::now() - begin);
   count_messages();
   if (!outcome.changes.empty()) note(outcome.changes);
   if (!outcome) return end(outcome);
   take_over_commands();
+  tell_news();
+}
+
+/// Makes a call of the software, and writes down what it does if somebody wants it.
+template <class Call>
+CallOutcome ControllerTask::noted(OutsideNote::Kind kind, const Call& call) {
+  const bool notes = memory_ && memory_->keeps();
+  if (notes) port_.listen();
+  CallOutcome outcome = call();
+  report_.keeps_state = software_->keeps_state();
+  if (!notes) return outcome;
+  CallNote note = port_.told();
+  note.good = static_cast<bool>(outcome);
+  memory_->write(kind, to_bytes(std::move(note)));
+  return outcome;
+}
+
+/// Software whose memory is a part of states does the same again; what has ended cannot.
+bool ControllerTask::repeats() const { return memory_ && memory_->repeats() && (report_.keeps_state || over_); }
+
+/// False: it was not called then, or did not come back.
+bool ControllerTask::repeat_call(OutsideNote::Kind kind) {
+  const OutsideNote* const note = memory_->next();
+  if (!note || note->kind != kind) return false;
+  const CallNote done = call_note(note->bytes);
+  memory_->pass();
+  if (kind == OutsideNote::sent) port_.refresh(now_);
+  port_.repeat(done);
+  return done.good;
+}
+
+/// In reports software that has gone has ended, until other software comes.
+void ControllerTask::tell_news() {
   if (const std::string news = software_->news(); !news.empty()) say(news);
+  const std::string absence = software_->absence();
+  if (absence.empty()) return report_.ended.clear();
+  if (report_.ended.empty()) report_.ended = fmt::format("at {:.3f} s: {}", seconds(now_), absence);
 }
 
 void ControllerTask::count(Duration took) noexcept {
@@ -63,6 +141,7 @@ void ControllerTask::count(Duration took) noexcept {
 }
 
 void ControllerTask::end(const CallOutcome& outcome) {
+  over_ = true;
   report_.ended = fmt::format("at {:.3f} s: {}", seconds(now_), outcome.text);
   if (outcome.kind == CallOutcome::crashed && options_.crashes) {
     options_.crashes->write(fmt::format("{}: at {:.3f} s: {}", robot_->name(), seconds(now_), outcome.text));
@@ -123,6 +202,7 @@ void ControllerTask::say(const std::string& line) {
 void ControllerTask::state(StateArchive& archive) {
   port_.state(archive);
   software_->state(archive);
+  jumped_ = jumped_ || archive.loads();
 }
 
 const SoftwareReport* software_report(const Entity& entity) {

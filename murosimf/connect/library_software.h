@@ -44,6 +44,7 @@ class LibrarySoftware final : public ControlSoftware {
   [[nodiscard]] CallOutcome step(Duration now) noexcept override;
   [[nodiscard]] std::string news() override;
   void state(StateArchive& archive) override;
+  [[nodiscard]] bool keeps_state() const override { return !library_->functions().save || !library_->functions().load; }
 
  private:
   using WallClock = std::chrono::steady_clock;

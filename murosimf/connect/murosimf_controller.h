@@ -159,7 +159,7 @@ typedef struct murosimf_controller {
   void (*step)(void* instance, int64_t now);
 
   /* The state of an instance as bytes, for saved runs and for libraries that are exchanged while they run. `save` writes at most
-   * `size` bytes and returns how many there are; `load` returns false if it does not know them. Both null: there is no state. */
+   * `size` bytes and returns how many there are; `load` returns false if it does not know them. Both null: it keeps its state to itself. */
   size_t (*save)(void* instance, void* bytes, size_t size);
   int (*load)(void* instance, const void* bytes, size_t size);
 } murosimf_controller;

@@ -17,6 +17,8 @@
 
 namespace murosimf::connect {
 
+class OutsideMemory;  // outside_memory.h
+
 struct OutsideNote {
   enum Kind : std::uint8_t {
     came = 1,         ///< software or a program: its name (for TCP with the rate that it wants)
@@ -64,6 +66,7 @@ struct OutsideWorld {
   std::shared_ptr<OutsideNotes> notes{};  ///< is written down there; null: nowhere
   std::shared_ptr<const OutsideNotes>
       repeated{};  ///< comes from there alone, and nobody else is listened to; null: it is live
+  std::shared_ptr<OutsideMemory> memory{};  ///< for who goes back in time; of a scene never null
 
   /// Of a channel; null: it is not written down.
   [[nodiscard]] OutsideNotes::Channel* channel(const std::string& name) const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <utility>
 
 #include <fmt/format.h>
@@ -204,6 +205,26 @@ std::size_t PortCommands::accept(Duration now) noexcept {
   }
   if (link_) send(now);
   return count;
+}
+
+std::vector<double> PortCommands::numbers_set() const {
+  const auto same = [](const Command& command) {  // bit for bit: also of numbers that are none
+    return std::memcmp(command.staged.data(), command.accepted.data(), command.staged.size() * sizeof(double)) == 0;
+  };
+  std::vector<double> numbers;
+  if (std::ranges::all_of(commands_, same)) return numbers;
+  for (const Command& command : commands_) {
+    numbers.insert(numbers.end(), command.staged.begin(), command.staged.end());
+  }
+  return numbers;
+}
+
+void PortCommands::set_numbers(std::span<const double> numbers) noexcept {
+  for (Command& command : commands_) {
+    if (numbers.size() < command.staged.size()) return;
+    std::ranges::copy(numbers.first(command.staged.size()), command.staged.begin());
+    numbers = numbers.subspan(command.staged.size());
+  }
 }
 
 void PortCommands::send(Duration now) {

@@ -35,6 +35,10 @@ class PortCommands {
   void use_link(const LinkOptions& options, std::uint64_t seed);
   /// Has what arrived hold.
   void deliver(Duration now) noexcept;
+  /// All numbers as the software has set them, one command after the other; empty: as they were accepted last.
+  [[nodiscard]] std::vector<double> numbers_set() const;
+  /// Sets those numbers as the software would.
+  void set_numbers(std::span<const double> numbers) noexcept;
   /// Everything that is accepted holds, and nothing is on its way.
   void settle() noexcept;
   /// That another algorithm writes what this one does.

@@ -59,11 +59,42 @@ const murosimf_signal* RobotPort::signal(std::string_view name) {
   if (const murosimf_signal* of_game = game_.find(name)) return of_game;
   const auto found = std::ranges::find(signals_, name, &Signal::name);
   if (found == signals_.end()) throw SetupError(unknown_name("signal", name, signal_names()));
-  if (!found->row) {
-    found->row = &show_numbers(rows_, found->name, found->numbers(), found->now);
-    if (link_) link_->drop();
-  }
+  found->asked = true;
+  if (!found->row) found->row = &show_numbers(rows_, found->name, found->numbers(), found->now);
+  if (!std::exchange(found->wanted, true) && link_) link_->drop();
   return &found->row->shown_head<const murosimf_signal>();
+}
+
+void RobotPort::renew_wishes() noexcept {
+  bool any = false;
+  for (Signal& signal : signals_) {
+    any = any || (signal.asked && !signal.wanted);
+    signal.wanted = signal.wanted || signal.asked;
+  }
+  if (any && link_) link_->drop();
+}
+
+void RobotPort::listen() {
+  heard_ = {};
+  used_ = {};
+  note_ = &heard_;
+  radio_.note_use(&used_);
+}
+
+CallNote RobotPort::told() {
+  note_ = nullptr;
+  radio_.note_use(nullptr);
+  heard_.received = used_.received;
+  heard_.sent = std::move(used_.sent);
+  heard_.commands = commands_.numbers_set();
+  return std::move(heard_);
+}
+
+void RobotPort::repeat(const CallNote& note) noexcept {
+  for (std::uint64_t i = 0; i < note.received; ++i) (void)radio_.receive();
+  for (const std::string& message : note.sent) (void)radio_.send(message);
+  for (const DrawnGroup& group : note.drawn) (void)draw(group);
+  commands_.set_numbers(note.commands);
 }
 
 const std::vector<std::string>* RobotPort::labels(std::string_view name) const {
@@ -82,7 +113,7 @@ void RobotPort::refresh(Duration now) noexcept {
     return receive_over_link(now);
   }
   for (Signal& signal : signals_) {
-    if (signal.row) refresh(signal, now);
+    if (signal.wanted) refresh(signal, now);
   }
 }
 
@@ -90,7 +121,7 @@ void RobotPort::refresh(Duration now) noexcept {
 void RobotPort::send_over_link(Duration now) {
   sent_.clear();
   for (Signal& signal : signals_) {
-    if (!signal.row) continue;
+    if (!signal.wanted) continue;
     const bool of_sensor = signal.reading != nullptr;
     sent_.push_back(static_cast<double>(of_sensor ? signal.reading->time.count() : now.count()));
     sent_.push_back(static_cast<double>(of_sensor ? signal.reading->samples : ++signal.measurements));
@@ -108,7 +139,7 @@ void RobotPort::receive_over_link(Duration now) noexcept {
   if (!arrived) return;
   auto number = arrived->begin();
   for (Signal& signal : signals_) {
-    if (!signal.row) continue;
+    if (!signal.wanted) continue;
     signal.now.time = static_cast<std::int64_t>(*number++);
     signal.now.samples = static_cast<std::uint64_t>(*number++);
     for (double& value : signal.values) value = *number++;
@@ -127,7 +158,7 @@ void RobotPort::restart() noexcept {
       signal.now.time = 0;
       std::ranges::fill(signal.values, 0.0);
     }
-    if (signal.row) show(signal);
+    show(signal);
   }
 }
 
@@ -154,19 +185,19 @@ void RobotPort::refresh(Signal& signal, Duration now) noexcept {
   show(signal);
 }
 
-void RobotPort::show(const Signal& signal) noexcept { show_numbers(*signal.row, signal.numbers(), signal.now); }
+void RobotPort::show(const Signal& signal) noexcept {
+  if (signal.row) show_numbers(*signal.row, signal.numbers(), signal.now);
+}
 
 void RobotPort::state(StateArchive& archive) {
   commands_.state(archive);
   if (archive.loads()) pictures_.forget();
-  for (Signal& signal : signals_) archive(signal.now.samples);
+  for (Signal& signal : signals_) archive(signal.wanted, signal.now.samples);
   if (!link_) return;
   archive(*link_);
   for (Signal& signal : signals_) archive(signal.now.time, signal.measurements, signal.values);
   if (!archive.loads()) return;
-  for (const Signal& signal : signals_) {
-    if (signal.row) show(signal);
-  }
+  for (const Signal& signal : signals_) show(signal);
 }
 
 }  // namespace murosimf::connect

@@ -22,6 +22,7 @@
 /// The simulator's walk engine and joint.target exclude each other.
 #pragma once
 
+#include <cstdint>
 #include <deque>
 #include <optional>
 #include <string>
@@ -36,11 +37,23 @@
 #include "murosimf/connect/port_pictures.h"
 #include "murosimf/connect/sketch_pad.h"
 #include "murosimf/connect/team_radio.h"
+#include "murosimf/model/drawing.h"
 #include "murosimf/model/setup.h"
 #include "murosimf/model/state_archive.h"
 #include "murosimf/sensors/reading.h"
 
 namespace murosimf::connect {
+
+/// What a call of control software has done to its robot, so that it can be done again without the software.
+struct CallNote {
+  bool good = true;               ///< it came back; otherwise nothing that it had set holds
+  std::vector<double> commands;   ///< all numbers of all commands, in the order of asking; empty: as before
+  std::uint64_t received = 0;     ///< messages of the team that it has read
+  std::vector<std::string> sent;  ///< messages to the team, also those that were refused
+  std::vector<DrawnGroup> drawn;  ///< also what was refused
+
+  void state(StateArchive& archive) { archive(good, commands, received, sent, drawn); }
+};
 
 class RobotPort {
  public:
@@ -68,6 +81,7 @@ class RobotPort {
   /// For people who watch (sketch_pad.h).
   bool draw(DrawnGroup group) {
     group.time = now_;
+    if (note_) note_->drawn.push_back(group);
     return pad_.draw(std::move(group));
   }
 
@@ -94,6 +108,14 @@ class RobotPort {
   void settle() noexcept { commands_.settle(); }
   /// In every tick: commands that have come over the link hold (command_arrival.h).
   void deliver(Duration now) noexcept { commands_.deliver(now); }
+  /// Has what the software does from now on written down, until told() says what it was.
+  void listen();
+  [[nodiscard]] CallNote told();
+  /// Does what the software had done.
+  void repeat(const CallNote& note) noexcept;
+  /// Software that has come meanwhile has asked for signals that the state which was loaded does not know of.
+  void renew_wishes() noexcept;
+
   void declare_commands(Setup& setup) const { commands_.declare(setup); }
   void reseed(std::uint64_t seed);
   /// What has gone over the link; null: it has none.
@@ -117,6 +139,8 @@ class RobotPort {
     murosimf_signal now{};                      // but where its values stand
     const GuardedRow* row = nullptr;            // what software sees of it; null: it has not asked
     [[nodiscard]] std::span<const double> numbers() const { return values.empty() ? measured : values; }
+    bool asked = false;                         // for, by the software that is there
+    bool wanted = false;                        // refreshed and sent over the link, as the state has it
   };
   void add_sensor(Setup& setup, const sensors::Reading& reading);
   void add_joints(std::string name, std::span<const double> column, bool in_steps);
@@ -138,6 +162,9 @@ class RobotPort {
   PortPictures pictures_;
   SketchPad pad_;
   Duration now_{};
+  CallNote* note_ = nullptr;  // null: nobody listens
+  CallNote heard_;
+  RadioUse used_;
 };
 
 }  // namespace murosimf::connect

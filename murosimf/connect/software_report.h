@@ -46,6 +46,7 @@ struct SoftwareReport {
   std::optional<LinkReport> link;         ///< what has gone over it; nothing: there is none
   std::vector<Changed> changed;           ///< each of them once
   std::string ended;                      ///< why it does not run any more; empty: it does
+  bool keeps_state = false;               ///< what it remembers is in no state of the run: it offers no save and load
   std::vector<Message> said;              ///< at most most_messages
   std::uint64_t not_kept = 0;             ///< messages after these
 

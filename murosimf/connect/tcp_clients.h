@@ -42,6 +42,8 @@ class TcpClients {
   virtual void at(Duration) {}
   /// Another one that has come, without waiting.
   [[nodiscard]] virtual std::optional<ArrivedClient> take() = 0;
+  /// The same, waiting for `limit` [s] of wall time. Nothing: it was stopped, or none has come.
+  [[nodiscard]] virtual std::optional<ArrivedClient> wait(double limit) = 0;
   /// Its client has gone. From now on another one may come, or (`for_good`) none.
   virtual void leave(bool for_good) = 0;
   /// Of a recording, after time has jumped: what lasts of all before `now`, and goes on there. Live: nothing.
@@ -55,8 +57,7 @@ class ReceivedClients final : public TcpClients {
  public:
   ReceivedClients(std::shared_ptr<TcpReception> reception, std::string robot)
       : reception_(std::move(reception)), robot_(std::move(robot)) {}
-  /// Waits; nothing: it was stopped, or none has come.
-  [[nodiscard]] std::optional<ArrivedClient> wait(double limit);
+  [[nodiscard]] std::optional<ArrivedClient> wait(double limit) override;
   [[nodiscard]] std::optional<ArrivedClient> take() override;
   void leave(bool for_good) override { reception_->leave(robot_, for_good); }
 
@@ -73,6 +74,7 @@ class RepeatedClients final : public TcpClients {
       : notes_(std::move(notes)), cursor_(std::make_shared<Cursor>(notes_->find(channel))) {}
   void at(Duration now) override { cursor_->now = now; }
   [[nodiscard]] std::optional<ArrivedClient> take() override;
+  [[nodiscard]] std::optional<ArrivedClient> wait(double) override { return take(); }
   void leave(bool) override {}
   [[nodiscard]] std::vector<OutsideNote> jump_to(Duration now) override;
   [[nodiscard]] std::unique_ptr<ClientLine> line() override;

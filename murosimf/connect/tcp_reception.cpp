@@ -44,19 +44,30 @@ void TcpReception::expect(std::vector<std::string> robots) {
   robots_.emplace(robots.begin(), robots.end());
   // those of a scene before do not count
   closed_.clear();
-  std::erase_if(busy_, [&](const std::string& robot) { return !waiting_.contains(robot); });
+  busy_.clear();
   for (TcpClient& client : std::exchange(early_, {})) admit(std::move(client));
 }
 
 /// Why no client may come for a robot; empty: it may.
-std::string TcpReception::objection(const std::string& robot) const {
+std::string TcpReception::objection(const std::string& robot) {
   if (!robots_->contains(robot)) {
     const std::vector<std::string_view> known(robots_->begin(), robots_->end());
     return unknown_name("robot with the controller 'tcp'", printable(robot, 100), known);
   }
   if (closed_.contains(robot)) return fmt::format("the software of '{}' has ended, and no other one is taken", robot);
-  if (busy_.contains(robot)) return fmt::format("'{}' has its software already", robot);
+  forget_who_has_gone(robot);
+  if (busy_.contains(robot) || waiting_.contains(robot)) return fmt::format("'{}' has its software already", robot);
   return {};
+}
+
+/// Another client may take the robot over, also while the run is paused and nobody talks to the one that has gone. Under the lock.
+void TcpReception::forget_who_has_gone(const std::string& robot) {
+  const auto present = busy_.find(robot);
+  if (present != busy_.end() && present->second.has_ended()) busy_.erase(present);
+  const auto waiting = waiting_.find(robot);
+  if (waiting == waiting_.end() || !waiting->second.connection.socket().has_ended()) return;
+  tell_of_refusal(waiting->second.address, "it closed the connection before its robot was there");
+  waiting_.erase(waiting);
 }
 
 /// Under the lock.
@@ -64,9 +75,8 @@ void TcpReception::admit(TcpClient client) {
   if (!robots_) return early_.push_back(std::move(client));
   if (const std::string reason = objection(client.robot); !reason.empty()) {
     refuse(client.connection, reason);
-    return tell(client.address, reason);
+    return tell_of_refusal(client.address, reason);
   }
-  busy_.insert(client.robot);
   const std::string robot = client.robot;
   waiting_.emplace(robot, std::move(client));
   arrived_.notify_all();
@@ -74,8 +84,10 @@ void TcpReception::admit(TcpClient client) {
 
 /// Under the lock.
 std::optional<TcpClient> TcpReception::taken(const std::string& robot) {
+  forget_who_has_gone(robot);
   auto found = waiting_.extract(robot);
   if (!found) return {};
+  busy_[robot] = found.mapped().connection.socket().watcher();
   return std::move(found.mapped());
 }
 
@@ -102,10 +114,20 @@ void TcpReception::leave(const std::string& robot, bool for_good) {
   if (for_good) closed_.insert(robot);
 }
 
-void TcpReception::tell(const std::string& address, const std::string& reason) {
+void TcpReception::tell(const std::string& line) {
+  const std::lock_guard lock(mutex_);
+  say(line);
+}
+
+/// Under the lock.
+void TcpReception::say(const std::string& line) {
   if (!options_.say || told_ > most_lines) return;
-  if (told_++ == most_lines) return options_.say("more clients were refused; they are not told of any more");
-  options_.say(fmt::format("client {} was refused: {}", address, reason));
+  options_.say(told_++ == most_lines ? "more clients were refused; they are not told of any more" : line);
+}
+
+/// Under the lock.
+void TcpReception::tell_of_refusal(const std::string& address, const std::string& reason) {
+  say(fmt::format("client {} was refused: {}", address, reason));
 }
 
 void TcpReception::look_at(wire::Caller& caller, std::string_view message) {
@@ -123,7 +145,7 @@ void TcpReception::look_at(wire::Caller& caller, std::string_view message) {
 void TcpReception::turn_away(wire::Caller& caller, const std::string& reason) {
   refuse(caller.connection, reason);
   const std::lock_guard lock(mutex_);
-  tell(caller.address, reason);
+  tell_of_refusal(caller.address, reason);
 }
 
 }  // namespace murosimf::connect

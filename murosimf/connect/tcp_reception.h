@@ -35,13 +35,17 @@ class TcpReception {
   [[nodiscard]] std::optional<TcpClient> take(const std::string& robot);
   /// A robot's client has gone. From now on another one may come, or (`for_good`) none.
   void leave(const std::string& robot, bool for_good);
+  /// TcpServer::tell.
+  void tell(const std::string& line);
 
  private:
   void look_at(wire::Caller& caller, std::string_view message);
   void turn_away(wire::Caller& caller, const std::string& reason);
   void admit(TcpClient client);
-  [[nodiscard]] std::string objection(const std::string& robot) const;
-  void tell(const std::string& address, const std::string& reason);
+  [[nodiscard]] std::string objection(const std::string& robot);
+  void forget_who_has_gone(const std::string& robot);
+  void tell_of_refusal(const std::string& address, const std::string& reason);
+  void say(const std::string& line);
   [[nodiscard]] std::optional<TcpClient> taken(const std::string& robot);
 
   TcpServerOptions options_;
@@ -52,7 +56,8 @@ class TcpReception {
   std::optional<std::set<std::string>> robots_;  // nothing: they are not known yet
   std::map<std::string, TcpClient> waiting_;     // clients by robot, until they are taken
   std::vector<TcpClient> early_;                 // before robots were known
-  std::set<std::string> busy_, closed_;          // robots that have a client, and those that get none any more
+  std::map<std::string, wire::Socket> busy_;     // connections of clients that were taken, by robot
+  std::set<std::string> closed_;                 // robots that get none any more
   std::unique_ptr<wire::Reception> reception_;   // last: its thread calls
 };
 

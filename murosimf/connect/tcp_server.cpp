@@ -20,6 +20,7 @@ class ReceivingServer final : public TcpServer {
   void expect(std::vector<std::string> robots) override { reception_->expect(std::move(robots)); }
   [[nodiscard]] ArrivedSoftware wait_for(const std::string& robot, const TcpOptions& options, std::uint64_t seed,
                                          OutsidePen pen) override;
+  void tell(const std::string& line) override { reception_->tell(line); }
 
  private:
   std::shared_ptr<TcpReception> reception_;

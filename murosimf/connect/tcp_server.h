@@ -14,6 +14,7 @@
 #include "murosimf/connect/control_software.h"
 #include "murosimf/connect/murosimf_controller.h"
 #include "murosimf/connect/outside_notes.h"
+#include "murosimf/model/error.h"
 #include "murosimf/runtime/pacer.h"
 #include "murosimf/wire/socket.h"
 
@@ -24,6 +25,7 @@ struct TcpOptions {
   std::string mode = "lock_step";  ///< or "free"
   double limit = 10;               ///< [s] of wall time that software may take to answer a cycle
   double wait = 60;                ///< [s] of wall time for it to come, and to ask for what it needs
+  double absence = 1;              ///< [s] of wall time, in lock-step: for others to come when it has gone
 };
 
 struct TcpServerOptions {
@@ -31,6 +33,12 @@ struct TcpServerOptions {
   SayLine say = {};        ///< clients that were refused, one line each; called by another thread
   StopRequest stop = {};   ///< whether waiting for clients ends early
   double hello_limit = 5;  ///< [s] of wall time in which clients say whose software they are
+};
+
+/// Software that went, or did wrong, before it was ready: other software may come in its place.
+class SoftwareWent : public SetupError {
+ public:
+  using SetupError::SetupError;
 };
 
 /// The software that has come for a robot.
@@ -50,6 +58,8 @@ class TcpServer {
   /// Waits for a robot's software. What it sends is written down with `pen`. Throws SetupError if none comes in time.
   [[nodiscard]] virtual ArrivedSoftware wait_for(const std::string& robot, const TcpOptions& options,
                                                  std::uint64_t seed, OutsidePen pen) = 0;
+  /// A line of what has gone wrong with clients, to TcpServerOptions::say.
+  virtual void tell(const std::string&) {}
 };
 
 /// Throws SetupError: the port is in use; this program was built without TCP.

@@ -1,5 +1,6 @@
 #include "murosimf/connect/tcp_software.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -28,7 +29,7 @@ TcpSoftware::TcpSoftware(const Setup& setup, RobotPort& port, SayLine say, std::
   } catch (const wire::WireError& error) {
     if (session_) session_->say_refused(error.what());
     clients_->leave(false);
-    throw SetupError(fmt::format("{}: {} {} before it was ready", robot_.name, client_, error.what()));
+    throw SoftwareWent(fmt::format("{}: {} {} before it was ready", robot_.name, client_, error.what()));
   }
 }
 
@@ -52,52 +53,79 @@ wire::WallTime TcpSoftware::end_of_waiting() const {
   return std::chrono::steady_clock::now() + from_seconds(options_.limit);
 }
 
-/// The line that tells it.
-std::string TcpSoftware::drop(const std::string& reason) noexcept {
-  std::string line = fmt::format("{} {}", client_, reason);
+void TcpSoftware::drop(const std::string& reason) noexcept {
   pen_.write(OutsideNote::left, reason);
   if (session_) session_->say_refused(reason);
   session_.reset();
-  clients_->leave(robot_.lock_step);
-  return last_ = line;
+  clients_->leave(false);
+  last_ = fmt::format("{} {}", client_, reason);
+  add_news(fmt::format("{}; its last commands hold until other software comes", last_));
 }
 
+void TcpSoftware::add_news(const std::string& line) { news_ += news_.empty() ? line : "; " + line; }
+
+/// False: the client has gone, or has done wrong.
 template <class Talk>
-CallOutcome TcpSoftware::guarded(const Talk& talk) noexcept {
+bool TcpSoftware::guarded(const Talk& talk) noexcept {
   try {
     talk();
   } catch (const wire::WireError& error) {
-    const std::string line = drop(error.what());
-    if (robot_.lock_step) return {CallOutcome::threw, line};
-    news_ = fmt::format("{}; its last commands hold until other software comes", line);
+    drop(error.what());
+    return false;
   }
-  return {};
+  return true;
 }
 
 CallOutcome TcpSoftware::start() {
   at(before_the_run);
   news_.clear();
-  if (!session_) {
-    if (!robot_.lock_step) return {};
-    return {CallOutcome::threw, fmt::format("{}: its software cannot begin again: {}", robot_.name, last_)};
+  if (robot_.lock_step) {
+    talk_in_step({});
+  } else if (session_) {
+    guarded([&] { session_->tell_start(); });
   }
-  return guarded([&] {
-    session_->tell_start();
-    if (robot_.lock_step) session_->wait_for_answer(end_of_waiting());
-  });
+  return {};
 }
 
 CallOutcome TcpSoftware::step(Duration now) noexcept {
   at(now);
-  if (std::exchange(jumped_, false)) {
-    if (const CallOutcome outcome = guarded([&] { catch_up(now); }); !outcome) return outcome;
+  if (std::exchange(jumped_, false)) guarded([&] { catch_up(now); });
+  if (robot_.lock_step) {
+    talk_in_step(now);
+  } else {
+    guarded([&] { talk_freely(now); });
   }
-  if (robot_.lock_step && !session_) return {CallOutcome::threw, last_};  // somebody went on after a reset that failed
-  return guarded([&] {
-    if (!robot_.lock_step) return talk_freely(now);
-    session_->tell_cycle(now);
-    session_->wait_for_answer(end_of_waiting());
-  });
+  return {};
+}
+
+/// Asks the client and waits for its answer; nothing: the run begins. If it goes, other software may come in its place at once.
+void TcpSoftware::talk_in_step(std::optional<Duration> now) noexcept {
+  const bool was_there = session_ != nullptr;
+  if (was_there && guarded([&] { ask(now); })) return;
+  const wire::WallTime end = std::chrono::steady_clock::now() + from_seconds(was_there ? options_.absence : 0);
+  for (bool has_come = true; has_come && !session_;) {
+    has_come = false;
+    guarded([&] {
+      const Duration left = end - std::chrono::steady_clock::now();
+      std::optional<ArrivedClient> client = clients_->wait(std::max(0.0, seconds(left)));
+      if (!client) return;
+      has_come = true;
+      begin_with(std::move(*client));
+      if (now) ask(now);
+    });
+  }
+}
+
+void TcpSoftware::ask(std::optional<Duration> now) {
+  now ? session_->tell_cycle(*now) : session_->tell_start();
+  session_->wait_for_answer(end_of_waiting());
+}
+
+void TcpSoftware::begin_with(ArrivedClient client) {
+  add_news(fmt::format("{} has come", client.name));
+  meet(std::move(client));
+  session_->set_up(end_of_waiting());
+  ask({});
 }
 
 /// Commands that have come hold now; what is measured now is told if the client takes it.
@@ -120,7 +148,7 @@ void TcpSoftware::talk_freely(Duration now) {
 void TcpSoftware::welcome_another() {
   auto client = clients_->take();
   if (!client) return;
-  news_ = fmt::format("{} has come", client->name);
+  add_news(fmt::format("{} has come", client->name));
   meet(std::move(*client));
 }
 

@@ -1,10 +1,12 @@
 /// tcp_software.h - control software in another program: one robot's.
 ///
-/// In lock-step every cycle waits for the client's answer, so the run is repeatable; a client that does not answer ends. Otherwise
-/// the latest commands hold, a client that goes leaves them, and another one may come.
+/// In lock-step every cycle waits for the client's answer, so the run is repeatable. Otherwise the latest commands hold. A client that
+/// goes, or does wrong, leaves the robot its commands, and another one may come at any cycle; in lock-step the run stands still for it
+/// for a while (TcpOptions::absence).
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "murosimf/connect/control_software.h"
@@ -16,7 +18,7 @@ namespace murosimf::connect {
 
 class TcpSoftware final : public ControlSoftware {
  public:
-  /// Answers what the client asks for. Throws SetupError if it does not get ready in time, or goes.
+  /// Answers what the client asks for. Throws SoftwareWent if it does not get ready in time, or goes.
   TcpSoftware(const Setup& setup, RobotPort& port, SayLine say, std::shared_ptr<TcpClients> clients,
               ArrivedClient client, const TcpOptions& options, std::uint64_t seed, OutsidePen pen);
   ~TcpSoftware() override;
@@ -27,11 +29,16 @@ class TcpSoftware final : public ControlSoftware {
   [[nodiscard]] CallOutcome step(Duration now) noexcept override;
   [[nodiscard]] std::string news() override;
   void state(StateArchive& archive) override { jumped_ = jumped_ || archive.loads(); }
+  [[nodiscard]] std::string absence() const override { return robot_.lock_step && !session_ ? last_ : std::string{}; }
 
  private:
   template <class Talk>
-  [[nodiscard]] CallOutcome guarded(const Talk& talk) noexcept;
-  [[nodiscard]] std::string drop(const std::string& reason) noexcept;
+  bool guarded(const Talk& talk) noexcept;
+  void drop(const std::string& reason) noexcept;
+  void add_news(const std::string& line);
+  void talk_in_step(std::optional<Duration> now) noexcept;
+  void ask(std::optional<Duration> now);
+  void begin_with(ArrivedClient client);
   void talk_freely(Duration now);
   void welcome_another();
   void meet(ArrivedClient client);

@@ -20,6 +20,7 @@ void TeamRadio::open() {
 }
 
 bool TeamRadio::send(std::string_view bytes) noexcept {
+  if (use_) use_->sent.emplace_back(bytes);
   refusal_ = why_not(bytes);
   if (!refusal_.empty()) {
     if (box_) ++box_->counts.refused;
@@ -44,6 +45,7 @@ std::string TeamRadio::why_not(std::string_view bytes) const {
 
 const TeamMessage* TeamRadio::receive() noexcept {
   if (!box_ || box_->inbox.empty()) return nullptr;
+  if (use_) ++use_->received;
   read_ = std::move(box_->inbox.front());
   box_->inbox.erase(box_->inbox.begin());
   return &read_;

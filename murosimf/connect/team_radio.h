@@ -3,14 +3,22 @@
 /// The same for software in shared libraries and behind sockets. What becomes of a message: message_exchange.h.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "murosimf/connect/message_box.h"
 #include "murosimf/model/setup.h"
 
 namespace murosimf::connect {
+
+/// What software has done with a radio.
+struct RadioUse {
+  std::uint64_t received = 0;     ///< messages that were read
+  std::vector<std::string> sent;  ///< also those that were refused
+};
 
 class TeamRadio {
  public:
@@ -31,6 +39,9 @@ class TeamRadio {
   /// The oldest that has arrived and was not read yet; null: there is none. It stays until the next call.
   [[nodiscard]] const TeamMessage* receive() noexcept;
 
+  /// From now on what is done with it is added there, until the next call; null: nowhere.
+  void note_use(RadioUse* use) noexcept { use_ = use; }
+
   /// Why the last send() was refused: "it has 2000 bytes; 1400 are allowed"; empty: it was not.
   [[nodiscard]] const std::string& refusal() const { return refusal_; }
   /// Nothing if it is not open.
@@ -45,6 +56,7 @@ class TeamRadio {
   Duration now_{};
   TeamMessage read_;  // the last one
   std::string refusal_;
+  RadioUse* use_ = nullptr;
 };
 
 }  // namespace murosimf::connect

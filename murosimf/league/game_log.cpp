@@ -112,6 +112,17 @@ std::vector<std::string> NotedDatagrams::take(Duration now) {
   return taken;
 }
 
+std::vector<std::string> RememberedDatagrams::take(Duration now) {
+  if (!memory_->repeats()) {
+    std::vector<std::string> taken = source_->take(now);
+    for (const std::string& bytes : taken) memory_->write(connect::OutsideNote::sent, bytes);
+    return taken;
+  }
+  std::vector<std::string> taken;
+  for (; const connect::OutsideNote* note = memory_->next(); memory_->pass()) taken.push_back(note->bytes);
+  return taken;
+}
+
 std::vector<std::string> RepeatedDatagrams::take(Duration now) {
   std::vector<std::string> taken;
   auto entry = std::ranges::upper_bound(entries_, now - period_ / 2, {}, &GameLog::Entry::time);

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "murosimf/connect/outside_memory.h"
 #include "murosimf/connect/outside_notes.h"
 #include "murosimf/league/datagrams.h"
 
@@ -68,6 +69,22 @@ class NotedDatagrams final : public Datagrams {
  private:
   Datagrams* source_;
   connect::OutsideNotes::Channel* notes_;
+};
+
+/// Datagrams of another source, which is not asked again for an instant that was there before, and hears nothing of it.
+class RememberedDatagrams final : public Datagrams {
+ public:
+  /// All must outlive it.
+  RememberedDatagrams(Datagrams& source, connect::OutsideMemory::Channel& memory)
+      : source_(&source), memory_(&memory) {}
+  [[nodiscard]] std::vector<std::string> take(Duration now) override;
+  void give(std::string_view bytes) override {
+    if (!memory_->repeats()) source_->give(bytes);
+  }
+
+ private:
+  Datagrams* source_;
+  connect::OutsideMemory::Channel* memory_;
 };
 
 /// Datagrams of a log; what is given goes nowhere. Remembers nothing, so a run may go back and forth.

@@ -115,8 +115,9 @@ void RecordedCourse::load(const std::function<void(scene::Scene&)>&) {
   throw SetupError("a recording goes on from no other state");
 }
 
-void RecordedCourse::change(const std::string& text) {
-  throw SetupError(fmt::format("{}: this is a recording; 'murosimf branch' goes on from it with changes", text));
+void RecordedCourse::change(const std::vector<std::string>& changes) {
+  throw SetupError(
+      fmt::format("{}: this is a recording; 'murosimf branch' goes on from it with changes", fmt::join(changes, "; ")));
 }
 
 std::vector<session::BranchView> RecordedCourse::branches() const {

@@ -40,7 +40,7 @@ class RecordedCourse final : public session::Course {
   void reset(std::optional<std::uint64_t> seed) override;
   void seek(Duration time, std::optional<int> branch, const std::function<bool()>& given_up) override;
   void load(const std::function<void(scene::Scene&)>& load) override;
-  void change(const std::string& text) override;
+  void change(const std::vector<std::string>& changes) override;
 
   [[nodiscard]] int branch() const override { return 0; }
   [[nodiscard]] Duration first() const override { return frames_->begin(); }

@@ -37,8 +37,11 @@ class Course {
   virtual void seek(Duration time, std::optional<int> branch, const std::function<bool()>& given_up) = 0;
   /// `load` puts a state of somewhere else into the scene, or throws and changes nothing: a branch without a parent begins there.
   virtual void load(const std::function<void(scene::Scene&)>& load) = 0;
-  /// PATH = VALUE as of Scene::post.
-  virtual void change(const std::string& text) = 0;
+  /// Each PATH = VALUE as of Scene::post; all of them, or none if one cannot be.
+  virtual void change(const std::vector<std::string>& changes) = 0;
+
+  /// What is to be said of what goes on from the present instant ("software of ... keeps its own state: ..."); empty: nothing.
+  [[nodiscard]] virtual std::string remark() const { return {}; }
 
   // Of the time line.
 

@@ -1,10 +1,10 @@
 #include "murosimf/session/live_course.h"
 
-#include <future>
 #include <span>
 #include <utility>
 
 #include "murosimf/model/error.h"
+#include "murosimf/session/own_state.h"
 
 namespace murosimf::session {
 
@@ -20,14 +20,29 @@ LiveCourse::LiveCourse(std::unique_ptr<scene::Scene> scene, const LiveOptions& o
 
 void LiveCourse::begin() {
   simulation_.initialize();
+  if (options_.no_way_back.empty()) outside().keep();
+  begin_branch();
+  live_ = {timeline_.present(), simulation_.now()};
+}
+
+/// The run begins, with a past of its own.
+void LiveCourse::begin_branch() {
+  (void)outside().take();
   timeline_.begin(simulation_.now(), scene_.save());
   noted_ = simulation_.commands().size();
 }
 
 void LiveCourse::step() {
+  outside().at(simulation_.now());
+  if (std::exchange(remarks_, false)) {
+    timeline_.remark(remark_);
+    simulation_.warn(remark_);
+  }
   simulation_.step();
   timeline_.advance(simulation_.now());
   note_commands();  // of who posts to the scene itself
+  note_outside();
+  live_ = {timeline_.present(), simulation_.now()};
   if (!timeline_.wants_state(simulation_.now())) return;
   timeline_.keep(simulation_.now(), scene_.save());
   new_state_ = true;
@@ -40,18 +55,37 @@ void LiveCourse::note_commands() {
   noted_ = all.size();
 }
 
-void LiveCourse::change(const std::string& text) {
-  std::future<void> done = scene_.post(text);
-  simulation_.carry_out_commands();
+void LiveCourse::note_outside() { timeline_.note(outside().take()); }
+
+void LiveCourse::change(const std::vector<std::string>& changes) {
+  outside().at(simulation_.now());
+  try {
+    scene_.change(changes);
+  } catch (...) {
+    (void)outside().take();
+    note_commands();  // of others
+    throw;
+  }
   note_commands();
-  done.get();
+  note_outside();
 }
 
 void LiveCourse::reset(std::optional<std::uint64_t> seed) {
   if (!options_.no_way_back.empty()) throw SetupError("no reset: " + options_.no_way_back);
-  scene_.reset(seed);
-  timeline_.begin(simulation_.now(), scene_.save());
-  noted_ = simulation_.commands().size();
+  const std::vector<std::byte> before = scene_.save();
+  const std::vector<Command> commands = simulation_.commands();
+  outside().at(Duration{});
+  try {
+    scene_.reset(seed);
+  } catch (...) {
+    scene_.load(before);
+    simulation_.commands_were(commands);
+    throw;
+  }
+  begin_branch();
+  live_ = {timeline_.present(), simulation_.now()};
+  remark_.clear();
+  remarks_ = false;
 }
 
 void LiveCourse::seek(Duration time, std::optional<int> branch, const std::function<bool()>& given_up) {
@@ -60,22 +94,43 @@ void LiveCourse::seek(Duration time, std::optional<int> branch, const std::funct
   const Timeline::Way way = timeline_.way_to(to, time);
   scene_.load(*way.state);
   simulation_.commands_were(way.before);
+  repeat(way, time, given_up);
+  timeline_.go_back(to, simulation_.now());
+  noted_ = simulation_.commands().size();
+  const bool is_live = live_ == Place{to, simulation_.now()};
+  remark_ = is_live ? "" : own_state_from(simulation_.world(), &outside(), simulation_.now());
+  remarks_ = !remark_.empty();
+}
+
+/// From the state to that time, by what is remembered.
+void LiveCourse::repeat(const Timeline::Way& way, Duration time, const std::function<bool()>& given_up) {
+  struct Repeats {
+    connect::OutsideMemory& memory;
+    ~Repeats() { memory.live(); }
+  } const repeats{outside()};
+  outside().repeat(way.notes);
+  auto remark = way.remarks.begin();
+  const auto step = [&] {
+    for (; remark != way.remarks.end() && remark->time <= simulation_.now(); ++remark) simulation_.warn(remark->text);
+    simulation_.step();
+    outside().at(simulation_.now());
+  };
+  outside().at(simulation_.now());
   for (const Command& command : way.then) {
-    while (simulation_.now() < command.time) simulation_.step();
+    while (simulation_.now() < command.time) step();
     (void)scene_.post(command.text);
     simulation_.carry_out_commands();
   }
-  while (simulation_.now() < time && !given_up()) simulation_.step();
-  timeline_.go_back(to, simulation_.now());
-  noted_ = simulation_.commands().size();
+  while (simulation_.now() < time && !given_up()) step();
 }
 
 void LiveCourse::load(const std::function<void(scene::Scene&)>& load) {
   if (!options_.no_way_back.empty()) throw SetupError("no state of somewhere else: " + options_.no_way_back);
   load(scene_);
   simulation_.commands_were({});
-  timeline_.begin(simulation_.now(), scene_.save());
-  noted_ = simulation_.commands().size();
+  begin_branch();
+  remark_ = own_state_from(simulation_.world(), &outside(), simulation_.now());
+  remarks_ = !remark_.empty();
 }
 
 bool LiveCourse::has_grown() {

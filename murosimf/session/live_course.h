@@ -24,7 +24,8 @@ class LiveCourse final : public Course {
   void reset(std::optional<std::uint64_t> seed) override;
   void seek(Duration time, std::optional<int> branch, const std::function<bool()>& given_up) override;
   void load(const std::function<void(scene::Scene&)>& load) override;
-  void change(const std::string& text) override;
+  void change(const std::vector<std::string>& changes) override;
+  [[nodiscard]] std::string remark() const override { return remark_; }
 
   [[nodiscard]] int branch() const override { return timeline_.present(); }
   [[nodiscard]] Duration first() const override { return timeline_.first(); }
@@ -35,6 +36,10 @@ class LiveCourse final : public Course {
 
  private:
   void note_commands();
+  void note_outside();
+  void begin_branch();
+  void repeat(const Timeline::Way& way, Duration time, const std::function<bool()>& given_up);
+  [[nodiscard]] connect::OutsideMemory& outside() { return *scene_.parts().outside.memory; }
 
   std::unique_ptr<scene::Scene> own_;
   scene::Scene& scene_;
@@ -42,6 +47,14 @@ class LiveCourse final : public Course {
   LiveOptions options_;
   Timeline timeline_;
   std::size_t noted_ = 0;  // commands
+  struct Place {
+    int branch = -1;
+    Duration time{};
+    friend bool operator==(const Place&, const Place&) = default;
+  };
+  Place live_;            // where those outside are
+  std::string remark_;    // Course::remark
+  bool remarks_ = false;  // it has not been said yet of the run
   int told_branch_ = -1;
   bool new_state_ = false;
   std::vector<std::string> all_;  // empty

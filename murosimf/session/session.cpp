@@ -61,8 +61,10 @@ void Session::finish() {
   inside_->wish([](Inside::Wishes& wishes) { wishes.finished = true; });
 }
 
-std::future<void> Session::change(std::string text) {
-  return inside_->ask([inside = inside_.get(), text = std::move(text)] { inside->course->change(text); });
+std::future<void> Session::change(std::string text) { return change(std::vector{std::move(text)}); }
+
+std::future<void> Session::change(std::vector<std::string> texts) {
+  return inside_->ask([inside = inside_.get(), texts = std::move(texts)] { inside->course->change(texts); });
 }
 
 std::future<void> Session::reset(std::optional<std::uint64_t> seed) {

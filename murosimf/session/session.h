@@ -9,8 +9,9 @@
 ///     session.go_on();
 ///
 /// One thread runs the scene; what others ask it does between two steps, also while it is paused. Steering changes nothing of what
-/// is computed: the same scene, seed and changes give the same states, at any speed and with any pauses. Control software outside of
-/// the process is not part of states: after a seek it goes on as it is.
+/// is computed: the same scene, seed and changes give the same states, at any speed and with any pauses. Control software, referees and
+/// others outside are asked for no instant twice: until where the run goes on live they are answered for by what they had said. From there
+/// on they go on as they are, and SessionStatus::remark says so.
 #pragma once
 
 #include <cstddef>
@@ -53,6 +54,8 @@ struct SessionStatus {
   int branch = 0;               ///< of the timeline
   std::size_t events = 0, warnings = 0;  ///< of the simulation, so far
   std::optional<bool> recorded;          ///< whether somebody asks for it; nothing: nobody can
+  std::string
+      remark{};  ///< since the last jump: what will not go on as it was there before, and why; empty: everything will
 };
 
 class Session {
@@ -89,6 +92,8 @@ class Session {
   /// A change by PATH = VALUE as of Scene::post, at once, between two steps. It becomes part of the run's commands, by which it can be
   /// repeated.
   std::future<void> change(std::string text);
+  /// Several, one after the other between the same two steps: all of them, or none if one cannot be done.
+  std::future<void> change(std::vector<std::string> texts);
   /// Back to the start, with another seed if given, as a new branch; goes on or stays paused as before.
   std::future<void> reset(std::optional<std::uint64_t> seed = {});
   /// To the instant `time` of a branch of the timeline (the present one if not given), which was there before, and pauses there. What goes

@@ -134,6 +134,7 @@ void Session::Inside::publish(bool paused) {
   status.speed = wishes.speed;
   status.factor = paused ? 0 : speedometer.factor();
   status.branch = course->branch();
+  status.remark = course->remark();
   status.events = simulation.events().size();
   status.warnings = simulation.warnings().size();
   lateness = {lateness_before.late_steps + late.late_steps, lateness_before.steps + late.steps,

@@ -40,6 +40,7 @@ void Timeline::add_branch(Branch branch) {
     if (old.forgotten || leads_here(i)) continue;
     for (std::size_t state = old.parent ? 0 : 1; state < old.states.size(); ++state)
       bytes_ -= old.states[state].state->size();
+    drop_notes(old);
     old = {old.parent, old.begin, old.end, {}, {}, true};
     --alive;
   }
@@ -49,7 +50,11 @@ void Timeline::add_branch(Branch branch) {
 void Timeline::settle() {
   if (!std::exchange(looks_back_, false)) return;
   if (now_ < here().end) return add_branch({present_, now_, now_, {}, {}});
-  std::erase_if(here().commands, [&](const Command& command) { return command.time >= now_; });
+  const auto comes_later = [&](const Command& command) { return command.time >= now_; };
+  std::erase_if(here().commands, comes_later);
+  std::erase_if(here().remarks, comes_later);
+  auto& notes = here().notes;
+  for (; !notes.empty() && notes.back().note.time >= now_; notes.pop_back()) note_bytes_ -= notes.back().size();
 }
 
 void Timeline::advance(Duration now) {
@@ -68,6 +73,38 @@ void Timeline::note(std::span<const Command> commands) {
   if (commands.empty()) return;
   settle();
   here().commands.insert(here().commands.end(), commands.begin(), commands.end());
+}
+
+void Timeline::note(std::vector<connect::RememberedNote> notes) {
+  if (notes.empty()) return;
+  settle();
+  for (connect::RememberedNote& note : notes) {
+    note_bytes_ += note.size();
+    here().notes.push_back(std::move(note));
+  }
+  forget_oldest_notes();
+}
+
+void Timeline::remark(std::string text) {
+  settle();
+  here().remarks.push_back({now_, std::move(text)});
+}
+
+void Timeline::drop_notes(Branch& branch) {
+  for (const connect::RememberedNote& note : branch.notes) note_bytes_ -= note.size();
+  branch.notes.clear();
+}
+
+/// Of the oldest branch first.
+void Timeline::forget_oldest_notes() {
+  for (Branch& branch : branches_) {
+    auto& notes = branch.notes;
+    while (note_bytes_ > options_.most_note_bytes && !notes.empty()) {
+      const Duration time = notes.front().note.time;
+      branch.notes_from = time + Duration{1};
+      for (; !notes.empty() && notes.front().note.time == time; notes.pop_front()) note_bytes_ -= notes.front().size();
+    }
+  }
 }
 
 /// Drops those states whose loss makes the gap between their neighbors grow least, for their age.
@@ -98,12 +135,36 @@ auto Timeline::at(int branch) const -> const Branch& {
   return branches_[static_cast<std::size_t>(branch)];
 }
 
-void Timeline::collect(int number, Duration begin, Duration end, std::vector<Command>& commands) const {
+void Timeline::collect(int number, Duration begin, Duration end, Way& way) const {
   const Branch& branch = at(number);
-  if (branch.parent) collect(*branch.parent, begin, std::min(end, branch.begin), commands);
-  for (const Command& command : branch.commands) {
-    if (command.time >= begin && command.time < end) commands.push_back(command);
+  if (branch.parent) collect(*branch.parent, begin, std::min(end, branch.begin), way);
+  const auto add = [&](const std::vector<Command>& all, std::vector<Command>& found) {
+    for (const Command& one : all) {
+      if (one.time >= begin && one.time < end) found.push_back(one);
+    }
+  };
+  add(branch.commands, way.then);
+  add(branch.remarks, way.remarks);
+  if (begin >= end) return;
+  if (branch.notes_from > begin) {
+    throw SetupError(
+        fmt::format("what came from outside before {:.3f} s is not kept any more, so there is only a way to the states "
+                    "that are kept ({:.3f} s)",
+                    seconds(branch.notes_from), seconds(way.from)));
   }
+  const auto time_of = [](const connect::RememberedNote& note) { return note.note.time; };
+  auto note = std::ranges::lower_bound(branch.notes, begin, {}, time_of);
+  for (; note != branch.notes.end() && note->note.time < end; ++note) way.notes.push_back(*note);
+}
+
+std::vector<Command> Timeline::commands_until(int number, Duration end) const {
+  const Branch& branch = at(number);
+  std::vector<Command> commands;
+  if (branch.parent) commands = commands_until(*branch.parent, std::min(end, branch.begin));
+  for (const Command& command : branch.commands) {
+    if (command.time < end) commands.push_back(command);
+  }
+  return commands;
 }
 
 auto Timeline::way_to(int number, Duration time) const -> Way {
@@ -118,9 +179,8 @@ auto Timeline::way_to(int number, Duration time) const -> Way {
     until = std::min(until, branch.begin);
     if (later == branch.states.begin()) continue;
     const Kept& kept = *std::prev(later);
-    Way way{kept.state, kept.time, {}, {}};
-    collect(number, Duration::min(), kept.time, way.before);
-    collect(number, kept.time, time, way.then);
+    Way way{kept.state, kept.time, commands_until(number, kept.time), {}, {}, {}};
+    collect(number, kept.time, time, way);
     return way;
   }
   throw SetupError(fmt::format("nothing is kept of branch {} at {:.3f} s", number, seconds(time)));

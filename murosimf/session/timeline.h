@@ -1,18 +1,23 @@
 /// timeline.h - states of a run, kept so that one can go back to any instant and on from there.
 ///
 /// States are bytes of Scene::save(). They are thinned with their age: of the last seconds many are kept, of what is long ago few, so
-/// that a whole run fits into a bounded memory. Between two states the run is repeated, with the commands that came then.
+/// that a whole run fits into a bounded memory. Between two states the run is repeated, with the commands that came then, and with what
+/// came from outside (connect/outside_memory.h). Of these notes, too, only so many are kept: where the oldest have gone, one can go back to
+/// kept states alone.
 ///
 /// A run that goes on from an earlier instant is a branch; the rest of its parent stays. A state is that before the commands of its
 /// instant: these belong to what comes after it. Of many branches the oldest are forgotten.
 #pragma once
 
 #include <cstddef>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "murosimf/connect/outside_memory.h"
 #include "murosimf/model/time.h"
 #include "murosimf/runtime/command_queue.h"
 
@@ -23,6 +28,7 @@ struct TimelineOptions {
       std::chrono::milliseconds(500);               ///< [simulated] from one state to the next; 0: only starts are kept
   std::size_t most_bytes = std::size_t{256} << 20;  ///< of all states but those that resets began with
   std::size_t most_branches = 64;
+  std::size_t most_note_bytes = std::size_t{128} << 20;  ///< of what has come from outside, of all branches together
 };
 
 /// What others see of a branch.
@@ -49,13 +55,19 @@ class Timeline {
   void keep(Duration now, State state);
   /// Commands that have been carried out since the last call, at the time of the present state.
   void note(std::span<const Command> commands);
+  /// What has come from outside since the last call, in the step that led to the present state, or before the next one.
+  void note(std::vector<connect::RememberedNote> notes);
+  /// What is to be said of the run from the present instant of the present branch on.
+  void remark(std::string text);
 
   /// How to come to an instant.
   struct Way {
     std::shared_ptr<const State> state;
-    Duration from{};              ///< of the state
-    std::vector<Command> before;  ///< that had led to it, from the start on
-    std::vector<Command> then;    ///< from there to the instant (excluded)
+    Duration from{};                             ///< of the state
+    std::vector<Command> before;                 ///< that had led to it, from the start on
+    std::vector<Command> then;                   ///< from there to the instant (excluded)
+    std::vector<connect::RememberedNote> notes;  ///< likewise
+    std::vector<Command> remarks;                ///< likewise
   };
   /// Throws SetupError for branches and times that there are not.
   [[nodiscard]] Way way_to(int branch, Duration time) const;
@@ -68,6 +80,7 @@ class Timeline {
   [[nodiscard]] Duration first() const;
   [[nodiscard]] Duration last() const { return branches_[static_cast<std::size_t>(present_)].end; }
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
+  [[nodiscard]] std::size_t note_bytes() const { return note_bytes_; }
 
  private:
   struct Kept {
@@ -80,6 +93,9 @@ class Timeline {
     std::vector<Kept> states;       // by time
     std::vector<Command> commands;  // by time
     bool forgotten = false;
+    std::deque<connect::RememberedNote> notes{};  // by time
+    std::vector<Command> remarks{};               // by time
+    Duration notes_from = Duration::min();        // the first instant of which all notes are there
   };
 
   [[nodiscard]] const Branch& at(int branch) const;
@@ -88,8 +104,11 @@ class Timeline {
   void add_branch(Branch branch);
   void settle();
   void thin_out();
-  /// Commands of a branch and its ancestors with begin <= time < end.
-  void collect(int branch, Duration begin, Duration end, std::vector<Command>& commands) const;
+  /// Commands, notes and remarks of a branch and its ancestors with begin <= time < end. Throws SetupError if notes are gone.
+  void collect(int branch, Duration begin, Duration end, Way& way) const;
+  [[nodiscard]] std::vector<Command> commands_until(int branch, Duration end) const;
+  void forget_oldest_notes();
+  void drop_notes(Branch& branch);
 
   TimelineOptions options_;
   std::vector<Branch> branches_;
@@ -97,6 +116,7 @@ class Timeline {
   Duration now_{};
   bool looks_back_ = false;  // since go_back()
   std::size_t bytes_ = 0;    // of what may be thinned out
+  std::size_t note_bytes_ = 0;
 };
 
 }  // namespace murosimf::session

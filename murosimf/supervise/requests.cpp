@@ -86,6 +86,7 @@ void Requests::write_status(wire::Status& told) const {
   told.set_events(status.events);
   told.set_warnings(status.warnings);
   if (status.recorded) told.set_recorded(*status.recorded);
+  told.set_remark(status.remark);
 }
 
 /// Of the session of that number, or a later one.
@@ -187,7 +188,8 @@ void Requests::settle() {
 
 void Requests::change(const FromSupervisor& request) {
   found_.clear();  // other levels have other properties
-  for (const std::string& text : request.change().changes()) session_->change(text).get();
+  const auto& changes = request.change().changes();
+  session_->change(std::vector<std::string>(changes.begin(), changes.end())).get();
 }
 
 void Requests::seek(const FromSupervisor& request) {

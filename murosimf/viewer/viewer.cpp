@@ -65,8 +65,14 @@ void Viewer::begin() {
   status_ = session().status();
 }
 
-void Viewer::refresh(double wall) {
+void Viewer::take_status() {
+  const bool is_known = !status_.remark.empty();  // it changes while somebody goes through time
   status_ = session().status();
+  if (!is_known && !status_.remark.empty()) tell(status_.remark, true);
+}
+
+void Viewer::refresh(double wall) {
+  take_status();
   branches_ = session().branches();
   collect_answers();
   take_frame();
@@ -81,7 +87,7 @@ void Viewer::settle() {
   const auto wait = [&](const auto& ready) {
     while (!ready() && !running_->ended() && std::chrono::steady_clock::now() < until) {
       std::this_thread::sleep_for(1ms);
-      status_ = session().status();
+      take_status();
       collect_answers();
       take_frame();
     }

@@ -156,6 +156,7 @@ class Viewer {
   void ask(std::string what, std::future<void> done, bool silent = false);
   void collect_answers();
   [[nodiscard]] std::vector<connect::Drawn> all_drawn() const;
+  void take_status();
   void take_frame();
   void take_inspection();
   void ask_for_inspection();

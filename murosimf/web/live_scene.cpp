@@ -35,6 +35,7 @@ json state_of(const session::SessionStatus& status, const json& entities, const 
             {"factor", status.factor},
             {"branch", status.branch},
             {"jumps", status.jumps},
+            {"remark", status.remark},
             {"entities", entities},
             {"beliefs", beliefs},
             {"game", game}}}};

@@ -174,6 +174,13 @@ std::size_t Socket::receive(std::span<char> bytes) const {
   throw WireError(reason(received == 0 ? ECONNRESET : errno));
 }
 
+bool Socket::has_ended() const {
+  pollfd asked{number_, POLLRDHUP, 0};
+  return ::poll(&asked, 1, 0) > 0;
+}
+
+Socket Socket::watcher() const { return Socket(::fcntl(number_, F_DUPFD_CLOEXEC, 0)); }
+
 bool Socket::wait(WallTime end, bool to_send) const {
   using namespace std::chrono;
   for (;;) {

@@ -56,6 +56,11 @@ class Socket {
   std::size_t send(std::span<const char> bytes) const;
   std::size_t receive(std::span<char> bytes) const;
 
+  /// Whether the peer has closed its end, or the connection has broken; what it has sent before may still be there.
+  [[nodiscard]] bool has_ended() const;
+  /// Another one to the same connection, which lasts until both are closed: for who watches it from another thread.
+  [[nodiscard]] Socket watcher() const;
+
   /// Waits until something can be received, or (`to_send`) sent. False: not until `end`.
   [[nodiscard]] bool wait(WallTime end, bool to_send = false) const;
 

@@ -64,7 +64,7 @@ class Supervisor:
         return self._status_after(supervision.speed(factor or 0.0))
 
     def change(self, *changes):
-        """Each PATH = VALUE, as in events of a scene: levels, laws, commands, who is there, properties."""
+        """Each PATH = VALUE, as in events of a scene: levels, laws, commands, who is there, properties. All of them, or none."""
         return self._status_after(supervision.change(changes))
 
     def place(self, entity, x, y, z=0.0, heading=0.0):
@@ -95,7 +95,8 @@ class Supervisor:
         return self._status_after(supervision.reset(seed))
 
     def seek(self, time, branch=None):
-        """Back, or on, to an instant that was there before, and pauses there. What goes on from there is a new branch."""
+        """Back, or on, to an instant that was there before, and pauses there. What goes on from there is a new branch. `remark` of the
+        answer says who outside has not gone back with it, "" if nobody."""
         return self._status_after(supervision.seek(_ns(time), branch))
 
     def branches(self):

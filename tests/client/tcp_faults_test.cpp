@@ -30,7 +30,7 @@ std::string ending(const std::function<void(RawClient&)>& mistake, std::vector<s
       client.play(6);
       mistake(client);
     });
-    overrides.insert(overrides.end(), {"right.control_rate=20", "right.options.limit=0.3"});
+    overrides.insert(overrides.end(), {"right.control_rate=20", "right.options.limit=0.3", "right.options.absence=0"});
     {
       scene::Scene scene(to_the_ball_tcp, two_robots(listener, overrides));
       scene.simulation().run(1s);
@@ -245,23 +245,6 @@ TEST(TcpStrangers, AHundredAtOnceKeepNobodyOut) {
     EXPECT_GE(listener.lines(100 - 64).size(), 100U - 64U);
   }
   EXPECT_EQ(open_files(), files);
-}
-
-TEST(TcpStrangers, FindARobotWhoseSoftwareHasEndedClosed) {
-  const Listener listener;
-  Software left([&] { walk_to_ball("left", listener.port()); });
-  Software right([&] {
-    RawClient client(listener.port());
-    client.come("right");
-    client.play(2);
-  });
-  scene::Scene scene(to_the_ball_tcp, two_robots(listener));
-  scene.simulation().run(100ms);
-  RawClient late(listener.port());
-  late.hello("right");
-  EXPECT_EQ(late.end(), "the software of 'right' has ended, and no other one is taken");
-  EXPECT_TRUE(
-      says(error_of([&] { scene.reset(); }), {"right: its software cannot begin again", "closed the connection"}));
 }
 
 TEST(TcpServer, SaysThatThePortIsInUse) {

@@ -17,6 +17,7 @@
 #include "murosimf/model/properties.h"
 #include "murosimf/scene/scene_report.h"
 #include "murosimf/scene_file/scene_spec.h"
+#include "murosimf/session/live_course.h"
 #include "tests/fixtures.h"
 #include "tests/league/until.h"
 #include "tests/recording/repeatable_run.h"
@@ -280,6 +281,46 @@ TEST(League, RepeatsARunFromItsRecord) {
   EXPECT_EQ(again.scene.simulation().state_hash(), game.scene.simulation().state_hash());
   EXPECT_EQ(again.events(), game.events());
   EXPECT_EQ(again.game.log().to_text(), game.game.log().to_text());
+}
+
+// The referee, robots and teams are not asked again, and hear nothing of it.
+TEST(League, GoingBackInTimeAnswersFromWhatHadCome) {
+  UdpPort answers({});
+  Game game(three_on_three({answer_port_of(answers)}), {.game_controller = UdpAddress{}});
+  Controller controller(game);
+  session::LiveCourse course(game.scene);
+  course.begin();
+  const auto go_on_until = [&](Duration time) {
+    while (game.scene.simulation().now() < time) course.step();
+  };
+  const auto hear = [&](std::size_t number) {
+    const std::uint64_t before = game.game.game()->words();
+    controller.out.give(packets()[number]);
+    for (int i = 0; i < 5000 && game.game.game()->words() == before; ++i) {
+      course.step();
+      std::this_thread::sleep_for(1ms);
+    }
+    ASSERT_EQ(game.game.game()->words(), before + 1);
+  };
+  hear(3);
+  const Duration first = game.scene.simulation().now() + 300ms;
+  go_on_until(first);
+  const std::vector<std::byte> then = game.scene.save();
+  hear(12);
+  const Duration second = game.scene.simulation().now() + 700ms;
+  go_on_until(second);
+  const std::vector<std::byte> last = game.scene.save();
+  const std::uint64_t words = game.game.game()->words();
+  (void)all_of(answers, 12);
+  for (const Duration time : {first, second, first, second}) {
+    course.seek(time, {}, [] { return false; });
+    EXPECT_TRUE(game.scene.save() == (time == first ? then : last));
+    EXPECT_EQ(game.game.game()->words(), time == first ? words - 1 : words);
+  }
+  EXPECT_EQ(answers.take({}), Texts{}) << "nobody is answered twice";
+  EXPECT_EQ(course.remark(), "");
+  course.seek(first, {}, [] { return false; });
+  EXPECT_TRUE(fixtures::says(course.remark(), {"software of ", "and the GameController keep their own state: from "}));
 }
 
 TEST(League, TellsOnceWhatItCannotUse) {

@@ -198,6 +198,43 @@ TEST(Supervision, ChangesPushesAndPlacesAsEventsDo) {
   EXPECT_EQ(none.events().events_size(), 0);
 }
 
+TEST(Supervision, MakesAllChangesOfARequestOrNone) {
+  SupervisedRun run;
+  Client client(run, run.supervision->token());
+  client.advance(200ms);
+  const auto change = [&](const std::vector<std::string>& all) {
+    return client.ask([&](FromSupervisor& m) { m.mutable_change()->mutable_changes()->Add(all.begin(), all.end()); });
+  };
+  const std::uint64_t hash = run.hash();
+  const std::string push = "walker.torso.push = [20, 0, 0, 0.1]", place = "walker.place = [1, -0.5, 0, 0.5]";
+  const std::string level = "walker.level = full_dynamics", command = "walker.command = [0, 0, 0.5]";
+  EXPECT_TRUE(
+      says(change({push, place, level, command, "wolker.level = full_dynamics"}).refused().reason(), {"wolker"}));
+  EXPECT_TRUE(says(change({place, command, "walker.present = false", push, place}).refused().reason(), {"walker"}));
+  EXPECT_EQ(run.hash(), hash);
+  EXPECT_EQ(client.read("walker.torso.position"), client.read("walker.torso.position"));
+  client.advance(200ms);
+  EXPECT_EQ(run.hash(), hash_at(400ms)) << "as if nobody had asked";
+  EXPECT_TRUE(change({push, command}).has_status());
+  client.advance(200ms);
+  EXPECT_EQ(run.hash(), hash_at(600ms, {"0.4:" + push, "0.4:" + command}));
+}
+
+TEST(Supervision, SaysWhatWillNotGoOnAsItWas) {
+  SupervisedRun run;
+  Client client(run, run.supervision->token());
+  run.session.visit([](scene::Scene& scene) { scene.parts().outside.memory->expect("the GameController"); }).get();
+  client.advance(500ms);
+  const auto seek = [&](Duration time) {
+    return client.ask([&](FromSupervisor& m) { m.mutable_seek()->set_time(time.count()); }).status().remark();
+  };
+  EXPECT_EQ(seek(300ms),
+            "the GameController keeps its own state: from 0.3 s on this is not the run that was there before");
+  EXPECT_EQ(seek(500ms), "");
+  EXPECT_NE(seek(100ms), "");
+  EXPECT_EQ(client.advance(100ms).status().warnings(), 1U);
+}
+
 TEST(Supervision, TellsWhatCannotBe) {
   SupervisedRun run;
   Client client(run, run.supervision->token());

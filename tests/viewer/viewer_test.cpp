@@ -58,6 +58,21 @@ bool told(const Viewer& viewer, const std::string& part) {
   return false;
 }
 
+// What keeps its own state and goes on otherwise than it was there before is told of in a message.
+TEST(Viewer, TellsWhatWillNotGoOnAsItWas) {
+  ViewerOptions options = options_with();
+  options.make_course = [make = options.make_course] {
+    auto course = make();
+    course->scene().parts().outside.memory->expect("the GameController");
+    return course;
+  };
+  Viewer viewer(options);
+  watch_to_end(viewer);
+  viewer.session().seek(300ms).get();
+  viewer.settle();
+  EXPECT_TRUE(told(viewer, "the GameController keeps its own state: from 0.3 s on")) << "in a message";
+}
+
 // Rule: who only looks changes nothing, however much he looks at.
 TEST(Viewer, LookingChangesNothing) {
   scene::Scene alone("three_on_three", {.overrides = dynamic});

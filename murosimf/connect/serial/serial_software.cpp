@@ -38,7 +38,9 @@ SerialSoftware::SerialSoftware(Setup& setup, RobotPort& port, SayLine say, std::
       notes_(outside.notes),
       pen_(outside.channel("serial:" + setup.entity().name())),
       repeated_(outside.repeated),
-      reader_(repeated_ ? repeated_->find("serial:" + setup.entity().name()) : nullptr) {
+      reader_(repeated_ ? repeated_->find("serial:" + setup.entity().name()) : nullptr),
+      remembered_(outside.memory),
+      memory_(remembered_ ? &remembered_->channel("serial:" + setup.entity().name()) : nullptr) {
   for (const ServoPlace& place : layout) add_joint(setup.model(), place);
   for (const int joint : setup.model().joints()) {
     const Vec3d* range = setup.model().find(properties::joint_range, joint);
@@ -128,7 +130,7 @@ CallOutcome SerialSoftware::start() {
 }
 
 CallOutcome SerialSoftware::step(Duration now) noexcept {
-  if (terminal_ && !link_) {  // who finds it is answered from now on
+  if (terminal_ && !link_ && !remembers()) {  // who finds it is answered from now on
     try {
       link_.emplace(link_place_, terminal_->name());
     } catch (const SetupError& error) {
@@ -211,25 +213,49 @@ SerialSoftware::Heard SerialSoftware::repeat(Duration now) {
   return heard;
 }
 
+SerialSoftware::Heard SerialSoftware::remember() {
+  Heard heard;
+  for (; const OutsideNote* note = memory_->next(); memory_->pass()) {
+    if (note->kind == OutsideNote::sent) heard.bytes.insert(heard.bytes.end(), note->bytes.begin(), note->bytes.end());
+    if (note->kind == OutsideNote::asked) heard.rate = rate_of(*note);
+    if (note->kind == OutsideNote::fell_silent) heard.fell_silent = true;
+    if (note->kind == OutsideNote::left) line_->hang_up();  // the client that is there now is another matter
+  }
+  return heard;
+}
+
+SerialSoftware::Heard SerialSoftware::heard_at(Duration now) {
+  if (remembers()) return remember();
+  // what was on its way when time jumped belongs to another time
+  const bool jumped = std::exchange(jumped_, false) && now != next_;
+  if (jumped && !repeated_) line_->hang_up();
+  next_ = now + from_seconds(period_);
+  return repeated_ ? repeat(now) : listen(seconds(now));
+}
+
 void SerialSoftware::write_down(const Heard& heard) {
-  if (heard.rate) pen_.write(OutsideNote::asked, fmt::format("{:.0f}", *heard.rate));
-  if (!heard.bytes.empty()) pen_.write(OutsideNote::sent, std::string(heard.bytes.begin(), heard.bytes.end()));
-  if (heard.fell_silent) pen_.write(OutsideNote::fell_silent);
-  if (heard.client) pen_.write(*heard.client ? OutsideNote::came : OutsideNote::left);
+  const auto write = [&](OutsideNote::Kind kind, const std::string& bytes = {}) {
+    pen_.write(kind, bytes);
+    if (memory_) memory_->write(kind, bytes);
+  };
+  if (heard.rate) write(OutsideNote::asked, fmt::format("{:.0f}", *heard.rate));
+  if (!heard.bytes.empty()) write(OutsideNote::sent, std::string(heard.bytes.begin(), heard.bytes.end()));
+  if (heard.fell_silent) write(OutsideNote::fell_silent);
+  if (heard.client) write(*heard.client ? OutsideNote::came : OutsideNote::left);
 }
 
 void SerialSoftware::exchange_bytes(Duration now) {
   const double time = seconds(now);
-  const Heard heard = repeated_ ? repeat(now) : listen(time);
+  const Heard heard = heard_at(now);
   pen_.at(now);
-  write_down(heard);
+  if (!remembers()) write_down(heard);
   if (heard.rate) line_->set_rate(*heard.rate);
   if (!heard.bytes.empty()) line_->push(heard.bytes, time);
   if (heard.fell_silent) line_->forget_partial();
   if (heard.client) look_after(*heard.client);
   to_send_.clear();
   line_->run(time, to_send_);
-  if (!to_send_.empty() && client_ && terminal_) send();
+  if (!to_send_.empty() && client_ && terminal_ && !remembers()) send();
 }
 
 void SerialSoftware::send() {
@@ -278,7 +304,7 @@ void SerialSoftware::state(StateArchive& archive) {
   for (const auto& device : bus_->devices()) device->state(archive);
   archive(*line_);
   if (!archive.loads()) return;
-  if (!repeated_) line_->hang_up();  // what was on its way belongs to another time
+  jumped_ = true;
   reader_.rewind();
 }
 

@@ -16,6 +16,7 @@
 #include "murosimf/connect/dynamixel/bus_line.h"
 #include "murosimf/connect/dynamixel/imu_board.h"
 #include "murosimf/connect/dynamixel/servo_device.h"
+#include "murosimf/connect/outside_memory.h"
 #include "murosimf/connect/outside_notes.h"
 #include "murosimf/connect/serial/bus_layout.h"
 #include "murosimf/connect/serial/pseudo_terminal.h"
@@ -46,6 +47,7 @@ class SerialSoftware final : public ControlSoftware {
   [[nodiscard]] CallOutcome start() override;
   [[nodiscard]] CallOutcome step(Duration now) noexcept override;
   void state(StateArchive& archive) override;
+  [[nodiscard]] bool repeats_itself() const override { return true; }
 
   /// Null: there is none.
   [[nodiscard]] const PseudoTerminal* terminal() const { return terminal_.get(); }
@@ -77,6 +79,10 @@ class SerialSoftware final : public ControlSoftware {
   };
   [[nodiscard]] Heard listen(double now);
   [[nodiscard]] Heard repeat(Duration now);
+  /// Of what is remembered of an instant that was there before.
+  [[nodiscard]] Heard remember();
+  [[nodiscard]] Heard heard_at(Duration now);
+  [[nodiscard]] bool remembers() const { return memory_ && memory_->repeats(); }
   void write_down(const Heard& heard);
   void exchange_bytes(Duration now);
   void send();
@@ -107,6 +113,10 @@ class SerialSoftware final : public ControlSoftware {
   OutsidePen pen_;
   std::shared_ptr<const OutsideNotes> repeated_;  // null: it is live
   OutsideReader reader_;
+  std::shared_ptr<OutsideMemory> remembered_;  // the channel's
+  OutsideMemory::Channel* memory_ = nullptr;   // null: nobody goes back in time
+  bool jumped_ = false;                        // a state was loaded since the last step that was live
+  Duration next_{-1};                          // of the step after that one
 };
 
 }  // namespace murosimf::connect::serial

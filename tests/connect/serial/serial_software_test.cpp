@@ -13,6 +13,7 @@
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/motion/servo_law.h"
 #include "murosimf/scene/scene.h"
+#include "murosimf/session/live_course.h"
 #include "tests/connect/serial/serial_port.h"
 #include "tests/fixtures.h"
 #include "tests/recording/repeatable_run.h"
@@ -387,6 +388,44 @@ TEST(SerialSoftware, ResetsAndStatesAreThoseOfTheServos) {
   test.scene->simulation().reset();
   test.run(50ms);
   EXPECT_EQ(test.head_angle(), 0);
+}
+
+// What its client had sent is done again at its instants, with bytes on their way; the client hears nothing of it.
+TEST(SerialSoftware, GoingBackInTimeAnswersFromWhatItsClientHadSent) {
+  for (const char* baud_rate : {"walker.options.baud_rate=0", "walker.options.baud_rate=57600"}) {
+    SerialScene test({baud_rate});
+    session::LiveCourse course(*test.scene);
+    course.begin();
+    const auto go_to = [&](Duration time) {
+      while (test.scene->simulation().now() < time) course.step();
+    };
+    const auto seek = [&](Duration time) { course.seek(time, {}, [] { return false; }); };
+    go_to(20ms);
+    SerialPort port(test.port());
+    port.send(torque_on(head));
+    port.send(write_packet(head, 112, long_word(50)));
+    go_to(220ms);
+    port.send(goal(head, 2500));
+    port.send(read_head);
+    go_to(222ms);  // the answer is on its way, if bytes take time
+    const std::vector<std::byte> then = test.scene->save();
+    go_to(400ms);
+    port.send(goal(head, 1800));
+    go_to(700ms);
+    const std::vector<std::byte> last = test.scene->save();
+    for (int i = 0; i < 5; ++i) (void)port.answer();
+    seek(222ms);
+    EXPECT_TRUE(test.scene->save() == then) << baud_rate;
+    EXPECT_EQ(course.remark(),
+              "software of walker keeps its own state: from 0.222 s on this is not the run that was there before");
+    seek(700ms);
+    EXPECT_TRUE(test.scene->save() == last) << baud_rate;
+    seek(222ms);
+    go_to(260ms);
+    port.send(read_head);
+    go_to(300ms);
+    EXPECT_TRUE(port.answer().has_value()) << "it goes on live";
+  }
 }
 
 /// [ms] from a goal to the moment at which the robot has it; -1: not within a second.

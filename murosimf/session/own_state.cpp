@@ -1,0 +1,30 @@
+#include "murosimf/session/own_state.h"
+
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "murosimf/connect/controller_task.h"
+
+namespace murosimf::session {
+
+std::string own_state(const World& world, const connect::OutsideMemory* memory) {
+  std::vector<std::string> robots, subjects;
+  for (const auto& entity : world.entities()) {
+    const connect::SoftwareReport* const software = connect::software_report(*entity);
+    if (software && software->keeps_state && software->ended.empty()) robots.push_back(entity->name());
+  }
+  if (!robots.empty()) subjects.push_back(fmt::format("software of {}", fmt::join(robots, ", ")));
+  if (memory) subjects.insert(subjects.end(), memory->others().begin(), memory->others().end());
+  if (subjects.empty()) return {};
+  const bool one = subjects.size() == 1 && robots.size() < 2;
+  return fmt::format("{} {}", fmt::join(subjects, " and "), one ? "keeps its own state" : "keep their own state");
+}
+
+std::string own_state_from(const World& world, const connect::OutsideMemory* memory, Duration time) {
+  const std::string who = own_state(world, memory);
+  if (who.empty()) return {};
+  return fmt::format("{}: from {:g} s on this is not the run that was there before", who, seconds(time));
+}
+
+}  // namespace murosimf::session
