@@ -1,5 +1,6 @@
 #include "murosimf/series/statistics.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -19,14 +20,31 @@ double student_975(std::size_t freedom) {
   return z + (first + (second + (third + fourth / n) / n) / n) / n;
 }
 
+namespace {
+
+/// Of `n` cases, the share `p` of which was 1: the p' at which the observed share is 1.96 standard deviations away.
+void set_wilson(MeanInterval& result) {
+  constexpr double z = 1.959963984540054, z2 = z * z;
+  const double n = static_cast<double>(result.count), p = result.mean, scale = 1 / (1 + z2 / n);
+  const double middle = scale * (p + z2 / (2 * n));
+  const double half = scale * z * std::sqrt(p * (1 - p) / n + z2 / (4 * n * n));
+  result.low = std::max(0.0, middle - half);  // rounding, where no case or every case was 1
+  result.high = std::min(1.0, middle + half);
+}
+
+}  // namespace
+
 MeanInterval mean_interval(const std::vector<double>& values) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  MeanInterval result{.count = 0, .mean = nan, .half = nan};
+  MeanInterval result{.count = 0, .mean = nan, .half = nan, .low = nan, .high = nan};
+  bool cases = true, counts = true;
   double first = nan, sum = 0, squares = 0;  // the sum is that of differences to the first: equal values have no spread
   for (const double value : values) {
     if (std::isnan(value)) continue;
     if (result.count++ == 0) first = value;
     sum += value - first;
+    cases = cases && (value == 0 || value == 1);
+    counts = counts && value >= 0 && value == std::floor(value);
   }
   if (result.count == 0) return result;
   const double n = static_cast<double>(result.count);
@@ -35,7 +53,12 @@ MeanInterval mean_interval(const std::vector<double>& values) {
   for (const double value : values) {
     if (!std::isnan(value)) squares += (value - result.mean) * (value - result.mean);
   }
-  result.half = student_975(result.count - 1) * std::sqrt(squares / (n - 1) / n);
+  const double half = student_975(result.count - 1) * std::sqrt(squares / (n - 1) / n);
+  result.low = result.mean - half;
+  result.high = result.mean + half;
+  if (counts) result.low = std::max(0.0, result.low);
+  if (cases) set_wilson(result);
+  result.half = (result.high - result.low) / 2;
   return result;
 }
 

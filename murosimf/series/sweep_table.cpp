@@ -1,6 +1,7 @@
 // What a sweep has shown, as tables.
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -28,6 +29,30 @@ std::vector<Group> groups_of(const Sweep& sweep) {
   return groups;
 }
 
+/// Whether no two runs of any combination differ in any result, and there are two of one.
+bool seeds_do_nothing(const std::vector<Group>& groups) {
+  bool compared = false;
+  for (const Group& group : groups) {
+    for (const SweepRun* run : group.runs) {
+      const bool same = std::ranges::equal(run->values, group.runs[0]->values, [](double a, double b) {
+        return a == b || (std::isnan(a) && std::isnan(b));
+      });
+      if (!same) return false;
+      compared = compared || run != group.runs[0];
+    }
+  }
+  return compared;
+}
+
+std::string cell_of(const MeanInterval& interval, bool alone) {
+  if (alone || interval.count < 2) return fmt::format("{:.4g}", interval.mean);
+  const double below = interval.mean - interval.low, above = interval.high - interval.mean;
+  if (std::abs(above - below) > 1e-9 * above) {
+    return fmt::format("{:.4g} ({:.2g} to {:.2g})", interval.mean, interval.low, interval.high);
+  }
+  return fmt::format("{:.4g} +- {:.2g}", interval.mean, interval.half);
+}
+
 MeanInterval interval_of(const Group& group, std::size_t result) {
   std::vector<double> values;
   for (const SweepRun* run : group.runs) values.push_back(run->values[result]);
@@ -48,17 +73,19 @@ std::string to_text(const Sweep& sweep) {
   head.emplace_back("runs");
   head.insert(head.end(), sweep.results.begin(), sweep.results.end());
   table.add(head);
-  for (const Group& group : groups_of(sweep)) {
+  const std::vector<Group> groups = groups_of(sweep);
+  const bool without_chance = seeds_do_nothing(groups);
+  for (const Group& group : groups) {
     std::vector<std::string> row = group.values;
     row.push_back(fmt::format("{}", group.runs.size()));
     for (std::size_t i = 0; i < sweep.results.size(); ++i) {
-      const MeanInterval interval = interval_of(group, i);
-      row.push_back(interval.count < 2 ? fmt::format("{:.4g}", interval.mean)
-                                       : fmt::format("{:.4g} +- {:.2g}", interval.mean, interval.half));
+      row.push_back(cell_of(interval_of(group, i), without_chance));
     }
     table.add(row);
   }
-  return table.text();
+  std::string text = table.text();
+  if (without_chance) text += "no seed makes a difference to these results: nothing in the scene is left to chance\n";
+  return text;
 }
 
 std::string to_csv(const Sweep& sweep) {
@@ -104,7 +131,7 @@ std::string summary_csv(const Sweep& sweep) {
     cells.push_back(fmt::format("{}", groups[g].runs.size()));
     for (std::size_t i = 0; i < sweep.results.size(); ++i) {
       const MeanInterval one = interval_of(groups[g], i);
-      for (const double value : {one.mean, one.mean - one.half, one.mean + one.half}) {
+      for (const double value : {one.mean, one.low, one.high}) {
         cells.push_back(fmt::format("{}", value));
       }
     }
@@ -123,14 +150,20 @@ std::string to_json(const Sweep& sweep) {
     nlohmann::json results = nlohmann::json::array();
     for (std::size_t i = 0; i < sweep.results.size(); ++i) {
       const MeanInterval one = interval_of(group, i);
-      results.push_back({{"count", one.count}, {"mean", one.mean}, {"half_95", one.half}});
+      results.push_back({{"count", one.count},
+                         {"mean", one.mean},
+                         {"half_95", one.half},
+                         {"low_95", one.low},
+                         {"high_95", one.high}});
     }
     summary.push_back({{"values", group.values}, {"runs", group.runs.size()}, {"results", results}});
   }
+  const bool without_chance = seeds_do_nothing(groups_of(sweep));
   return files::json_text({{"schema", files::json_schema("sweep")},
                            {"scene", sweep.scene},
                            {"axes", sweep.axes},
                            {"results", sweep.results},
+                           {"seeds_differ", !without_chance},
                            {"runs", runs},
                            {"summary", summary}});
 }

@@ -70,7 +70,37 @@ TEST(Statistics, IntervalIsStudents) {
   EXPECT_NEAR(interval.half, 3.18245 * std::sqrt(5.0 / 3 / 4), 1e-4);
   EXPECT_EQ(mean_interval({0.1, 0.1, 0.1}).half, 0);
   EXPECT_TRUE(std::isnan(mean_interval({7}).half));
+  EXPECT_TRUE(std::isnan(mean_interval({7}).low));
   EXPECT_TRUE(std::isnan(mean_interval({}).mean));
+}
+
+// Wilson's interval: 1 of 12 and 0 of 10, worked out by hand from his formula; at both ends of the range by symmetry.
+TEST(Statistics, IntervalsOfRatesStayBetween0And1AndCountsAbove0) {
+  const MeanInterval one = mean_interval({0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0});
+  EXPECT_NEAR(one.low, 0.014865, 1e-6);
+  EXPECT_NEAR(one.high, 0.353880, 1e-6);
+  const std::vector<double> none(10, 0.0), all(10, 1.0);
+  EXPECT_EQ(mean_interval(none).low, 0);
+  EXPECT_NEAR(mean_interval(none).high, 0.277533, 1e-6);
+  EXPECT_NEAR(mean_interval(all).low, 1 - 0.277533, 1e-6);
+  EXPECT_EQ(mean_interval(all).high, 1);
+  const MeanInterval counts = mean_interval({0, 0, 3});
+  EXPECT_EQ(counts.low, 0);
+  EXPECT_NEAR(counts.high, 1 + 4.30265, 1e-4);
+  EXPECT_LT(mean_interval({0, 0, -3}).low, -1);  // no counts
+}
+
+TEST(Sweep, SaysWhereSeedsHaveNoEffect) {
+  Sweep sweep{.scene = "walk", .axes = {}, .results = {"a.distance [m]", "a.falls"}, .runs = {}};
+  for (const std::uint64_t seed : {1, 2, 3}) sweep.runs.push_back({{{}, seed}, {0.5, 0}});
+  const std::string text = to_text(sweep);
+  EXPECT_NE(text.find("no seed makes a difference"), std::string::npos) << text;
+  EXPECT_EQ(text.find("+-"), std::string::npos) << text;
+  sweep.runs[1].values[0] = 0.25;
+  const std::string other = to_text(sweep);
+  EXPECT_EQ(other.find("no seed makes a difference"), std::string::npos) << other;
+  EXPECT_NE(other.find("0.4167 +- "), std::string::npos) << other;
+  EXPECT_NE(other.find("0 (0 to 0.56)"), std::string::npos) << other;  // falls: 0 of 3
 }
 
 TEST(TextTable, QuotesWhereCommasAre) {
