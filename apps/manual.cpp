@@ -43,6 +43,9 @@ A folder with scenes, models, parts, lenses and servos that goes before those of
 .TP
 \fBMUROSIMF_PACKAGE_PATH\fR
 Folders in which package:// names of URDF files are looked for, separated by colons.
+.TP
+\fBMUROSIMF_SHARE_WAVES\fR
+always: threads share all work from the first step on, also where that takes longer, as on a machine that is busy. Results stay the same.
 .SH EXIT STATUS
 0: all went well. 1: a robot has errors (check). 2: a mistake in the command line or a file, said in one line. 3: a mistake
 of the program.

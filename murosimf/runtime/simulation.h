@@ -213,6 +213,9 @@ class Simulation {
   [[nodiscard]] Duration now() const { return now_; }
   [[nodiscard]] Duration tick() const { return plan_.tick(); }
   [[nodiscard]] int threads() const { return pool_.threads(); }
+  /// Which waves these share out. Only how long it takes depends on it.
+  void share_waves(Sharing sharing) { pool_.share(sharing); }
+  [[nodiscard]] const ThreadPool& pool() const { return pool_; }
   /// Whether equal robots step together in lanes (lane_jobs.h), as they do unless told otherwise. Only how long it takes depends on it.
   void use_lanes(bool use);
   /// How many algorithms do so, of those that have been due so far.

@@ -1,5 +1,7 @@
 #include "murosimf/runtime/thread_pool.h"
 
+#include <cstdlib>
+#include <string_view>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -20,9 +22,28 @@ void relax() {
 #endif
 }
 
+/// Waves of a plan have their shares each at an address of its own; helpers do different things with one list of shares.
+template <class Call>
+std::uint64_t kind_of(std::span<const std::size_t> ends, Call call) {
+  constexpr std::uint64_t factor = 0x9e3779b97f4a7c15;  // 2^64 by the golden ratio
+  std::uint64_t kind = ends.back();
+  for (const std::uint64_t part :
+       {reinterpret_cast<std::uintptr_t>(ends.data()), reinterpret_cast<std::uintptr_t>(call)}) {
+    kind = (kind ^ part) * factor;
+    kind ^= kind >> 32;
+  }
+  return kind;
+}
+
 }  // namespace
 
-ThreadPool::ThreadPool(int threads) : shares_(static_cast<std::size_t>(threads)) {
+Sharing usual_sharing() {
+  const char* const variable = std::getenv("MUROSIMF_SHARE_WAVES");
+  return variable && std::string_view(variable) == "always" ? Sharing::always : Sharing::if_it_pays;
+}
+
+ThreadPool::ThreadPool(int threads, Sharing sharing, WorthSharing worth)
+    : sharing_(sharing), worth_(worth), shares_(static_cast<std::size_t>(threads)) {
   try {
     for (std::size_t t = 1; t < shares_.size(); ++t) workers_.emplace_back([this, t] { work(shares_[t]); });
   } catch (const std::system_error& error) {
@@ -46,6 +67,18 @@ void ThreadPool::stop() {
 }
 
 void ThreadPool::dispatch(std::span<const std::size_t> ends, Call call, void* context) {
+  ++waves_with_company_;
+  if (sharing_ == Sharing::always) return share_out(ends, call, context);
+  if (worth_.begin_wave()) {
+    share_out(ends, call, context);
+  } else {
+    for (std::size_t i = 0; i < ends.back(); ++i) call(context, i);
+  }
+  worth_.end_wave(kind_of(ends, call));
+}
+
+void ThreadPool::share_out(std::span<const std::size_t> ends, Call call, void* context) {
+  ++waves_shared_;
   unfinished_.store(ends.back(), std::memory_order_relaxed);
   std::size_t first = 0;
   for (std::size_t t = 0; t < shares_.size(); ++t) {

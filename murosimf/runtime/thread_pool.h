@@ -3,7 +3,8 @@
 /// Every thread begins with its own share of a wave; who has done that helps the others. Shares that are alike from wave to wave
 /// leave what the algorithms of an entity touch in the caches of one thread. Algorithms of a wave never touch what another of them
 /// writes, so the result cannot depend on who takes what or on the number of threads. The calling thread takes part and never waits
-/// for a thread that has not begun: on a busy machine the pool is no slower than one thread.
+/// for a thread that has not begun. What has begun it must wait for, also while another program has that thread's core: so waves are
+/// shared out only as long as that pays (worth_sharing.h), and otherwise the calling thread makes them alone while the others sleep.
 #pragma once
 
 #include <atomic>
@@ -13,17 +14,34 @@
 #include <type_traits>
 #include <vector>
 
+#include "murosimf/runtime/worth_sharing.h"
+
 namespace murosimf {
+
+/// Which waves are shared out among the threads of a pool.
+enum class Sharing {
+  if_it_pays,  ///< as long as they take less time than one thread alone; only time depends on it
+  always,      ///< for tests, and items that wait for each other
+};
+
+/// if_it_pays, or always if the variable MUROSIMF_SHARE_WAVES of the environment says `always`: for tests, which are to see races.
+[[nodiscard]] Sharing usual_sharing();
 
 class ThreadPool {
  public:
-  /// `threads` counts the calling thread too; at least 1. Throws SetupError if the system does not give so many.
-  explicit ThreadPool(int threads);
+  /// `threads` counts the calling thread too; at least 1. Throws SetupError if the system does
+  /// not give so many.
+  explicit ThreadPool(int threads, Sharing sharing = usual_sharing(), WorthSharing worth = WorthSharing());
   ~ThreadPool();
   ThreadPool(const ThreadPool&) = delete;
   ThreadPool& operator=(const ThreadPool&) = delete;
 
   [[nodiscard]] int threads() const { return static_cast<int>(workers_.size()) + 1; }
+  /// From the next wave on.
+  void share(Sharing sharing) { sharing_ = sharing; }
+  /// How many waves so far had something for several threads, and how many of these were shared out.
+  [[nodiscard]] std::uint64_t waves() const { return waves_with_company_; }
+  [[nodiscard]] std::uint64_t waves_shared() const { return waves_shared_; }
 
   /// Calls `run(i)` for every item i and returns when all are done. `run` must not throw. The share of thread t, 0 for the calling
   /// one, is [ends[t - 1], ends[t]), from 0 on; `ends` has an entry for every thread.
@@ -40,9 +58,9 @@ class ThreadPool {
   template <class Run>
   void for_each(std::size_t count, Run&& run) {
     const auto threads = static_cast<std::size_t>(this->threads());
-    std::vector<std::size_t> ends(threads);
-    for (std::size_t t = 0; t < threads; ++t) ends[t] = (t + 1) * count / threads;
-    for_each(std::span<const std::size_t>(ends), run);
+    even_ends_.resize(threads);
+    for (std::size_t t = 0; t < threads; ++t) even_ends_[t] = (t + 1) * count / threads;
+    for_each(std::span<const std::size_t>(even_ends_), run);
   }
 
  private:
@@ -59,6 +77,7 @@ class ThreadPool {
   };
 
   void dispatch(std::span<const std::size_t> ends, Call call, void* context);
+  void share_out(std::span<const std::size_t> ends, Call call, void* context);
   /// Until nothing is left. False if that is so already.
   bool run_share(Share& share);
   /// Takes one item and runs it; false if none is left.
@@ -68,6 +87,10 @@ class ThreadPool {
   void work(Share& own);
   void stop();  ///< ends all threads that have begun
 
+  Sharing sharing_;
+  WorthSharing worth_;
+  std::uint64_t waves_with_company_ = 0, waves_shared_ = 0;
+  std::vector<std::size_t> even_ends_;
   std::vector<Share> shares_;  // by thread
   alignas(64) std::atomic<std::uint64_t> unfinished_{0};
   alignas(64) std::atomic<std::uint32_t> waves_{0};  // so far; who sleeps waits for the next

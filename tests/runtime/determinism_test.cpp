@@ -39,6 +39,22 @@ TEST(Determinism, HashDependsOnTheSeedOnlyWithLinks) {
                   {"red.*.level=full_dynamics", "blue.*.level=articulated_dynamics"});
 }
 
+// Whether waves are shared out hangs on measured times: nothing else may.
+TEST(Determinism, SharingWavesOrNotIsTheSame) {
+  const auto hash = [](int threads, Sharing sharing) {
+    scene::Scene scene("three_on_three", {.threads = threads});
+    scene.simulation().share_waves(sharing);
+    scene.simulation().run(from_seconds(4));
+    const ThreadPool& pool = scene.simulation().pool();
+    EXPECT_EQ(pool.waves_shared(), sharing == Sharing::always ? pool.waves() : pool.waves_shared());
+    EXPECT_EQ(pool.waves() > 0, threads > 1);
+    return scene.simulation().state_hash();
+  };
+  const std::uint64_t one = hash(1, Sharing::if_it_pays);
+  EXPECT_EQ(hash(2, Sharing::always), one);
+  EXPECT_EQ(hash(2, Sharing::if_it_pays), one);
+}
+
 /// Pairs of robots that walk into each other, some of whom cannot be pushed and touch two pairs.
 std::string pairs() {
   std::string text =

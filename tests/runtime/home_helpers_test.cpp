@@ -18,7 +18,7 @@ TEST(HomeHelpers, EveryEntityIsDoneOnce) {
   std::vector<const Entity*> all;
   for (int i = 0; i < 9; ++i) all.push_back(&entities.emplace_back("robot", model));
   for (const int threads : {1, 2, 4}) {
-    ThreadPool pool(threads);
+    ThreadPool pool(threads, Sharing::always);
     HomeHelpers helpers(pool);
     for (const bool at_home : {false, true}) {
       if (at_home) {
@@ -40,7 +40,7 @@ TEST(HomeHelpers, EntitiesAreDoneWhereTheyAreAtHome) {
   const ModelPtr model = std::make_shared<const Model>(fixtures::two_legged());
   const Entity first("first", model), second("second", model);
   const std::vector<const Entity*> all{&first, &second};
-  ThreadPool pool(2);
+  ThreadPool pool(2, Sharing::always);
   HomeHelpers helpers(pool);
   Homes homes(2);
   homes.share_out(all);
