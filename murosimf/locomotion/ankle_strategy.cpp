@@ -17,7 +17,8 @@ double pitch_of(const Vec3d& up) noexcept { return std::atan2(-up.x, up.z); }
 
 /// Of the pendulum that a robot of this stance is (as for the sway of gait.h). `gravity` [m/s^2]
 double fall_rate(const WalkParameters& stance, const Vec3d& gravity) {
-  constexpr double height_above_sole = 1.072;
+  constexpr double height_above_sole = 1.072, least_gravity = 0.1;
+  if (norm(gravity) < least_gravity) return 0;
   return std::sqrt(norm(gravity) / (height_above_sole * stance.hip_height));
 }
 
@@ -73,6 +74,7 @@ void AnkleStrategy::follow_up(double period) noexcept {
 }
 
 void AnkleStrategy::answer(double period) noexcept {
+  if (fall_rate_ == 0) return;  // the targets of the start stay
   const double lean = pitch_of(up_) - pitch_of(upright_), rate = gyroscope_[1] - bias_.y;
   capture_ += period / options_.smooth_time * (lean + rate / fall_rate_ - capture_);
   write_targets();

@@ -13,6 +13,8 @@
 ///     xi' = (lean + w_y/sqrt(g/z) - xi)/T_s                      [rad] T_s: `smooth_time`
 ///     sole = a xi, up to a limit                                 [rad] toes down
 ///
+/// Below 0.1 m/s^2 of gravity nothing leans, and noise of the gyroscope over a small sqrt(g/z) would move the feet: the soles stay level.
+///
 /// Feet cannot do more than press with their toes or heels, which those of a stiff robot do too. So little is won: on
 /// kid21 6 % of the largest push in the back and 4 % from the front; more takes steps. Nothing is answered to pushes
 /// from the side. Gains were chosen on kid21, which begins to rock between 0.7 and 1 (articulated_dynamics).
@@ -58,7 +60,7 @@ class AnkleStrategy final : public Algorithm {
   AnkleStrategyOptions options_;
   std::array<Leg, 2> legs_;
   WalkParameters stance_;
-  double fall_rate_;                                   // [1/s] sqrt(g/z)
+  double fall_rate_;                                   // [1/s] sqrt(g/z); 0: next to no gravity
   std::span<const double> gyroscope_, accelerometer_;  // [rad/s], [m/s^2]
   Vec3d &up_, &upright_, &bias_;                       // u, u_0 [1]; [rad/s]
   double& capture_;                                    // xi [rad]

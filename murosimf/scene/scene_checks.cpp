@@ -1,6 +1,7 @@
 #include "murosimf/scene/scene_checks.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <vector>
 
@@ -113,6 +114,27 @@ void warn_about_missing_servos(SceneParts& parts, const scene_file::RobotSpec& r
                      fmt::format("{} of its {} joints have no servo and hang free", without, joints.size()));
 }
 
+/// Gaits and motions were found with the weight of the earth; a controller that balances asks how large it is.
+std::string other_gravity(const scene_file::RobotSpec& robot, double gravity) {
+  static const std::set<std::string> made_for_earth{"walk",        "trot",     "keyframes",
+                                                    "ball_chaser", "localize", "obstacle_course"};
+  constexpr double earth = 9.81, like = 0.1;  // [m/s^2], [1]
+  if (std::abs(gravity - earth) <= like * earth || !made_for_earth.contains(robot.controller)) return {};
+  if (!catalog::levels().find(robot.level).traits.dynamic) return {};
+  const std::string what = robot.motion.empty() ? fmt::format("controller '{}'", robot.controller)
+                                                : fmt::format("motion '{}'", robot.motion);
+  return fmt::format("{} was made for gravity of {} m/s^2; with {:.3g} a robot may end otherwise", what, earth,
+                     gravity);
+}
+
+void note_other_gravity(SceneParts& parts) {
+  std::vector<SharedRemark> remarks;
+  for (const scene_file::RobotSpec& robot : parts.spec.robots) {
+    add_remark(other_gravity(robot, norm(parts.spec.gravity)), robot.name, remarks);
+  }
+  for (const SharedRemark& remark : remarks) parts.remarks.note(to_text(remark));
+}
+
 }  // namespace
 
 void warn_about_ball(SceneParts& parts) {
@@ -143,6 +165,7 @@ void warn_about_settings(SceneParts& parts) {
     if (const auto line = check_command(robot, model, robot.command); !line.empty())
       parts.remarks.warn(robot.name, line);
   }
+  note_other_gravity(parts);
 }
 
 void check_properties(SceneParts& parts) {

@@ -128,5 +128,17 @@ TEST(AnkleStrategy, NeedsAnInertialSensor) {
   EXPECT_NE(refusal("robot.sensors.imu.type=gyroscope").find("unknown output 'accelerometer'"), std::string::npos);
 }
 
+// Without gravity nothing falls over, and no capture point is anywhere: the robot keeps its stance, and no number is insane.
+TEST(AnkleStrategy, StandsWithLittleGravityOrNone) {
+  for (const char* gravity : {"[0, 0, 0]", "[0, 0, -1e-9]", "[0, 0, -0.05]", "[0, 0, -0.2]", "[0, 0, -1.62]"}) {
+    for (const char* level : {"simplified_dynamics", "full_dynamics", "articulated_dynamics"}) {
+      Nudge nudge("balance", 1, {uncalibrated, std::string("gravity=") + gravity, std::string("robot.level=") + level});
+      nudge.run(4s);
+      EXPECT_FALSE(nudge.robot.frozen()) << gravity << ", " << level;
+      EXPECT_GT(up_of(nudge.robot).z, 0.99) << gravity << ", " << level;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace murosimf::locomotion

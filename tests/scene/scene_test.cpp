@@ -204,6 +204,26 @@ TEST(SceneMistakes, ThatOnlyWeakenAResultAreWarnings) {
              "ball: steps of 5 ms are too long for its bounce on a 'stiffness' of 3500 N/m: it has no restitution"));
 }
 
+// Gaits and motions for the earth: with other gravity somebody should know. At kinematic_walking, and where the controller asks how large
+// it is, nothing has to be said.
+TEST(SceneMistakes, MotionsMadeForTheEarthAreNotedElsewhere) {
+  const auto notes = [](const std::vector<std::string>& overrides) {
+    std::string all;
+    const Scene scene(fixtures::write_scene(small_scene), {.overrides = overrides});
+    for (const std::string& note : make_report(scene).notes) {
+      if (note.find("was made for gravity") != std::string::npos) all += note + "\n";
+    }
+    return all;
+  };
+  const std::string moon = "gravity=[0,0,-1.62]", red = "red1.level=full_dynamics";
+  EXPECT_EQ(notes({moon, red}),
+            "blue2, red1: controller 'walk' was made for gravity of 9.81 m/s^2; with 1.62 a robot may end otherwise\n");
+  EXPECT_EQ(notes({moon, "*.controller=balance", red}), "");
+  EXPECT_EQ(notes({"gravity=[0.5,0,-9.7]", red}), "");
+  EXPECT_NE(notes({moon, "blue2.controller=keyframes", "blue2.motion=kick"}).find("blue2: motion 'kick' was made"),
+            std::string::npos);
+}
+
 TEST(SceneMistakes, InOverridesNameTheOverride) {
   const auto set = [](const std::string& text) { return mistake(small_scene, {text}); };
   expect_mistake(set("blue1.level=full"), {"--set 'blue1.level=full'", "unknown level 'full'"});
