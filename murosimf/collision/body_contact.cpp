@@ -100,7 +100,7 @@ void BodyContact::step(const Instant& instant) noexcept {
   note_interpenetrations(moving_entities_, dt, instant.now, set_);
   note_jumps(moving_entities_, {*environment_, environment_number_}, dt, instant.now, set_);
   for (PairContact& c : set_.points) end_lift(c, set_.parameters[c.surface], dt);
-  kinematic_separation(moving_entities_, *environment_, finder_.within_reach(), set_);
+  kinematic_separation(moving_entities_, *environment_, finder_.within_reach(), dt, set_);
   NoHelpers nobody;
   law_->push(moving_entities_, set_, dt, instant.helpers ? *instant.helpers : nobody);
 }

@@ -8,9 +8,10 @@
 namespace murosimf::collision {
 namespace {
 
-constexpr double longest_way = 1e-3;  // [m] in one step
+constexpr double fastest = 1;      // [m/s]
+constexpr double bearable = 0.25;  // [1] of the thinner one's thickness: an overlap with what can be pushed
 
-/// The deepest overlap that has been seen.
+/// The deepest overlap that has been seen, less what is `bearable` [m] of each.
 class Deepest {
  public:
   void see(const Vec3d& normal, double depth) noexcept {
@@ -18,17 +19,18 @@ class Deepest {
     depth_ = depth;
     normal_ = normal;
   }
-  void see(const Shape& a, const Transformd& at_a, const Shape& b, const Transformd& at_b) noexcept {
+  void see(const Shape& a, const Transformd& at_a, const Shape& b, const Transformd& at_b,
+           double allowed = 0) noexcept {
     geometry::Manifold found;
     if (!geometry::collide(a, at_a, b, at_b, found)) return;
-    for (int k = 0; k < found.count; ++k) see(found.normal, found.points[k].depth);
+    for (int k = 0; k < found.count; ++k) see(found.normal, found.points[k].depth - allowed);
   }
 
-  /// `share` of the way [m] along the ground that takes A out of B; one on top of the other is not helped.
-  [[nodiscard]] Vec3d way_out(double share) const noexcept {
+  /// `share` of the way [m] along the ground that takes A out of B, in a step of dt [s]; one on top of the other is not helped.
+  [[nodiscard]] Vec3d way_out(double share, double dt) const noexcept {
     const double across = std::sqrt(normal_.x * normal_.x + normal_.y * normal_.y);
     if (across < 1e-3) return {};
-    const double length = std::min(share * depth_ / across, longest_way);
+    const double length = std::min(share * depth_ / across, fastest * dt);
     return (length / across) * Vec3d{normal_.x, normal_.y, 0};
   }
 
@@ -38,19 +40,37 @@ class Deepest {
 };
 
 /// Feet are held apart as seen from above, whatever their height: else one would come down on another.
-void see_feet(MovingEntity& a, MovingEntity& b, Deepest& deepest, TestCounts& tests) noexcept {
+/// `share` of the thinner foot's thickness may overlap.
+void see_feet(MovingEntity& a, MovingEntity& b, double share, Deepest& deepest, TestCounts& tests) noexcept {
   for (const int i : a.feet) {
     for (const int j : b.feet) {
       ++tests.objects;
       Transformd lifted = b.pose(j);
       const Transformd foot = a.pose(i);
       lifted.position.z = foot.position.z;
-      deepest.see(a.compound.shapes()[i].placed.shape, foot, b.compound.shapes()[j].placed.shape, lifted);
+      deepest.see(a.compound.shapes()[i].placed.shape, foot, b.compound.shapes()[j].placed.shape, lifted,
+                  share * std::min(a.thickness(i), b.thickness(j)));
     }
   }
 }
 
-void leave(MovingEntity& moving_entity, const StaticCompound& environment, TestCounts& tests) noexcept {
+/// Where one of both cannot be pushed: contacts that are deeper than it should press.
+void see_pressed(const MovingEntity& a, const MovingEntity& b, std::span<const PairContact> contacts,
+                 Deepest& deepest) noexcept {
+  for (const PairContact& c : contacts) {
+    deepest.see(c.normal, c.depth - bearable * std::min(a.thickness(shape_of_a(c)), b.thickness(shape_of_b(c))));
+  }
+}
+
+/// Of those two; contacts are sorted by them.
+std::span<const PairContact> contacts_of(int a, int b, const std::vector<PairContact>& points) noexcept {
+  const auto pair = std::ranges::equal_range(points, std::pair{a, b}, {}, [](const PairContact& c) {
+    return std::pair{c.a, c.b};
+  });
+  return {pair.begin(), pair.end()};
+}
+
+void leave(MovingEntity& moving_entity, const StaticCompound& environment, double dt, TestCounts& tests) noexcept {
   if (!moving_entity.is_near_statics(environment, moving_entity.r[0], moving_entity.compound.reach(), tests.volumes)) {
     return;
   }
@@ -62,33 +82,35 @@ void leave(MovingEntity& moving_entity, const StaticCompound& environment, TestC
     deepest.see(own, moving_entity.pose(i), other, environment.pose(j));
     return true;
   });
-  moving_entity.separation[0] += deepest.way_out(1);
+  moving_entity.separation[0] += deepest.way_out(1, dt);
 }
 
 }  // namespace
 
 void kinematic_separation(std::vector<MovingEntity>& moving_entities, const StaticCompound& environment,
-                          std::span<const std::pair<int, int>> within_reach, PairSet& set) noexcept {
+                          std::span<const std::pair<int, int>> within_reach, double dt, PairSet& set) noexcept {
   const auto stands_fast = [&](int i) {
     return !moving_entities[i].can_be_pushed() && !moving_entities[i].entity->idle();
   };
   for (MovingEntity& moving_entity : moving_entities) moving_entity.separation[0] = {};
-  auto contact = set.blocked.begin();  // they come in the order of these loops
-  auto pair = within_reach.begin();
-  for (int a = 0; a < static_cast<int>(moving_entities.size()); ++a) {
-    const bool fast = stands_fast(a);
-    for (; pair != within_reach.end() && pair->first == a; ++pair) {
-      const int b = pair->second;
-      if (!fast || !stands_fast(b)) continue;
-      Deepest deepest;
-      see_feet(moving_entities[a], moving_entities[b], deepest, set.tests);
-      for (; contact != set.blocked.end() && contact->a == a && contact->b == b; ++contact) {
-        deepest.see(contact->normal, contact->depth);
-      }
-      moving_entities[a].separation[0] += deepest.way_out(0.5);
-      moving_entities[b].separation[0] -= deepest.way_out(0.5);
+  for (const auto& [a, b] : within_reach) {
+    const bool a_fast = stands_fast(a), b_fast = stands_fast(b);
+    if (!a_fast && !b_fast) continue;
+    MovingEntity &first = moving_entities[a], &second = moving_entities[b];
+    if (first.entity->idle() || second.entity->idle()) continue;
+    const bool both = a_fast && b_fast;
+    Deepest deepest;
+    see_feet(first, second, both ? 0 : bearable, deepest, set.tests);
+    if (both) {
+      for (const PairContact& c : contacts_of(a, b, set.blocked)) deepest.see(c.normal, c.depth);
+    } else {
+      see_pressed(first, second, contacts_of(a, b, set.points), deepest);
     }
-    if (fast) leave(moving_entities[a], environment, set.tests);
+    if (a_fast) first.separation[0] += deepest.way_out(both ? 0.5 : 1, dt);
+    if (b_fast) second.separation[0] -= deepest.way_out(both ? 0.5 : 1, dt);
+  }
+  for (int i = 0; i < static_cast<int>(moving_entities.size()); ++i) {
+    if (stands_fast(i)) leave(moving_entities[i], environment, dt, set.tests);
   }
 }
 

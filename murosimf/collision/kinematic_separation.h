@@ -2,8 +2,12 @@
 ///
 /// No force acts between them (both are kinematic walkers): they get a `separation`, a way along the ground that their
 /// level adds to the place of the standing foot. It is the horizontal part of the deepest overlap, half for either of
-/// two walkers, all for one that runs into a goal, and at most 1 mm in a step, so that nobody jumps. Feet are compared as seen
+/// two walkers, all for one that runs into a goal, and at most 1 m/s, so that nobody jumps. Feet are compared as seen
 /// from above: no walker steps on another one's.
+///
+/// A walker pushes what can be pushed. But its joints know no limit: it would press a ball, or a robot that cannot get out of the way,
+/// into what is behind. So it gives way, too, by what the deepest overlap is more than a quarter of the thinner shape's thickness (half
+/// is where shapes go through each other, interpenetration.h); feet are again compared as seen from above.
 #pragma once
 
 #include <span>
@@ -15,9 +19,9 @@
 
 namespace murosimf::collision {
 
-/// Renews the `separation` of all moving entities, by set.blocked and the environment; counts its tests in set.tests.
-/// `within_reach`: entities whose spheres of reach meet, sorted (PairFinder::within_reach).
+/// Renews the `separation` of all moving entities, by set.blocked, set.points and the environment; counts its tests in set.tests.
+/// `within_reach`: entities whose spheres of reach meet, sorted (PairFinder::within_reach). `dt` [s] of the step.
 void kinematic_separation(std::vector<MovingEntity>& moving_entities, const StaticCompound& environment,
-                          std::span<const std::pair<int, int>> within_reach, PairSet& set) noexcept;
+                          std::span<const std::pair<int, int>> within_reach, double dt, PairSet& set) noexcept;
 
 }  // namespace murosimf::collision

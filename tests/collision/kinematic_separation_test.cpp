@@ -27,11 +27,13 @@ struct Walkers : Movers {
     stand_fast(mover);
     mover.separation[0] = {7, 7, 7};
   }
-  void separate() {
+  void can_be_pushed(std::size_t i) { all[i].entity->column(properties::dynamic).values[0] = 1; }
+  /// In a step of `dt` [s].
+  void separate(double dt = 1e-3) {
     start_step();
     std::vector<geometry::BoundingSphere> reach;
     for (const MovingEntity& mover : all) reach.push_back(mover.reach());
-    kinematic_separation(all, StaticCompound(field), geometry::SweepAndPrune().find(reach), set);
+    kinematic_separation(all, StaticCompound(field), geometry::SweepAndPrune().find(reach), dt, set);
   }
   void block(int a, int b, const Vec3d& normal, double depth) {
     PairContact c = joint_of(a, b);
@@ -39,11 +41,19 @@ struct Walkers : Movers {
     c.depth = depth;
     set.blocked.push_back(c);
   }
+  /// Between the shapes of these numbers.
+  void press(int a, int b, const Vec3d& normal, double depth) {
+    PairContact c = joint_of(a, b);
+    c.normal = normal;
+    c.depth = depth;
+    c.shapes = number_of_shapes(a, b, 0, 1);
+    set.points.push_back(c);
+  }
   [[nodiscard]] Vec3d way(std::size_t i) const { return all[i].separation[0]; }
   Entity* field = nullptr;
 };
 
-// Rule: half of the way for either, whatever the height of the feet; at most 1 mm.
+// Rule: half of the way for either, whatever the height of the feet; at most 1 mm in a step of 1 ms.
 TEST(KinematicSeparation, FeetAreComparedFromAbove) {
   for (const double overlap : {0.6e-3, 1.4e-3, 6e-3}) {
     for (const double height : {0.0, 0.05, -0.04}) {
@@ -109,19 +119,73 @@ TEST(KinematicSeparation, WaysOfSeveralNeighborsAddUp) {
   EXPECT_LT(difference(walkers.way(2), {0.3e-3, -0.2e-3, 0}), 1e-15);
 }
 
-// Rule: only two that stand fast are held apart, and frozen ones are not there.
-TEST(KinematicSeparation, WhoCanBePushedOrIsFrozenIsLeftOut) {
+// Rule: nobody goes out of the way of a frozen one, pushed or not; two that can be pushed are left to forces.
+TEST(KinematicSeparation, WhoIsFrozenIsLeftOut) {
   for (const std::size_t which : {0U, 1U}) {
-    for (const bool freeze : {true, false}) {
+    for (const bool pushable : {true, false}) {
       Walkers walkers;
       walkers.walker({0, 0, 0.31});
-      walkers.walker({0, 0.155, 0.31});
-      walkers.all[which].entity->column(properties::dynamic).values[0] = freeze ? 0 : 1;
-      if (freeze) walkers.all[which].entity->freeze("test");
+      walkers.walker({0, 0.15, 0.31});
+      if (pushable) walkers.can_be_pushed(which);
+      walkers.all[which].entity->freeze("test");
       walkers.separate();
-      EXPECT_EQ(norm(walkers.way(0)), 0) << which << freeze;
-      EXPECT_EQ(norm(walkers.way(1)), 0) << which << freeze;
+      EXPECT_EQ(norm(walkers.way(0)), 0) << which << pushable;
+      EXPECT_EQ(norm(walkers.way(1)), 0) << which << pushable;
     }
+  }
+}
+
+TEST(KinematicSeparation, TwoThatCanBePushedAreLeftToForces) {
+  Walkers walkers;
+  walkers.walker({0, 0, 0.31});
+  walkers.walker({0, 0.15, 0.31});
+  for (const std::size_t i : {0U, 1U}) walkers.can_be_pushed(i);
+  walkers.press(0, 1, {0, -1, 0}, 10e-3);
+  walkers.separate();
+  EXPECT_EQ(norm(walkers.way(0)), 0);
+  EXPECT_EQ(norm(walkers.way(1)), 0);
+}
+
+// Rule: a quarter of the thickness of feet (20 mm) may overlap with one that can be pushed; the walker leaves what is more, all of it.
+TEST(KinematicSeparation, AWalkerDoesNotStepOnWhoCanBePushed) {
+  for (const std::size_t pushable : {0U, 1U}) {
+    for (const double overlap : {4.9e-3, 5.4e-3, 9e-3}) {
+      for (const double height : {0.0, 0.05}) {
+        Walkers walkers;
+        walkers.walker({5, 0, 0.31});
+        walkers.walker({5.01, 0.16 - overlap, 0.31 + height});
+        walkers.can_be_pushed(pushable);
+        walkers.separate();
+        const double way = std::clamp(overlap - 5e-3, 0.0, 1e-3);
+        EXPECT_EQ(norm(walkers.way(pushable)), 0);
+        EXPECT_LT(difference(walkers.way(1 - pushable), {0, pushable == 1 ? -way : way, 0}), 1e-12) << overlap;
+      }
+    }
+  }
+}
+
+// The same of all other contacts: here of a trunk of 80 mm and a foot, so that again 5 mm are borne.
+TEST(KinematicSeparation, AWalkerPressesNothingFlat) {
+  Walkers walkers;
+  for (const double y : {0.0, 0.3, 0.6}) walkers.walker({0, y, 0.31});
+  walkers.can_be_pushed(1);
+  walkers.press(0, 1, {0, -1, 0}, 4e-3);
+  walkers.press(0, 1, {0.6, 0, 0.8}, 5.3e-3);
+  walkers.press(1, 2, {1, 0, 0}, 5.2e-3);
+  walkers.separate();
+  EXPECT_LT(difference(walkers.way(0), {0.5e-3, 0, 0}), 1e-12);
+  EXPECT_EQ(norm(walkers.way(1)), 0);
+  EXPECT_LT(difference(walkers.way(2), {-0.2e-3, 0, 0}), 1e-12);
+}
+
+// In longer steps the way is longer: whoever walks into something with 0.2 m/s comes 2 mm deeper in one of 10 ms.
+TEST(KinematicSeparation, OutWithAtMostAMeterPerSecond) {
+  for (const double dt : {0.5e-3, 1e-3, 10e-3}) {
+    Walkers walkers;
+    walkers.walker({5, 0, 0.31});
+    walkers.walker({5, 0.12, 0.31});
+    walkers.separate(dt);
+    EXPECT_LT(difference(walkers.way(0), {0, -dt, 0}), 1e-12) << dt;
   }
 }
 
