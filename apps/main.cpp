@@ -22,6 +22,7 @@
   COMMAND(repair)                  \
   COMMAND(branch)                  \
   COMMAND(sweep)                   \
+  COMMAND(doctor)                  \
   COMMAND(compare)                 \
   COMMAND(check)                   \
   COMMAND(convert)                 \
