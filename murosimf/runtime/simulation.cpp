@@ -136,8 +136,9 @@ void Simulation::step() {
   queue_.carry_out(now_);
   take_over_frozen();
   const std::vector<Wave>& waves = plan_.due(ticks_);
-  const auto& jobs = lane_jobs_.of(waves);
-  for (std::size_t i = 0; i < waves.size(); ++i) run_wave(waves[i], jobs[i]);
+  const auto& shared = lane_jobs_.of(waves);
+  const auto& alone = pool_.threads() > 1 ? lane_jobs_alone_.of(waves) : shared;
+  for (std::size_t i = 0; i < waves.size(); ++i) run_wave(waves[i], shared[i], alone[i]);
   if constexpr (checked) checks_.after_tick();
   now_ += plan_.tick();
   ++ticks_;
@@ -160,10 +161,19 @@ void Simulation::show_past(Duration time, std::span<const Event> events, std::sp
   poses_.publish(*world_, now_, ticks_);
 }
 
-void Simulation::run_wave(const Wave& wave, const WaveJobs& work) {
+/// One thread alone makes fuller groups for lanes than each of several can.
+void Simulation::run_wave(const Wave& wave, const WaveJobs& shared, const WaveJobs& alone) {
   if constexpr (checked) checks_.before_wave(*world_, ticks_);
-  alone_in_wave_ = work.jobs.size() == 1;
-  pool_.for_each(std::span<const std::size_t>(work.ends), [&](std::size_t i) { execute(work.jobs[i]); });
+  const std::span<const std::size_t> ends(shared.ends);
+  const auto kind = reinterpret_cast<std::uintptr_t>(&wave);
+  alone_in_wave_ = wave.size() == 1;
+  if (pool_.shares()) {
+    pool_.for_each(ends, kind, [&](std::size_t i) { execute(shared.jobs[i]); });
+  } else {
+    pool_.alone(ends, kind, [&] {
+      for (const Job& job : alone.jobs) execute(job);
+    });
+  }
   if constexpr (checked) {
     std::vector<const AccessSet*> access;
     for (const std::size_t task : wave) access.push_back(&tasks_[task]->access);
@@ -253,6 +263,9 @@ void Simulation::plan_jobs() {
     const bool alone = !use_lanes_ || task->step_ratio || ForeignCode::of(*task->algorithm);
     members.push_back({alone ? nullptr : task->algorithm.get(), task->period, helpers_.homes().of(*task->entity)});
   }
+  std::vector<LaneJobs::Member> at_one_home = members;
+  for (LaneJobs::Member& member : at_one_home) member.home = 0;
+  lane_jobs_alone_ = {std::move(at_one_home), 1};
   lane_jobs_ = {std::move(members), pool_.threads()};
 }
 

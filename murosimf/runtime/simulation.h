@@ -277,7 +277,7 @@ class Simulation {
   void check_and_plan();
   void align_plan();
   void restart_checks();
-  void run_wave(const Wave& wave, const WaveJobs& jobs);
+  void run_wave(const Wave& wave, const WaveJobs& shared, const WaveJobs& alone);
   void make_timed_calls();
   void make(const TimedCall& call);
   void start();
@@ -316,7 +316,7 @@ class Simulation {
   CommandQueue queue_;
   PoseFeed poses_;
   Plan plan_;
-  LaneJobs lane_jobs_;  // of the plan
+  LaneJobs lane_jobs_, lane_jobs_alone_;  // of the plan, for all threads and for one
   bool use_lanes_ = true;
   Duration planned_at_{};
   StepChecks checks_;  // used in debug builds only

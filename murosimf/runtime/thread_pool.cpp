@@ -22,19 +22,6 @@ void relax() {
 #endif
 }
 
-/// Waves of a plan have their shares each at an address of its own; helpers do different things with one list of shares.
-template <class Call>
-std::uint64_t kind_of(std::span<const std::size_t> ends, Call call) {
-  constexpr std::uint64_t factor = 0x9e3779b97f4a7c15;  // 2^64 by the golden ratio
-  std::uint64_t kind = ends.back();
-  for (const std::uint64_t part :
-       {reinterpret_cast<std::uintptr_t>(ends.data()), reinterpret_cast<std::uintptr_t>(call)}) {
-    kind = (kind ^ part) * factor;
-    kind ^= kind >> 32;
-  }
-  return kind;
-}
-
 }  // namespace
 
 Sharing usual_sharing() {
@@ -64,17 +51,6 @@ void ThreadPool::stop() {
   waves_.fetch_add(1);
   waves_.notify_all();
   for (std::thread& worker : workers_) worker.join();
-}
-
-void ThreadPool::dispatch(std::span<const std::size_t> ends, Call call, void* context) {
-  ++waves_with_company_;
-  if (sharing_ == Sharing::always) return share_out(ends, call, context);
-  if (worth_.begin_wave()) {
-    share_out(ends, call, context);
-  } else {
-    for (std::size_t i = 0; i < ends.back(); ++i) call(context, i);
-  }
-  worth_.end_wave(kind_of(ends, call));
 }
 
 void ThreadPool::share_out(std::span<const std::size_t> ends, Call call, void* context) {

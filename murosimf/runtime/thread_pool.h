@@ -43,16 +43,23 @@ class ThreadPool {
   [[nodiscard]] std::uint64_t waves() const { return waves_with_company_; }
   [[nodiscard]] std::uint64_t waves_shared() const { return waves_shared_; }
 
+  /// Whether a wave that comes now would be shared out; if not, who likes to may cut it into other items and call alone().
+  [[nodiscard]] bool shares() const { return !workers_.empty() && (sharing_ == Sharing::always || worth_.shares()); }
+
   /// Calls `run(i)` for every item i and returns when all are done. `run` must not throw. The share of thread t, 0 for the calling
-  /// one, is [ends[t - 1], ends[t]), from 0 on; `ends` has an entry for every thread.
+  /// one, is [ends[t - 1], ends[t]), from 0 on; `ends` has an entry for every thread. `kind`: as for WorthSharing.
   template <class Run>
-  void for_each(std::span<const std::size_t> ends, Run&& run) {
-    if (ends.front() == ends.back() || ends.back() == 1) {  // nothing for the others, or not worth telling them
+  void for_each(std::span<const std::size_t> ends, std::uint64_t kind, Run&& run) {
+    if (!for_several(ends)) {
       for (std::size_t i = 0; i < ends.back(); ++i) run(i);
-      return;
+    } else if (begin_wave()) {
+      share_out(
+          ends, [](void* context, std::size_t i) { (*static_cast<std::remove_reference_t<Run>*>(context))(i); }, &run);
+      end_wave(kind);
+    } else {
+      for (std::size_t i = 0; i < ends.back(); ++i) run(i);
+      end_wave(kind);
     }
-    dispatch(
-        ends, [](void* context, std::size_t i) { (*static_cast<std::remove_reference_t<Run>*>(context))(i); }, &run);
   }
   /// The same for `count` items in even shares.
   template <class Run>
@@ -60,7 +67,15 @@ class ThreadPool {
     const auto threads = static_cast<std::size_t>(this->threads());
     even_ends_.resize(threads);
     for (std::size_t t = 0; t < threads; ++t) even_ends_[t] = (t + 1) * count / threads;
-    for_each(std::span<const std::size_t>(even_ends_), run);
+    for_each(std::span<const std::size_t>(even_ends_), count, run);
+  }
+  /// Instead of for_each with these ends, while !shares(): calls `run()`, which makes the whole wave, in the calling thread.
+  template <class Run>
+  void alone(std::span<const std::size_t> ends, std::uint64_t kind, Run&& run) {
+    if (!for_several(ends)) return run();
+    (void)begin_wave();
+    run();
+    end_wave(kind);
   }
 
  private:
@@ -76,7 +91,18 @@ class ThreadPool {
     void* context = nullptr;
   };
 
-  void dispatch(std::span<const std::size_t> ends, Call call, void* context);
+  /// Not if others have nothing to do, or one item is not worth telling them.
+  [[nodiscard]] bool for_several(std::span<const std::size_t> ends) const {
+    return !workers_.empty() && ends.front() != ends.back() && ends.back() != 1;
+  }
+  /// Whether to share it out.
+  [[nodiscard]] bool begin_wave() {
+    ++waves_with_company_;
+    return sharing_ == Sharing::always || worth_.begin_wave();
+  }
+  void end_wave(std::uint64_t kind) {
+    if (sharing_ == Sharing::if_it_pays) worth_.end_wave(kind);
+  }
   void share_out(std::span<const std::size_t> ends, Call call, void* context);
   /// Until nothing is left. False if that is so already.
   bool run_share(Share& share);

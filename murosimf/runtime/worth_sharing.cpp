@@ -23,6 +23,12 @@ bool heard_enough(std::uint32_t waves, Time in_waves) {
 
 Time WorthSharing::steady_now() { return std::chrono::steady_clock::now().time_since_epoch(); }
 
+/// Kinds are addresses, or small numbers: any two of a simulation should have places of their own.
+WorthSharing::Usual& WorthSharing::usual(std::uint64_t kind) {
+  constexpr std::uint64_t factor = 0x9e3779b97f4a7c15;  // 2^64 by the golden ratio
+  return usual_[(kind * factor >> 32) % usual_.size()];
+}
+
 bool WorthSharing::begin_wave() {
   if (phase_ == Phase::resting) {
     if (waves_++ % waves_between_looks != 0) return false;

@@ -31,9 +31,10 @@ class WorthSharing {
   /// `now`: a clock that never goes back; tests bring their own.
   explicit WorthSharing(Now now = steady_now) : now_(now) {}
 
-  /// Before a wave: whether to share it out.
+  [[nodiscard]] bool shares() const { return phase_ == Phase::sharing; }
+  /// Before a wave: whether to share it out, which is shares().
   [[nodiscard]] bool begin_wave();
-  /// After it. `kind`: any number; waves of one kind usually take equally long.
+  /// After it. `kind`: any number; waves of one kind usually take equally long, shared out or not.
   void end_wave(std::uint64_t kind);
 
  private:
@@ -44,7 +45,7 @@ class WorthSharing {
   };
 
   static Time steady_now();
-  [[nodiscard]] Usual& usual(std::uint64_t kind) { return usual_[kind % usual_.size()]; }
+  [[nodiscard]] Usual& usual(std::uint64_t kind);
   void begin(Phase phase, Time now);
   void rest(Time now);
   void listen(std::uint64_t kind, Time time, Time now);

@@ -33,7 +33,7 @@ TEST(ThreadPool, SharesMayBeAnything) {
   for (int round = 0; round < 500; ++round) {
     for (const auto& ends : all_ends) {
       std::vector<int> runs(ends.back(), 0);
-      pool.for_each(std::span<const std::size_t>(ends), [&](std::size_t i) { ++runs[i]; });
+      pool.for_each(std::span<const std::size_t>(ends), 0, [&](std::size_t i) { ++runs[i]; });
       for (const int n : runs) ASSERT_EQ(n, 1);
     }
   }
@@ -44,7 +44,7 @@ TEST(ThreadPool, WhoHasDoneItsShareHelps) {
   ThreadPool pool(2, Sharing::always);
   const std::vector<std::size_t> ends{2, 3};
   std::atomic<int> here = 0, met = 0;
-  pool.for_each(std::span<const std::size_t>(ends), [&](std::size_t i) {
+  pool.for_each(std::span<const std::size_t>(ends), 0, [&](std::size_t i) {
     if (i == 2) return;
     ++here;
     for (int wait = 0; here < 2 && wait < 10'000; ++wait) std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -112,6 +112,29 @@ TEST(ThreadPool, FallsBackToOneThreadAndComesBack) {
   EXPECT_LT(waves.shared(second, 30'000), 0.01);
   waves.shared(second, 6'000);
   EXPECT_GT(waves.shared(second, 6'000), 0.95);
+}
+
+// Who cuts waves otherwise for one thread learns from shares() when; those waves are timed as the others.
+TEST(ThreadPool, AsksForWavesOfOneThreadWhileItDoesNotShare) {
+  ThreadPool pool(2, Sharing::if_it_pays, WorthSharing([] { return WorthSharing::Time(wall_ns.load()); }));
+  const std::vector<std::size_t> ends{1, 2};
+  const std::span<const std::size_t> both(ends);
+  std::uint64_t alone = 0, shared = 0;
+  for (int n = 0; n < 20'000; ++n) {
+    if (pool.shares()) {
+      pool.for_each(both, 5, [&](std::size_t i) { wall_ns += i == 0 ? 6'000 : 0; });
+      ++shared;
+    } else {
+      pool.alone(both, 5, [] { wall_ns += 10'000; });
+      ++alone;
+    }
+  }
+  EXPECT_GT(alone, 400U);
+  EXPECT_GT(shared, 19'000U);
+  EXPECT_EQ(pool.waves(), 20'000U);
+  EXPECT_EQ(pool.waves_shared(), shared);
+  EXPECT_FALSE(ThreadPool(1, Sharing::always).shares());
+  EXPECT_TRUE(ThreadPool(2, Sharing::always).shares());
 }
 
 TEST(ThreadPool, StopsWithoutWork) { const ThreadPool pool(4); }
