@@ -12,7 +12,7 @@
 
 namespace murosimf::connect {
 
-/// Numbers of states and penalties are those of the Humanoid League's GameController (docs/game.md).
+/// Numbers of states and penalties: docs/game.md.
 struct GameView {
   std::int64_t time = 0;      ///< [ns] simulated, of the last word
   std::uint64_t samples = 0;  ///< words so far; 0: there was none yet
@@ -23,6 +23,10 @@ struct GameView {
   double half = 1;                                ///< 1 or 2
   double kick_off = -1;                           ///< 1 own, 0 the other, -1 nobody: the ball is dropped
   double remaining = 0, secondary_remaining = 0;  ///< [s]
+  double stopped = 0;                             ///< 1: nothing may move
+  double phase = 0;                               ///< 0 normal, 1 penalty shoot-out, 2 overtime, 3 timeout
+  double message_budget = -1;                     ///< messages that the own team may still send; -1: unknown
+  double version = 0;                             ///< of the referee's packets: 12, 18, 19, 20; 0: none yet
   double penalty = 0;                             ///< of the robot; 0: none
   double penalty_remaining = 0;                   ///< [s]
   double team = 0, number = 0;                    ///< as the referee has them

@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/league/game_packet.h"
 #include "murosimf/league/humanoid_packet.h"
+#include "murosimf/league/soccer_packet.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::league {
@@ -13,7 +15,7 @@ std::vector<GameState> GameController::take(Duration now) {
   std::vector<GameState> all;
   for (const std::string& packet : datagrams_->take(now)) {
     try {
-      all.push_back(read_humanoid_packet(packet));
+      all.push_back(read_game_packet(packet));
     } catch (const SetupError& error) {
       std::string line = fmt::format("GameController: {}; ignored", error.what());
       if (told_.size() < most_complaints && told_.insert(line).second) new_complaints_.push_back(std::move(line));
@@ -23,6 +25,7 @@ std::vector<GameState> GameController::take(Duration now) {
 }
 
 void GameController::answer(const Answer& answer) { datagrams_->give(to_bytes(answer)); }
+void GameController::report(const RobotStatus& status) { datagrams_->give(to_bytes(status)); }
 
 std::vector<std::string> GameController::complaints() { return std::exchange(new_complaints_, {}); }
 

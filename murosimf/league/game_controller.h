@@ -1,6 +1,6 @@
-/// game_controller.h - a referee that is a program of its own: the Humanoid League's GameController, by datagrams.
+/// game_controller.h - a referee that is a program of its own: a GameController (game_packet.h), by datagrams.
 ///
-/// It listens, and answers each packet for every robot. What it cannot use it tells in one line, once for each kind of it.
+/// It listens, and answers for every robot. What it cannot use it tells in one line, once for each kind of it.
 #pragma once
 
 #include <set>
@@ -19,6 +19,7 @@ class GameController final : public Referee {
 
   [[nodiscard]] std::vector<GameState> take(Duration now) override;
   void answer(const Answer& answer) override;
+  void report(const RobotStatus& status) override;
   [[nodiscard]] std::vector<std::string> complaints() override;
 
  private:

@@ -7,7 +7,12 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/behavior/behavior_properties.h"
+#include "murosimf/connect/controller_task.h"
+#include "murosimf/league/robot_status.h"
 #include "murosimf/league/rule_names.h"
+#include "murosimf/league/soccer_packet.h"
+#include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 
@@ -15,7 +20,16 @@ namespace murosimf::league {
 namespace {
 
 constexpr Duration watch_period = std::chrono::milliseconds(500);
+constexpr Duration report_period = std::chrono::seconds(1);
 constexpr double farthest = 0.5;  // [m] that a robot with a penalty may be from its place
+
+constexpr int timeout = 3, set_play_begins = 4, ball_is_placed = 0;  // secondary states and phase
+
+/// Penalties of robots that stay where they are.
+bool stays_there(int penalty) {
+  return penalty == static_cast<int>(SoccerPenalty::motion_in_set) ||
+         penalty == static_cast<int>(SoccerPenalty::motion_in_stop);
+}
 
 double seen_from(int own, int team) { return team == no_team ? -1 : team == own ? 1 : 0; }
 
@@ -24,22 +38,30 @@ double seen_from(int own, int team) { return team == no_team ? -1 : team == own 
 GameTask::GameTask(Setup& setup, const std::vector<Player>& players, Referee& referee, Options options)
     : options_(std::move(options)), referee_(&referee), holds_(players.size()) {
   for (const Player& player : players) members_.push_back(member(setup.of(*player.robot), player));
+  if (options_.ball) ball_ = setup.of(*options_.ball).read(properties::position);
 }
 
 GameTask::Member GameTask::member(Setup setup, const Player& player) const {
-  Member member{player, setup.read(properties::position), nullptr, nullptr};
-  if (setup.entity().find(connect::game_view)) member.view = &setup.write(connect::game_view)[0];
-  if (setup.entity().find(connect::game_answer)) member.answer = &setup.read(connect::game_answer)[0];
+  Member member{.player = player, .r = setup.read(properties::position), .R = setup.read(properties::orientation)};
+  const Entity& robot = setup.entity();
+  if (robot.find(connect::game_view)) member.view = &setup.write(connect::game_view)[0];
+  if (robot.find(connect::game_answer)) member.answer = &setup.read(connect::game_answer)[0];
+  if (robot.find(properties::pose_estimate)) member.estimate = &setup.read(properties::pose_estimate)[0];
+  if (robot.find(properties::halted) && !connect::software_report(robot)) {
+    member.halted = &setup.write(properties::halted)[0];
+  }
   return member;
 }
 
 void GameTask::initialize() {
   game_ = {};
   words_ = 0;
+  next_report_ = {};
   holds_.assign(members_.size(), {});
   events_.clear();
   for (Member& member : members_) {
     if (member.view) *member.view = {};
+    if (member.halted) *member.halted = 0;
   }
 }
 
@@ -58,6 +80,10 @@ const PlayerState& GameTask::state_of(const Player& player) const {
 void GameTask::step(const Instant& instant) noexcept {
   for (const GameState& game : referee_->take(instant.now)) {
     if (find_teams(game)) hear(game, instant.now);
+  }
+  if (words_ > 0 && game_.protocol >= first_soccer_version && instant.now >= next_report_) {
+    report();
+    next_report_ = instant.now + report_period;
   }
   for (std::string& line : referee_->complaints()) complaints_.push_back(std::move(line));
   if (instant.now % watch_period == Duration{}) watch_placed();
@@ -97,8 +123,15 @@ void GameTask::hear(const GameState& game, Duration now) {
   for (std::size_t i = 0; i < members_.size(); ++i) {
     show(members_[i], now);
     judge(i);
+    if (members_[i].halted) *members_[i].halted = may_move(members_[i].player) ? 0 : 1;
   }
-  answer();
+  if (game_.protocol < first_soccer_version) answer();
+}
+
+bool GameTask::may_move(const Player& player) const {
+  const bool plays = game_.state == 3 && !game_.stopped && game_.phase != timeout;
+  const bool places_ball = game_.secondary_state >= set_play_begins && game_.secondary_phase == ball_is_placed;
+  return plays && !places_ball && state_of(player).penalty == 0;
 }
 
 void GameTask::show(Member& member, Duration now) const {
@@ -117,6 +150,10 @@ void GameTask::show(Member& member, Duration now) const {
   view.kick_off = seen_from(own.number, game_.kick_off_team);
   view.remaining = game_.seconds_left;
   view.secondary_remaining = game_.secondary_seconds_left;
+  view.stopped = game_.stopped ? 1 : 0;
+  view.phase = game_.phase;
+  view.message_budget = own.message_budget;
+  view.version = game_.protocol;
   view.penalty = player.penalty;
   view.penalty_remaining = player.seconds_left;
   view.team = own.number;
@@ -131,7 +168,8 @@ void GameTask::judge(std::size_t number) {
   const bool penalized = state_of(player).penalty != 0;
   Hold& hold = holds_[number];
   if (penalized == hold.penalized) return;
-  hold = {.penalized = penalized, .wants_place = penalized && options_.place_penalized};
+  const bool leaves = penalized && !stays_there(state_of(player).penalty);
+  hold = {.penalized = penalized, .wants_place = leaves && options_.place_penalized};
   events_.push_back(penalized
                         ? fmt::format("game: {}: {}", player.robot->name(), penalty_name(state_of(player).penalty))
                         : fmt::format("game: {}: the penalty has ended", player.robot->name()));
@@ -157,6 +195,22 @@ void GameTask::answer() const {
     if (member.player.robot->idle()) continue;
     const int message = static_cast<int>(std::lround(member.answer ? *member.answer : connect::answer_alive));
     referee_->answer({game_.teams[place_of_team_[member.player.team]].number, member.player.number, message});
+  }
+}
+
+void GameTask::report() const {
+  for (const Member& member : members_) {
+    const std::size_t team = member.player.team;
+    if (member.player.robot->idle()) continue;
+    const bool sees_ball = !ball_.empty() && options_.ball->present();
+    RobotStatus status = status_of({.position = member.r[0],
+                                    .axes = member.R[0],
+                                    .estimate = member.estimate,
+                                    .ball = sees_ball ? &ball_[0] : nullptr,
+                                    .attacks = options_.attacks[team]});
+    status.team = game_.teams[place_of_team_[team]].number;
+    status.player = member.player.number;
+    referee_->report(status);
   }
 }
 
@@ -188,7 +242,7 @@ void GameTask::between_steps(Scene& scene) {
 }
 
 void GameTask::state(StateArchive& archive) {
-  archive(game_, place_of_team_, words_);
+  archive(game_, place_of_team_, words_, next_report_);
   archive.elements(std::span(holds_));
   archive(events_);
   if (archive.loads()) ask();

@@ -1,8 +1,9 @@
 /// game_task.h - algorithm: brings what a referee says to the robots, at the beginning of a tick, and has penalties carried out.
 ///
 /// Each word of the referee goes to all robots at once (connect/game_view.h), seen from their teams; each is answered for every robot that
-/// is there. Who gets a penalty is placed at the side line before the next tick, and again if it walks off; when the penalty ends it may
-/// go. All of that is state; the words themselves come from outside (game_log.h).
+/// is there (version 12), or each robot tells of itself once per second (version 18 to 20). Who gets a penalty is placed at the side line
+/// before the next tick, and again if it walks off; when the penalty ends it may go. Robots of built-in controllers stand while nobody may
+/// move (`halted`); control software looks for itself. All of that is state; the words themselves come from outside (game_log.h).
 #pragma once
 
 #include <array>
@@ -29,7 +30,9 @@ class GameTask final : public Algorithm {
  public:
   struct Options {
     std::array<std::string, 2> team_names;
-    std::array<int, 2> team_numbers{};  ///< 0: those of the referee, in its order
+    std::array<int, 2> team_numbers{};    ///< 0: those of the referee, in its order
+    std::array<double, 2> attacks{1, 1};  ///< of each team: +1, the goal at positive x; -1, the other one
+    Entity* ball = nullptr;               ///< null: there is none
     bool place_penalized = true;
     /// Has between_steps() called before the next tick.
     std::function<void()> ask_for_call;
@@ -69,8 +72,11 @@ class GameTask final : public Algorithm {
   struct Member {
     Player player;
     std::span<const Vec3d> r;
-    connect::GameView* view;  // null: its software does not look
-    const double* answer;     // null: it is alive
+    std::span<const Mat3d> R;
+    connect::GameView* view = nullptr;  // null: its software does not look
+    const double* answer = nullptr;     // null: it is alive
+    const Vec3d* estimate = nullptr;    // null: it has no opinion of its pose
+    double* halted = nullptr;           // null: it does not walk, or its software looks for itself
   };
 
   [[nodiscard]] Member member(Setup setup, const Player& player) const;
@@ -80,6 +86,8 @@ class GameTask final : public Algorithm {
   void judge(std::size_t number);
   void tell_changes(const GameState& before);
   void answer() const;
+  void report() const;
+  [[nodiscard]] bool may_move(const Player& player) const;
   void watch_placed();
   void ask();
   [[nodiscard]] const PlayerState& state_of(const Player& player) const;
@@ -87,9 +95,11 @@ class GameTask final : public Algorithm {
   Options options_;
   Referee* referee_;
   std::vector<Member> members_;
+  std::span<const Vec3d> ball_;  // [m]; empty: there is none
   GameState game_;
   std::array<std::uint8_t, 2> place_of_team_{0, 1};  // in game_.teams
   std::uint64_t words_ = 0;
+  Duration next_report_{};
   std::vector<Hold> holds_;              // of each member
   std::vector<std::string> events_;      // to be recorded
   std::vector<std::string> complaints_;  // to be told

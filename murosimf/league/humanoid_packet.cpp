@@ -2,51 +2,19 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/league/packet_bytes.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::league {
 namespace {
 
-constexpr std::string_view magic = "RGme", answer_magic = "RGrt";
+constexpr std::string_view answer_magic = "RGrt";
 constexpr int answer_version = 2;
 constexpr int drop_ball = 255, drop_ball_of_old = 128;  // as team that kicks off
-constexpr int last_state = 4, last_secondary_state = 9;
+constexpr int last_secondary_state = 9;
 constexpr std::size_t first_team = 24, bytes_of_team = 332, first_player = 266, bytes_of_player = 6;
 
-/// Offsets of RoboCupGameControlData.
-class Bytes {
- public:
-  explicit Bytes(std::string_view bytes) : bytes_(bytes) {}
-  [[nodiscard]] std::uint8_t one(std::size_t offset) const { return static_cast<std::uint8_t>(bytes_[offset]); }
-  [[nodiscard]] int two(std::size_t offset) const { return one(offset) + 256 * one(offset + 1); }
-  [[nodiscard]] Bytes from(std::size_t offset) const { return Bytes(bytes_.substr(offset)); }
-
- private:
-  std::string_view bytes_;
-};
-
-void check(std::string_view bytes) {
-  if (!bytes.starts_with(magic)) throw SetupError("this is no packet of a GameController: it does not begin with RGme");
-  if (bytes.size() < first_team) {
-    throw SetupError(fmt::format("a packet of {} bytes, too short for any GameController", bytes.size()));
-  }
-  const int version = Bytes(bytes).two(4);
-  if (version != humanoid_version) {
-    throw SetupError(fmt::format("version {} of the GameController's packets; known is {}, of the Humanoid League",
-                                 version, humanoid_version));
-  }
-  if (bytes.size() != humanoid_bytes) {
-    throw SetupError(fmt::format("a packet of {} bytes; those of version {} have {}", bytes.size(), humanoid_version,
-                                 humanoid_bytes));
-  }
-}
-
-int checked(int value, int highest, std::string_view what) {
-  if (value > highest) throw SetupError(fmt::format("{} {}; the last one is {}", what, value, highest));
-  return value;
-}
-
-PlayerState player(const Bytes& bytes) {
+PlayerState player(const PacketBytes& bytes) {
   return {.penalty = bytes.one(0),
           .seconds_left = bytes.one(1),
           .warnings = bytes.one(2),
@@ -55,9 +23,9 @@ PlayerState player(const Bytes& bytes) {
           .goalkeeper = bytes.one(5) != 0};
 }
 
-TeamState team(const Bytes& bytes) {
+TeamState team(const PacketBytes& bytes) {
   TeamState team{.number = bytes.one(0), .score = bytes.one(2)};
-  for (std::size_t i = 0; i < most_players; ++i)
+  for (std::size_t i = 0; i < humanoid_players; ++i)
     team.players[i] = player(bytes.from(first_player + i * bytes_of_player));
   return team;
 }
@@ -65,9 +33,13 @@ TeamState team(const Bytes& bytes) {
 }  // namespace
 
 GameState read_humanoid_packet(std::string_view packet) {
-  check(packet);
-  const Bytes bytes(packet);
-  GameState game{.state = checked(bytes.one(9), last_state, "state"),
+  if (packet.size() != humanoid_bytes) {
+    throw SetupError(fmt::format("a packet of {} bytes; those of version {} have {}", packet.size(), humanoid_version,
+                                 humanoid_bytes));
+  }
+  const PacketBytes bytes(packet);
+  GameState game{.protocol = humanoid_version,
+                 .state = checked(bytes.one(9), last_game_state, "state"),
                  .first_half = bytes.one(10) != 0,
                  .kick_off_team = bytes.one(11),
                  .secondary_state = checked(bytes.one(12), last_secondary_state, "secondary state"),
@@ -77,6 +49,7 @@ GameState read_humanoid_packet(std::string_view packet) {
   for (std::size_t i = 0; i < 2; ++i) game.teams[i] = team(bytes.from(first_team + i * bytes_of_team));
   if (game.kick_off_team == drop_ball || game.kick_off_team == drop_ball_of_old) game.kick_off_team = no_team;
   if (game.secondary_state > 2) game.secondary_team = bytes.one(13);  // before there is none
+  if (game.secondary_state < 4) game.phase = game.secondary_state;
   return game;
 }
 

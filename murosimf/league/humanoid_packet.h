@@ -13,9 +13,9 @@ namespace murosimf::league {
 
 inline constexpr int humanoid_version = 12;
 inline constexpr std::size_t humanoid_bytes = 688;
-inline constexpr int game_controller_port = 3838, answer_port = 3939;
+inline constexpr std::size_t humanoid_players = 11;  ///< of a team in such a packet
 
-/// Throws SetupError in one line: no packet of a GameController, another version, another length, a state that there is none of.
+/// Of a packet that begins as one of this version (game_packet.h). Throws SetupError in one line: another length, a state that there is none of.
 [[nodiscard]] GameState read_humanoid_packet(std::string_view bytes);
 
 /// RoboCupGameControlReturnData, version 2: 8 bytes.

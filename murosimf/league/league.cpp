@@ -143,7 +143,9 @@ void League::referee_by(Referee& referee) {
   between_steps_ = std::make_unique<BetweenSteps>(*scene_);
   Simulation& simulation = scene_->simulation();
   GameTask::Options options{.place_penalized = spec.league.place_penalized};
+  options.ball = scene_->parts().ball;
   for (std::size_t i = 0; i < teams_of_a_game; ++i) {
+    options.attacks[i] = spec.teams[i].attacks;
     options.team_names[i] = spec.teams[i].name;
     options.team_numbers[i] = static_cast<int>(spec.teams[i].number);
   }

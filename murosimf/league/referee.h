@@ -15,8 +15,10 @@ class Referee {
 
   /// At the beginning of the tick at `now`: what it has said since the one before, in its order; mostly nothing.
   [[nodiscard]] virtual std::vector<GameState> take(Duration now) = 0;
-  /// What a robot answers to each of these.
+  /// What a robot answers to each of these, if they are of version 12.
   virtual void answer(const Answer&) {}
+  /// What a robot tells of itself, once per simulated second, if they are of version 18 to 20.
+  virtual void report(const RobotStatus&) {}
   /// Lines about what it got and could not use, since the last call; each once in a run.
   [[nodiscard]] virtual std::vector<std::string> complaints() { return {}; }
 };

@@ -30,10 +30,26 @@ std::string state_name(int state) { return name_in(states, state, "state"); }
 std::string secondary_state_name(int state) { return name_in(secondary_states, state, "secondary state"); }
 
 std::string penalty_name(int penalty) {
-  static const std::map<int, std::string_view> names{{30, "ball manipulation"}, {31, "physical contact"},
-                                                     {32, "illegal attack"},    {33, "illegal defense"},
-                                                     {34, "pickup/incapable"},  {35, "service"},
-                                                     {14, "substitute"}};
+  static const std::map<int, std::string_view> names{{30, "ball manipulation"},
+                                                     {31, "physical contact"},
+                                                     {32, "illegal attack"},
+                                                     {33, "illegal defense"},
+                                                     {34, "pickup/incapable"},
+                                                     {35, "service"},
+                                                     {14, "substitute"},
+                                                     {1, "illegal positioning"},
+                                                     {2, "motion in set"},
+                                                     {3, "motion in stop"},
+                                                     {4, "local game stuck"},
+                                                     {5, "incapable"},
+                                                     {6, "pick-up"},
+                                                     {7, "ball holding"},
+                                                     {8, "leaving the field"},
+                                                     {9, "playing with arms or hands"},
+                                                     {10, "pushing"},
+                                                     {11, "cautioned"},
+                                                     {12, "sent off"},
+                                                     {13, "substitute"}};
   const auto found = names.find(penalty);
   return found == names.end() ? fmt::format("penalty {}", penalty) : fmt::format("penalty, {}", found->second);
 }

@@ -1,4 +1,4 @@
-/// rule_names.h - states and penalties of the Humanoid League's GameController in words, for reports.
+/// rule_names.h - states and penalties of GameControllers in words, for reports.
 #pragma once
 
 #include <string>

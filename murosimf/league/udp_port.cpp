@@ -61,6 +61,9 @@ UdpPort::UdpPort(const Options& options)
     throw SetupError(fmt::format("no datagrams at {}:{}: {}", options.listen.host, options.listen.port, why));
   };
   const sockaddr_in address = socket_address(host_of(options.listen), options.listen.port);
+  // Of what is broadcast, every program of a machine gets its own copy; of what is sent to one address, only one would.
+  const int shared = host_of(options.listen) == INADDR_ANY && options.listen.port != 0 ? 1 : 0;
+  (void)setsockopt(socket_, SOL_SOCKET, SO_REUSEADDR, &shared, sizeof shared);
   if (socket_ < 0 || bind(socket_, generic(address), sizeof address) != 0) fail();
   const int yes = 1;
   (void)setsockopt(socket_, SOL_SOCKET, SO_BROADCAST, &yes, sizeof yes);

@@ -18,6 +18,7 @@ Drive::Drive(Setup& setup, const Vec3d& command, const DriveOptions& options)
     : vehicle_(find_vehicle(setup.model())),
       options_(options),
       command_(setup.input(properties::walk_command, command)[0]),
+      halted_(setup.input(properties::halted, 0.0)[0]),
       velocity_(setup.write(properties::gait_velocity)[0]),
       curvature_(setup.write(properties::path_curvature)[0]),
       target_(setup.write(properties::joint_target)),
@@ -36,7 +37,7 @@ void Drive::step(const Instant& instant) noexcept {
 }
 
 void Drive::advance(double dt) noexcept {
-  const double speed = approach(velocity_.x, command_.x, dt * options_.acceleration);
+  const double speed = approach(velocity_.x, halted_ != 0 ? 0.0 : command_.x, dt * options_.acceleration);
   if (!(std::abs(command_.x) < standstill)) {
     const double wanted = std::clamp(command_.z / command_.x, vehicle_.least_curvature, vehicle_.greatest_curvature);
     curvature_ = approach(curvature_, wanted, dt * options_.steering);

@@ -42,6 +42,7 @@ class Drive final : public Algorithm {
   Vehicle vehicle_;
   DriveOptions options_;
   const Vec3d& command_;           // [m/s, m/s, rad/s]
+  const double& halted_;           // 1: a referee wants it to stand
   Vec3d& velocity_;                // [m/s, m/s, rad/s] after the slew limits
   double& curvature_;              // [1/m]
   std::span<double> target_;       // [rad] by object

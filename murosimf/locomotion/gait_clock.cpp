@@ -20,6 +20,7 @@ Vec3d clipped(const Vec3d& v, const Vec3d& limit) {
 
 GaitClock::GaitClock(Setup& setup, const Vec3d& command)
     : command_(setup.input(properties::walk_command, command)[0]),
+      halted_(setup.input(properties::halted, 0.0)[0]),
       velocity_(setup.write(properties::gait_velocity)[0]),
       phase_(setup.write(properties::gait_phase)[0]),
       amplitude_(setup.write(properties::gait_amplitude)[0]) {}
@@ -30,7 +31,7 @@ void GaitClock::initialize() noexcept {
 }
 
 void GaitClock::advance(double dt, const GaitLimits& limits) noexcept {
-  const Vec3d goal = clipped(command_, limits.fastest);
+  const Vec3d goal = halted_ != 0 ? Vec3d{} : clipped(command_, limits.fastest);
   const Vec3d& slew = limits.slew;
   velocity_ = {approach(velocity_.x, goal.x, dt * slew.x), approach(velocity_.y, goal.y, dt * slew.y),
                approach(velocity_.z, goal.z, dt * slew.z)};

@@ -1,6 +1,6 @@
 /// gait_clock.h - phase, amplitude and velocity of a gait: how they follow `walk_command`.
 ///
-/// The velocity follows the command, clipped to the fastest, with limited accelerations. The amplitude goes to 1 while
+/// The velocity follows the command (zero while `halted` is not 0), clipped to the fastest, with limited accelerations. The amplitude goes to 1 while
 /// something moves and to 0 otherwise; the phase runs while it is not 0. All are columns.
 #pragma once
 
@@ -30,6 +30,7 @@ class GaitClock {
 
  private:
   const Vec3d& command_;
+  const double& halted_;  // 1: a referee wants it to stand
   Vec3d& velocity_;
   double& phase_;
   double& amplitude_;

@@ -12,6 +12,7 @@ namespace murosimf::properties {
 
 // ---- variable: one for the whole entity ----
 inline constexpr Property<Vec3d>  walk_command       {{"walk_command", "m/s, m/s, rad/s", "robot, x forward", "desired walking velocity", Scope::base}};
+inline constexpr Property<double> halted             {{"halted", "1", "-", "1: stands, whatever walk_command says, because a referee wants it so", Scope::base, true}};
 inline constexpr Property<Vec3d>  gait_velocity      {{"gait_velocity", "m/s, m/s, rad/s", "robot, x forward", "walking velocity after the slew limits", Scope::base}};
 inline constexpr Property<double> path_curvature     {{"path_curvature", "1/m", "-", "of the path that a car drives, positive to the left", Scope::base}};
 inline constexpr Property<double> gait_phase         {{"gait_phase", "rad", "-", "0 to pi: left foot stands", Scope::base}};

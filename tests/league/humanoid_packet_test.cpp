@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/league/game_log.h"
+#include "murosimf/league/game_packet.h"
 #include "tests/fixtures.h"
 
 namespace murosimf::league {
@@ -20,13 +21,13 @@ std::string with(std::size_t offset, int byte) {
 }
 
 std::string refusal(const std::string& bytes) {
-  const std::string message = fixtures::error_of([&] { (void)read_humanoid_packet(bytes); });
+  const std::string message = fixtures::error_of([&] { (void)read_game_packet(bytes); });
   EXPECT_EQ(message.find('\n'), std::string::npos);
   return message;
 }
 
 TEST(HumanoidPacket, HasEveryFieldInItsPlace) {
-  const GameState game = read_humanoid_packet(packet());
+  const GameState game = read_game_packet(packet());
   EXPECT_EQ(game.state, 2);
   EXPECT_FALSE(game.first_half);
   EXPECT_EQ(game.kick_off_team, 200);
@@ -39,7 +40,7 @@ TEST(HumanoidPacket, HasEveryFieldInItsPlace) {
   EXPECT_EQ(game.teams[0].score, 3);
   EXPECT_EQ(game.teams[1].number, 200);
   EXPECT_EQ(game.teams[1].score, 17);
-  for (std::size_t i = 0; i < most_players; ++i) {
+  for (std::size_t i = 0; i < humanoid_players; ++i) {
     const PlayerState& player = game.teams[0].players[i];
     EXPECT_EQ(player.penalty, 30 + i);
     EXPECT_EQ(player.seconds_left, 40 + i);
@@ -52,8 +53,8 @@ TEST(HumanoidPacket, HasEveryFieldInItsPlace) {
 }
 
 TEST(HumanoidPacket, KnowsADroppedBallAndNoFreeKick) {
-  for (const int nobody : {255, 128}) EXPECT_EQ(read_humanoid_packet(with(11, nobody)).kick_off_team, no_team);
-  EXPECT_EQ(read_humanoid_packet(with(12, 0)).secondary_team, no_team);
+  for (const int nobody : {255, 128}) EXPECT_EQ(read_game_packet(with(11, nobody)).kick_off_team, no_team);
+  EXPECT_EQ(read_game_packet(with(12, 0)).secondary_team, no_team);
 }
 
 TEST(HumanoidPacket, RefusesWhatIsNone) {
@@ -62,8 +63,12 @@ TEST(HumanoidPacket, RefusesWhatIsNone) {
   EXPECT_EQ(refusal(packet().substr(0, 23)), "a packet of 23 bytes, too short for any GameController");
   EXPECT_EQ(refusal(packet().substr(0, 687)), "a packet of 687 bytes; those of version 12 have 688");
   EXPECT_EQ(refusal(packet() + "x"), "a packet of 689 bytes; those of version 12 have 688");
-  EXPECT_EQ(refusal(with(4, 11)), "version 11 of the GameController's packets; known is 12, of the Humanoid League");
-  EXPECT_EQ(refusal(with(5, 1)), "version 268 of the GameController's packets; known is 12, of the Humanoid League");
+  EXPECT_EQ(refusal(with(4, 11)),
+            "version 11 of the GameController's packets; known are 12 of the Humanoid League, 18 to 20 of the Humanoid "
+            "Soccer League");
+  EXPECT_EQ(refusal(with(4, 21)),
+            "version 21 of the GameController's packets; known are 12 of the Humanoid League, 18 to 20 of the Humanoid "
+            "Soccer League");
   EXPECT_EQ(refusal(with(9, 5)), "state 5; the last one is 4");
   EXPECT_EQ(refusal(with(12, 10)), "secondary state 10; the last one is 9");
 }

@@ -14,6 +14,7 @@
 
 #include "murosimf/connect/controller_task.h"
 #include "murosimf/league/humanoid_packet.h"
+#include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/scene/scene_report.h"
 #include "murosimf/scene_file/scene_spec.h"
@@ -459,6 +460,70 @@ TEST(TeamForwarder, DeliversWhatComesFromOutsideToTheWholeTeam) {
     EXPECT_EQ(game.said(robot), Texts{"0.12  110 120 5"}) << robot;
   for (const std::string robot : {"red1", "red2", "red3"}) EXPECT_EQ(game.said(robot), Texts{}) << robot;
   EXPECT_EQ(game.game.log().to_text(), "MuRoSimF game log 1\n110000000 team:blue 48656c6c6f\n");
+}
+
+/// The game of soccer.gamelog: ready at 0.2 s, set at 0.7, playing at 1.2, stopped at 2.2, playing at 3.2 with a penalty of blue2.
+TEST(League, BuiltInControllersStandWhileNobodyMayMove) {
+  Game game({.cameras = false}, {.repeat = logs + "soccer.gamelog"});
+  const auto number = [&](const std::string& robot, const auto& property) {
+    return game.scene.simulation().world().entity(robot).find(property)->values[0];
+  };
+  const auto expect_halted = [&](double time, double blue2, double others) {
+    game.run(time - seconds(game.scene.simulation().now()));
+    EXPECT_EQ(number("blue2", properties::halted), blue2) << time;
+    for (const char* robot : {"blue1", "blue3", "red1", "red2", "red3"}) {
+      EXPECT_EQ(number(robot, properties::halted), others) << robot << " at " << time;
+    }
+  };
+  expect_halted(0.1, 0, 0);  // nobody referees yet
+  expect_halted(0.3, 1, 1);
+  expect_halted(1.1, 1, 1);
+  EXPECT_EQ(number("red1", properties::gait_amplitude), 0);
+  expect_halted(2.0, 0, 0);
+  EXPECT_GT(number("red1", properties::gait_amplitude), 0);
+  expect_halted(2.4, 1, 1);
+  expect_halted(3.4, 1, 0);
+  EXPECT_GT(std::abs(game.place("blue2").y), 3) << "pick-up: at the side line";
+}
+
+/// One word of version 20 at the start; keeps what robots tell.
+struct Listener final : Referee {
+  std::vector<GameState> take(Duration now) override {
+    time = now;
+    GameState playing{.protocol = 20, .state = 3};
+    playing.teams[0].number = 21;
+    playing.teams[1].number = 4;
+    return now == Duration{} ? std::vector{playing} : std::vector<GameState>{};
+  }
+  void answer(const Answer&) override { ++answers; }
+  void report(const RobotStatus& status) override { told.emplace_back(seconds(time), status); }
+
+  Duration time{};
+  int answers = 0;
+  std::vector<std::pair<double, RobotStatus>> told;
+};
+
+TEST(League, RobotsTellOfThemselvesOncePerSecond) {
+  Listener referee;
+  Game game(three_on_three({"red2.present=false"}), {.referee = &referee});
+  const Vec3d blue1 = game.place("blue1"), red1 = game.place("red1");
+  game.run(2.5);
+  EXPECT_EQ(referee.answers, 0);
+  ASSERT_EQ(referee.told.size(), 15U);
+  const auto& [time, blue] = referee.told[0];
+  EXPECT_EQ(time, 0);
+  EXPECT_EQ(blue.team, 4);
+  EXPECT_EQ(blue.player, 1);
+  EXPECT_FALSE(blue.fallen);
+  EXPECT_NEAR(blue.x, blue1.x, 0.01);
+  EXPECT_NEAR(blue.y, blue1.y, 0.01);
+  EXPECT_EQ(blue.ball_age, 0);
+  const RobotStatus& red = referee.told[3].second;  // attacks the other goal: its field is turned
+  EXPECT_EQ(red.team, 21);
+  EXPECT_NEAR(red.x, -red1.x, 0.01);
+  EXPECT_NEAR(red.y, -red1.y, 0.01);
+  EXPECT_EQ(referee.told[5].first, 1);
+  EXPECT_EQ(referee.told[14].first, 2);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 file(REMOVE_RECURSE ${WORK})
 file(MAKE_DIRECTORY ${WORK})
 execute_process(COMMAND ${PYTHON} ${SOURCE}/write_game_logs.py ${WORK} COMMAND_ERROR_IS_FATAL ANY)
-foreach(name game fields)
+foreach(name game fields soccer)
   execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${WORK}/${name}.gamelog ${SOURCE}/${name}.gamelog
     COMMAND_ERROR_IS_FATAL ANY)
 endforeach()

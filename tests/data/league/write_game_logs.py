@@ -5,7 +5,9 @@
 
 game.gamelog: twelve seconds of a game, two packets per second, teams 21 and 4;
 player 2 of team 4 has a penalty from 5.2 s to 10.2 s.
-fields.gamelog: one packet, in which every field has another value. The test league.logs compares both with what this prints.
+fields.gamelog: one packet, in which every field has another value.
+soccer.gamelog: the same of the Humanoid Soccer League's GameController, versions 18, 19 and 20, and a game of version 20: ready, set, playing, stopped,
+playing. The test league.logs compares all with what this prints.
 """
 import pathlib
 import struct
@@ -49,9 +51,37 @@ def fields():
                     drop_in=(9, 0x0A0B), seconds=0x0123, secondary_seconds=0x0456)
 
 
+def soccer_robot(version, penalty=0, seconds=0, warnings=0, cautions=0):
+    return {18: struct.pack("<2B", penalty, seconds), 19: struct.pack("<4B", penalty, seconds, warnings, cautions),
+            20: struct.pack("<3B", penalty, seconds, cautions)}[version]
+
+
+def soccer_team(version, number, score, robots=(), goalkeeper=1, budget=12000):
+    """Field and keeper's colours are 0 and 1; no penalty shots."""
+    players = list(robots) + [soccer_robot(version)] * (20 - len(robots))
+    return struct.pack("<6B2H", number, 0, 1, goalkeeper, score, 0, 0, budget) + b"".join(players)
+
+
+def soccer_packet(version, count, state, teams, stopped=0, phase=0, set_play=0, first_half=1, kicking=255, seconds=600, secondary=0):
+    head = struct.pack("<4s10B2h", b"RGme", version, count % 256, 4, 0, stopped, phase, state, set_play, first_half, kicking, seconds,
+                       secondary)
+    return head + teams[0] + teams[1]
+
+
+def soccer():
+    for version in (18, 19, 20):
+        robots = [soccer_robot(version, 1 + i % 11, 20 + i, 40 + i, 60 + i) for i in range(20)]
+        teams = (soccer_team(version, 9, 3, robots, 2, 0x0A0B), soccer_team(version, 200, 17, robots[::-1], 0, 0x0C0D))
+        yield version, soccer_packet(version, 77, 2, teams, 1, 2, 6, 0, 200, -0x0123, 0x0456)
+    for i, (state, stopped) in enumerate([(1, 0), (2, 0), (3, 0), (3, 0), (3, 1), (3, 1), (3, 0), (3, 0)]):
+        penalty = [soccer_robot(20), soccer_robot(20, 6, 30)] if i >= 6 else []
+        teams = (soccer_team(20, 4, 0, penalty), soccer_team(20, 21, 0))
+        yield round((0.2 + 0.5 * i) * 1e9), soccer_packet(20, i, state, teams, stopped, kicking=4)
+
+
 def main():
     folder = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parent)
-    for name, packets in (("game", game()), ("fields", fields())):
+    for name, packets in (("game", game()), ("fields", fields()), ("soccer", soccer())):
         lines = [f"{time} game {data.hex()}" for time, data in packets]
         (folder / f"{name}.gamelog").write_text("\n".join(["MuRoSimF game log 1", *lines]) + "\n", encoding="utf-8")
 
