@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "murosimf/locomotion/gait_properties.h"
 
@@ -12,6 +13,7 @@ namespace {
 constexpr double in_front = 0.30;     // the ball is at the feet
 constexpr double beside_feet = 0.09;  // ... and not beside them
 constexpr double arrived = 0.10;
+constexpr double closest = 0.40;  // to another robot: who does not go for the ball walks no nearer
 
 using sensors::Sighting;
 
@@ -27,9 +29,11 @@ double wrapped(double angle) { return std::remainder(angle, 2 * pi); }
 struct Situation {
   const Sighting* self = nullptr;
   const Sighting* ball = nullptr;
-  int rank = 0;     ///< how many of the team are nearer to the ball
-  Vec3d to_goal;    ///< unit, from the ball to the goal
-  Vec3d avoidance;  ///< push away from robots that are too near
+  int rank = 0;                                          ///< how many of the team are nearer to the ball
+  Vec3d to_goal;                                         ///< unit, from the ball to the goal
+  Vec3d avoidance;                                       ///< push away from robots that are too near
+  Vec3d toward;                                          ///< unit, to the nearest of these
+  double gap = std::numeric_limits<double>::infinity();  ///< to it
 };
 
 Situation assess(const std::vector<Sighting>& sightings, const BallChaserOptions& options) {
@@ -49,6 +53,10 @@ Situation assess(const std::vector<Sighting>& sightings, const BallChaserOptions
     const Vec3d away = flat(s.self->position - other.position);
     const double gap = norm(away);
     if (gap < options.keep_clear) s.avoidance += (1 - gap / options.keep_clear) * unit(away);
+    if (gap < s.gap) {
+      s.gap = gap;
+      s.toward = -unit(away);
+    }
   }
   return s;
 }
@@ -100,6 +108,14 @@ Vec3d support(const Situation& s, const BallChaserOptions& options) {
   return walk_to(s, place, to_ball, options.speed);
 }
 
+/// Who does not fight for the ball does not push others: they would step on each other's feet.
+Vec3d without_pushing(const Vec3d& command, const Situation& s) {
+  if (s.rank == 0 || s.gap > closest) return command;
+  const Vec3d toward = to_robot_frame(s.toward, s.self->heading);
+  const double approach = command.x * toward.x + command.y * toward.y;
+  return approach > 0 ? command - approach * toward : command;
+}
+
 }  // namespace
 
 BallChaser::BallChaser(Setup& setup, const BallChaserOptions& options)
@@ -115,7 +131,7 @@ void BallChaser::step(const Instant&) noexcept {
   }
   command_ = s.rank == 0 ? attack(s, options_) : support(s, options_);
   const Vec3d avoid = to_robot_frame(s.avoidance, s.self->heading);
-  command_ += Vec3d{0.15 * avoid.x, 0.10 * avoid.y, 0};
+  command_ = without_pushing(command_, s) + Vec3d{0.15 * avoid.x, 0.10 * avoid.y, 0};
 }
 
 }  // namespace murosimf::behavior

@@ -1,7 +1,8 @@
 /// ball_chaser.h - algorithm: a small soccer player. Turns to the ball, walks behind it and pushes it to the goal.
 ///
 /// Decides from the sensor `ground_truth` (sensors/ground_truth.h) and writes `walk_command`. The robot of a team that is nearest to
-/// the ball goes for it; the others follow it at a distance. Robots steer around each other.
+/// the ball goes for it; the others follow it at a distance. Robots steer around each other, and push
+/// each other only where they fight for the ball.
 #pragma once
 
 #include "murosimf/model/algorithm.h"

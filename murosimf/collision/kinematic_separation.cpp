@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "murosimf/geometry/collide.h"
 
@@ -54,12 +55,32 @@ void see_feet(MovingEntity& a, MovingEntity& b, double share, Deepest& deepest, 
   }
 }
 
-/// Where one of both cannot be pushed: contacts that are deeper than it should press.
-void see_pressed(const MovingEntity& a, const MovingEntity& b, std::span<const PairContact> contacts,
-                 Deepest& deepest) noexcept {
-  for (const PairContact& c : contacts) {
-    deepest.see(c.normal, c.depth - bearable * std::min(a.thickness(shape_of_a(c)), b.thickness(shape_of_b(c))));
+/// [m] by which a contact is deeper than one who cannot be pushed should press.
+double excess_of(const PairContact& c, const std::vector<MovingEntity>& moving_entities) noexcept {
+  const double a = moving_entities[c.a].thickness(shape_of_a(c)), b = moving_entities[c.b].thickness(shape_of_b(c));
+  return c.depth - bearable * std::min(a, b);
+}
+
+/// [m] of the thinnest shape of a body.
+double thinnest(const MovingEntity& entity, int object) noexcept {
+  double thickness = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < static_cast<int>(entity.compound.shapes().size()); ++i) {
+    if (entity.compound.shapes()[i].object == object) thickness = std::min(thickness, entity.thickness(i));
   }
+  return thickness;
+}
+
+/// Of all contacts of one that can be pushed, with the ground, too: what presses it may press it into something behind.
+double strain_of(int pushed, const std::vector<MovingEntity>& moving_entities, const PairSet& set) noexcept {
+  double most = 0;
+  for (const PairContact& c : set.points) {
+    if ((c.a == pushed) != (c.b == pushed)) most = std::max(most, excess_of(c, moving_entities));
+  }
+  const MovingEntity& entity = moving_entities[pushed];
+  for (const ContactPoint& c : entity.contacts.points) {
+    most = std::max(most, c.depth - bearable * thinnest(entity, c.object));
+  }
+  return most;
 }
 
 /// Of those two; contacts are sorted by them.
@@ -104,7 +125,9 @@ void kinematic_separation(std::vector<MovingEntity>& moving_entities, const Stat
     if (both) {
       for (const PairContact& c : contacts_of(a, b, set.blocked)) deepest.see(c.normal, c.depth);
     } else {
-      see_pressed(first, second, contacts_of(a, b, set.points), deepest);
+      const auto contacts = contacts_of(a, b, set.points);
+      const double strain = contacts.empty() ? 0 : strain_of(a_fast ? b : a, moving_entities, set);
+      for (const PairContact& c : contacts) deepest.see(c.normal, std::max(strain, excess_of(c, moving_entities)));
     }
     if (a_fast) first.separation[0] += deepest.way_out(both ? 0.5 : 1, dt);
     if (b_fast) second.separation[0] -= deepest.way_out(both ? 0.5 : 1, dt);

@@ -316,7 +316,7 @@ class Simulation {
   CommandQueue queue_;
   PoseFeed poses_;
   Plan plan_;
-  LaneJobs lane_jobs_, lane_jobs_alone_;  // of the plan, for all threads and for one
+  LaneJobs lane_jobs_;  // of the plan
   bool use_lanes_ = true;
   Duration planned_at_{};
   StepChecks checks_;  // used in debug builds only
@@ -332,6 +332,7 @@ class Simulation {
   std::size_t events_before_start_ = 0;
   std::vector<std::string> warnings_;
   std::size_t frozen_reported_ = 0;
+  LaneJobs lane_jobs_alone_;  // of the plan, as lane_jobs_, for one thread
 };
 
 }  // namespace murosimf
