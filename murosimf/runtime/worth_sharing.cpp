@@ -9,10 +9,11 @@ using namespace std::chrono_literals;
 using Time = WorthSharing::Time;
 
 constexpr std::uint32_t waves_between_looks = 16;  // at the clock, while resting
+constexpr Time rest_after_gain = 8ms;              // of sharing that had won time altogether
 constexpr Time listens_after = 64ms;               // of waves that were shared out, and so many of these:
 constexpr std::uint32_t listens_after_waves = 128;
-constexpr Time most_credit = 1ms;  // soon used up when another program comes
-constexpr Time tolerance = 300us;  // much less than the system leaves a thread waiting for its core
+constexpr Time most_credit = 4ms;  // as long as a thread may have to wait for its core: once is no reason
+constexpr Time tolerance = 300us;  // more than a single wave loses by other causes
 
 /// Has it listened to so many waves that those of a whole tick were among them, most likely several times?
 bool heard_enough(std::uint32_t waves, Time in_waves) {
@@ -82,7 +83,7 @@ void WorthSharing::share(std::uint64_t kind, Time time, Time now) {
 }
 
 void WorthSharing::rest(Time now) {
-  rest_ = won_ > Time{} ? shortest_rest : std::clamp(2 * rest_, shortest_rest, longest_rest);
+  rest_ = won_ > Time{} ? rest_after_gain : std::clamp(2 * rest_, shortest_rest, longest_rest);
   begin(Phase::resting, now);
 }
 

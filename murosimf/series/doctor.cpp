@@ -23,8 +23,11 @@ constexpr double far = 0.5, least = 0.25;  // [1] of the median way; [m]
 /// The axis of a robot's base that points up when it stands, found where its start says how it leans; world z of that axis later.
 class Upright {
  public:
-  Upright(const scene_file::RobotSpec& spec, Entity& robot) : robot_(&robot) {
-    const Vec3d up = rotation_z(spec.heading) * (rotation_y(spec.pitch) * (rotation_x(spec.roll) * Vec3d{0, 0, 1}));
+  /// `dynamic`: its level starts with the lean of the file; others put it upright.
+  Upright(const scene_file::RobotSpec& spec, Entity& robot, bool dynamic) : robot_(&robot) {
+    const Vec3d leaning =
+        rotation_z(spec.heading) * (rotation_y(spec.pitch) * (rotation_x(spec.roll) * Vec3d{0, 0, 1}));
+    const Vec3d up = dynamic ? leaning : Vec3d{0, 0, 1};
     axis_ = transpose(robot.base().get(properties::orientation)) * up;
     began_up_ = up.z > cos_up;
   }
@@ -45,7 +48,9 @@ class Upright {
 std::vector<Upright> robots_of(scene::Scene& scene) {
   std::vector<Upright> robots;
   for (const scene_file::RobotSpec& spec : scene.spec().robots) {
-    robots.emplace_back(spec, scene.simulation().world().entity(spec.name));
+    Entity& robot = scene.simulation().world().entity(spec.name);
+    const MotionLevel* level = scene.simulation().level_of(robot);
+    robots.emplace_back(spec, robot, level && level->traits().dynamic);
   }
   return robots;
 }

@@ -107,6 +107,17 @@ TEST(Doctor, OtherWaysAreFlips) {
   EXPECT_TRUE(ending(checkup, "none").flips) << to_text(checkup);
 }
 
+// Who lies at the start is put upright by kinematic_walking.
+TEST(Doctor, KnowsWhoBeginsLying) {
+  DoctorOptions options =
+      of("duration = 0.5\n[[robots]]\nname = \"a\"\nmodel = \"kid21\"\ncontroller = \"none\"\nlevel = "
+         "\"full_dynamics\"\npitch_deg = 90\nheading_deg = 70\n",
+         {"levels"});
+  const Checkup checkup = examine(options);
+  EXPECT_EQ(ending(checkup, "as it is").ending, Ending::lies);
+  EXPECT_EQ(ending(checkup, "kinematic_walking").ending, Ending::stands);
+}
+
 TEST(Doctor, WhatCannotBeIsRefusedInItsPlace) {
   const Checkup checkup =
       examine(of("duration = 0.1\n[[robots]]\nname = \"c\"\nmodel = \"car\"\ncontroller = "
