@@ -157,11 +157,11 @@ struct ListOptions {
 };
 
 void define(const Command& command, ListOptions& options) {
-  const std::vector<std::string> kinds{"levels",     "contacts",    "body_contacts", "volumes",    "integrators",
-                                       "servo_laws", "controllers", "sensors",       "parts",      "lenses",
-                                       "materials",  "scenes",      "models",        "properties", "keys",
-                                       "options",    "formats",     "commands",      "plan",       "joint_references",
-                                       "viewer_keys"};
+  const std::vector<std::string> kinds{"levels",      "contacts",    "body_contacts", "volumes",    "integrators",
+                                       "servo_laws",  "controllers", "sensors",       "parts",      "lenses",
+                                       "materials",   "scenes",      "models",        "properties", "keys",
+                                       "options",     "formats",     "commands",      "plan",       "joint_references",
+                                       "viewer_keys", "mjcf",        "urdf"};
   command.add("what", options.what, fmt::format("{}", fmt::join(kinds, ", "))).required().one_of(kinds).offers(kinds);
   command.add("scene", options.scene, "of 'plan': whose algorithms, in the order of a tick");
   add_plugins(command, options.plugins);
@@ -198,6 +198,9 @@ int list(const ListOptions& options, const CommandLine& line) {
   if (what == "properties") text = properties_text();
   if (what == "keys") text = keys_text();
   if (what == "formats") text = formats_text();
+  for (const robot::RobotFormat& format : robot::robot_formats()) {
+    if (what == format.name && format.words) text = files::to_text(format.words());
+  }
   if (what == "commands") text = names_and_meanings(line.commands());
   if (what == "options") text = option_lists();
   if (what == "viewer_keys") text = viewer_keys_text();

@@ -48,7 +48,8 @@ render::EntityAppearance appearance_of(const description::RobotDescription& desc
     const bool has_meshes = add_meshes(description::visuals_of(description, body), places[i], robot);
     for (const description::ShapeDescription& shape : body.shapes) {
       PlacedShape placed = shape.placed;
-      if ((has_meshes && placed.collides) || std::holds_alternative<Plane>(placed.shape)) continue;
+      if (placed.color.alpha <= 0 || (has_meshes && placed.collides) || std::holds_alternative<Plane>(placed.shape))
+        continue;
       const Transformd at = places[i] * placed.place();
       placed.position = at.position;
       placed.orientation = at.orientation;

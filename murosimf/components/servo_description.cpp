@@ -32,6 +32,8 @@ double& of_heat(Servo& servo) {
 }
 constexpr std::array numbers{Number{"voltage", of_servo<&Servo::voltage>},
                              Number{"stall_torque", of_servo<&Servo::stall_torque>},
+                             Number{"lowest_torque_share", of_servo<&Servo::lowest_share>},
+                             Number{"highest_torque_share", of_servo<&Servo::highest_share>},
                              Number{"no_load_speed", of_servo<&Servo::no_load_speed>},
                              Number{"position_gain", of_servo<&Servo::position_gain>},
                              Number{"firmware_gain", of_servo<&Servo::firmware_gain>},
@@ -57,6 +59,7 @@ constexpr std::array numbers{Number{"voltage", of_servo<&Servo::voltage>},
                              Number{"dead_band", of_servo<&Servo::dead_band>},
                              Number{"command_period", of_servo<&Servo::command_period>},
                              Number{"command_delay", of_servo<&Servo::command_delay>},
+                             Number{"command_filter", of_servo<&Servo::command_filter>},
                              Number{"heat_capacity", of_heat<&ServoHeat::heat_capacity>},
                              Number{"thermal_resistance", of_heat<&ServoHeat::thermal_resistance>},
                              Number{"ambient_temperature", of_heat<&ServoHeat::ambient_temperature>},
@@ -72,7 +75,7 @@ const std::array<Law, 2>& laws() {
   static const std::array<Law, 2> all{
       Law{"dc_motor",
           {"stall_torque", "no_load_speed", "position_gain", "rotor_inertia", "coulomb_friction"},
-          {"velocity_gain"}},
+          {"velocity_gain", "lowest_torque_share", "highest_torque_share"}},
       Law{"ideal_pd",
           {"position_gain", "rotor_inertia"},
           {"no_load_speed", "duty_limit", "torque_limit", "current_limit", "heat_capacity", "thermal_resistance",
@@ -97,6 +100,8 @@ struct Largest {
   std::string_view meaning;
 };
 constexpr std::array largest{Largest{"command_delay", 1, "is in seconds; more than 1 is no delay of a bus"},
+                             Largest{"command_filter", 10,
+                                     "is in seconds; more than 10 is no time constant of a servo"},
                              Largest{"command_period", 1, "is in seconds; more than 1 is no rate of a bus"},
                              Largest{"backlash", 0.5, "is in radians; more than 0.5 is no play of a gear"},
                              Largest{"encoder_step", 0.5, "is in radians; more than 0.5 is no step of an encoder"},
@@ -110,7 +115,15 @@ double read_temperature(std::string_view key, const toml::node& node) {
   return number;
 }
 
+double read_share(std::string_view key, const toml::node& node) {
+  const double number = node.is_number() ? node.value_or(2.0) : 2.0;
+  if (!(std::abs(number) <= 1))  // NaN is not either
+    files::fail_at(node.source(), fmt::format("'{}' must be a number from -1 to 1", key));
+  return number;
+}
+
 double read_number(std::string_view key, const toml::node& node) {
+  if (key.ends_with("torque_share")) return read_share(key, node);
   if (key.ends_with("temperature") || key == "temperature_limit") return read_temperature(key, node);
   const double number = node.is_number() ? node.value_or(-1.0) : -1.0;
   const bool finite = std::isfinite(number);
@@ -213,6 +226,9 @@ Servo ServoDescription::finish(std::string_view name, const toml::source_region&
   std::erase_if(missing, [&](std::string_view key) { return given_.contains(key); });
   if (!missing.empty()) files::fail_at(source, fmt::format("servo '{}' needs {}", name, fmt::join(missing, ", ")));
   Servo servo = servo_;
+  if (servo.lowest_share > servo.highest_share) {
+    files::fail_at(source, fmt::format("servo '{}': lowest_torque_share is above highest_torque_share", name));
+  }
   if (servo.law != "dc_motor") return servo;
   if (!(servo.stall_torque > 0 && servo.no_load_speed > 0)) {
     files::fail_at(source,

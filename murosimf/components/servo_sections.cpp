@@ -18,6 +18,7 @@ constexpr std::size_t line_length = 100;
 struct Drive {
   bool guessed = false;
   double stall_torque = 0, position_gain = 0, velocity_gain = 0;
+  double lowest_share = -1, highest_share = 1, command_filter = 0;
   double armature = 0, friction = 0, damping = 0;
   bool operator==(const Drive&) const = default;
 };
@@ -29,13 +30,9 @@ struct Group {
 
 Drive drive_of(const description::JointDescription& joint) {
   const Servo& servo = *joint.servo;
-  return {servo.type == guessed_servo,
-          servo.stall_torque,
-          servo.position_gain,
-          servo.velocity_gain,
-          joint.armature,
-          joint.friction,
-          joint.damping};
+  return {
+      servo.type == guessed_servo, servo.stall_torque,   servo.position_gain, servo.velocity_gain, servo.lowest_share,
+      servo.highest_share,         servo.command_filter, joint.armature,      joint.friction,      joint.damping};
 }
 
 std::vector<Group> groups_of(const description::RobotDescription& description) {
@@ -58,8 +55,12 @@ std::string line(std::string_view key, double value, std::string_view meaning) {
   return fmt::format("{:<40}# {}\n", fmt::format("{} = {}", key, value), meaning);
 }
 
+std::string unless(double usual, std::string_view key, double value, std::string_view meaning) {
+  return value == usual ? "" : line(key, value, meaning);
+}
+
 std::string unless_zero(std::string_view key, double value, std::string_view meaning) {
-  return value == 0 ? "" : line(key, value, meaning);
+  return unless(0, key, value, meaning);
 }
 
 std::string joint_list(const std::vector<std::string>& joints) {
@@ -78,9 +79,12 @@ std::string joint_list(const std::vector<std::string>& joints) {
 std::string section(const Drive& drive) {
   const std::string guess = drive.guessed ? " guessed: all torque at 0.1 rad, all force at 0.02 m" : "";
   return "law = \"ideal_pd\"\n" + unless_zero("stall_torque", drive.stall_torque, "[N m] largest torque") +
+         unless(-1, "lowest_torque_share", drive.lowest_share, "[1] of it: the lowest torque") +
+         unless(1, "highest_torque_share", drive.highest_share, "[1] of it: the highest torque") +
          line("position_gain", drive.position_gain, "[N m/rad | N/m]" + guess) +
          unless_zero("velocity_gain", drive.velocity_gain,
                      "[N m s/rad]" + std::string(drive.guessed ? " guessed" : "")) +
+         unless_zero("command_filter", drive.command_filter, "[s] time constant of targets") +
          line("rotor_inertia", drive.armature, "[kg m^2] armature of the joint") +
          unless_zero("coulomb_friction", drive.friction, "[N m] frictionloss of the joint") +
          unless_zero("viscous_friction", drive.damping, "[N m s/rad] damping of the joint");

@@ -37,8 +37,11 @@ struct JointDescription {
   double spring_reference = 0;  ///< [rad | m] joint position at which that spring is at rest
   /// [N m | N] The file's own limit of what moves the joint (URDF effort, MJCF actuatorfrcrange); 0: none.
   double effort_limit = 0;
-  double rate_limit = 0;       ///< [rad/s | m/s] URDF velocity; 0: none
-  std::optional<Servo> servo;  ///< of its actuators
+  std::optional<Vec3d> effort_range;  ///< [N m | N] lowest, highest, 0: where that limit is not the same both ways
+  double rate_limit = 0;              ///< [rad/s | m/s] URDF velocity; 0: none
+  std::optional<Servo> servo;         ///< of its actuators
+  /// [rad | m] Lowest, highest, 0: what targets are held to (MJCF ctrlrange); of a servo without position gain rates.
+  std::optional<Vec3d> target_range;
   /// [1] Damping of its position servo over the critical one; 0: the servo's velocity_gain holds. Resolved by the reader.
   double damping_ratio = 0;
 };
@@ -106,6 +109,14 @@ struct SensorDescription {
   std::string becomes{};                                 ///< SensorSpec::name (robot_sensors.h); empty: none
 };
 
+/// A posture that the file names (MJCF key).
+struct KeyframeDescription {
+  std::string name, where;
+  std::map<std::string, double> positions;  ///< [rad | m] of all joints, by name
+  std::map<std::string, double> targets;    ///< [rad | m] of joints with a position servo; empty: the positions
+  Transformd base;                          ///< in the world of the file
+};
+
 /// Two bodies whose shapes never touch each other (MJCF exclude).
 struct ExclusionDescription {
   std::string body1, body2, where;
@@ -114,6 +125,12 @@ struct ExclusionDescription {
 /// Two shapes of the robot, by name, that touch each other whatever else forbids it (MJCF pair).
 struct PairDescription {
   std::string shape1, shape2, where;
+};
+
+/// Something that the file says and that has no effect here: `murosimf check` shows the line, `murosimf run` the word.
+struct Unused {
+  std::string word;  ///< "geom.condim", "option", "world geom 'floor'"
+  std::string line;  ///< "robot.xml:12: attribute 'condim' of geom is not used"
 };
 
 struct RobotDescription {
@@ -126,8 +143,10 @@ struct RobotDescription {
   std::vector<SensorDescription> sensors;
   std::vector<ExclusionDescription> exclusions;
   std::vector<PairDescription> pairs;
+  std::vector<KeyframeDescription> keyframes;
   std::vector<std::string> warnings;  ///< file:line: what looks wrong, or is dropped because of `lenient`
-  std::vector<std::string> notes;     ///< file:line: what means nothing here
+  std::vector<std::string> notes;     ///< file:line: what was guessed, or taken instead
+  std::vector<Unused> unused;         ///< what has no effect here, each once
 };
 
 /// [rad | m] Position of a joint in the pose of the file; 0 if there is no such joint.

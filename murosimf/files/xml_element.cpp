@@ -22,7 +22,8 @@ constexpr std::string_view xml_blanks = " \t\r\n";
 struct XmlSource {
   std::string name;
   tinyxml2::XMLDocument document;
-  std::map<const void*, XmlElement> included;  ///< root of the other file, by XmlElement::id
+  std::map<const void*, XmlElement> included;   ///< root of what stands in the place of an element, by XmlElement::id
+  std::map<const void*, XmlElement> originals;  ///< of copies, by XmlElement::id
 };
 
 namespace {
@@ -42,7 +43,40 @@ std::unique_ptr<XmlSource> read_source(const std::filesystem::path& file) {
   return source;
 }
 
+tinyxml2::XMLElement* make_element(const XmlTree& tree, XmlSource& source) {
+  tinyxml2::XMLElement* element = source.document.NewElement(tree.tag.c_str());
+  source.originals.emplace(element, tree.original);
+  for (const auto& [name, value] : tree.attributes) element->SetAttribute(name.c_str(), value.c_str());
+  for (const XmlTree& child : tree.children) element->InsertEndChild(make_element(child, source));
+  return element;
+}
+
 }  // namespace
+
+std::string* XmlTree::find(std::string_view name) {
+  const auto found = std::ranges::find(attributes, name, &XmlAttribute::name);
+  return found == attributes.end() ? nullptr : &found->value;
+}
+
+void XmlTree::set(const std::string& name, const std::string& value) {
+  if (std::string* present = find(name)) {
+    *present = value;
+  } else {
+    attributes.push_back({name, value});
+  }
+}
+
+std::size_t XmlTree::size() const {
+  std::size_t size = 1;
+  for (const XmlTree& child : children) size += child.size();
+  return size;
+}
+
+XmlTree copy_of(const XmlElement& element) {
+  XmlTree tree{element.tag(), element.attributes(), element, {}};
+  for (const XmlElement& child : element.children()) tree.children.push_back(copy_of(child));
+  return tree;
+}
 
 std::string one_line(std::string_view text) {
   std::string line(text);
@@ -70,9 +104,17 @@ std::optional<std::vector<double>> parse_numbers(std::string_view text) {
 
 std::string XmlElement::tag() const { return element_->Name(); }
 
-int XmlElement::line() const { return element_->GetLineNum(); }
+int XmlElement::line() const {
+  const auto copied = source_->originals.find(id());
+  return copied == source_->originals.end() ? element_->GetLineNum() : copied->second.line();
+}
 
-std::string XmlElement::where() const { return fmt::format("{}:{}", source_->name, line()); }
+std::string XmlElement::file() const {
+  const auto copied = source_->originals.find(id());
+  return copied == source_->originals.end() ? source_->name : copied->second.file();
+}
+
+std::string XmlElement::where() const { return fmt::format("{}:{}", file(), line()); }
 
 std::optional<std::string> XmlElement::attribute(const char* name) const {
   const char* value = element_->Attribute(name);
@@ -123,17 +165,26 @@ XmlFile::~XmlFile() = default;
 
 XmlElement XmlFile::root() const { return {sources_[0]->document.RootElement(), sources_[0].get()}; }
 
-void XmlFile::follow_includes() { follow_includes(*sources_[0], root()); }
+void XmlFile::follow_includes() {
+  follow_includes(*sources_[0], root(), std::filesystem::path(sources_[0]->name).parent_path());
+}
 
-void XmlFile::follow_includes(XmlSource& source, const XmlElement& element) {
+XmlElement XmlFile::open(const std::filesystem::path& file) {
+  XmlSource& source = *sources_.emplace_back(read_source(file));
+  const XmlElement root(source.document.RootElement(), &source);
+  follow_includes(source, root, file.parent_path());
+  return root;
+}
+
+void XmlFile::follow_includes(XmlSource& source, const XmlElement& element, const std::filesystem::path& folder) {
   for (const XmlElement& child : element.children()) {
     if (child.tag() != "include") {
-      follow_includes(source, child);
+      follow_includes(source, child, folder);
       continue;
     }
     const auto name = child.attribute("file");
     if (!name || name->empty()) child.fail("include without a file; add file=\"...\"");
-    const auto path = std::filesystem::path(sources_[0]->name).parent_path() / *name;
+    const auto path = folder / *name;
     for (const auto& other : sources_) {
       std::error_code none;
       if (std::filesystem::equivalent(other->name, path, none)) {
@@ -142,9 +193,19 @@ void XmlFile::follow_includes(XmlSource& source, const XmlElement& element) {
     }
     XmlSource& file = *sources_.emplace_back(with_context(child.where(), [&] { return read_source(path); }));
     const XmlElement included(file.document.RootElement(), &file);
-    follow_includes(file, included);
+    follow_includes(file, included, folder);
     source.included.emplace(child.id(), included);
   }
+}
+
+void XmlFile::replace(const XmlElement& element, const std::vector<XmlTree>& by) {
+  XmlSource& source = *sources_.emplace_back(std::make_unique<XmlSource>());
+  tinyxml2::XMLElement* root = source.document.NewElement("replacement");
+  source.document.InsertEndChild(root);
+  source.originals.emplace(root, element);
+  for (const XmlTree& tree : by) root->InsertEndChild(make_element(tree, source));
+  const auto owner = std::ranges::find(sources_, element.source_, [](const auto& one) { return one.get(); });
+  (*owner)->included.insert_or_assign(element.id(), XmlElement(root, &source));
 }
 
 }  // namespace murosimf::files

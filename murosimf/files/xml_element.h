@@ -29,6 +29,8 @@ class XmlElement {
 
   [[nodiscard]] std::string tag() const;
   [[nodiscard]] int line() const;
+  /// "robot.xml": the file in which it stands, or its original.
+  [[nodiscard]] std::string file() const;
   /// "robot.xml:12"
   [[nodiscard]] std::string where() const;
   /// Value of an attribute; nothing if it is not there.
@@ -46,9 +48,28 @@ class XmlElement {
   [[nodiscard]] const void* id() const { return element_; }
 
  private:
+  friend class XmlFile;
+
   const tinyxml2::XMLElement* element_;
   const XmlSource* source_;
 };
+
+/// A copy of an element that a reader may change, and what is to stand inside.
+struct XmlTree {
+  std::string tag;
+  std::vector<XmlAttribute> attributes;
+  XmlElement original;  ///< where it stands, for messages
+  std::vector<XmlTree> children;
+
+  /// Value of an attribute; null if it is not there.
+  [[nodiscard]] std::string* find(std::string_view name);
+  void set(const std::string& name, const std::string& value);
+  /// Elements of all of it.
+  [[nodiscard]] std::size_t size() const;
+};
+
+/// The element and all in it.
+[[nodiscard]] XmlTree copy_of(const XmlElement& element);
 
 class XmlFile {
  public:
@@ -65,8 +86,14 @@ class XmlFile {
   /// nothing includes itself. Source: MuJoCo documentation, XML reference, "include".
   void follow_includes();
 
+  /// The root of another file, its includes followed, which lives as long as this one. Throws as both.
+  [[nodiscard]] XmlElement open(const std::filesystem::path& file);
+
+  /// From now on, `by` stands in the place of an element of this file, or of one that it has opened. Messages about it name the originals.
+  void replace(const XmlElement& element, const std::vector<XmlTree>& by);
+
  private:
-  void follow_includes(XmlSource& source, const XmlElement& element);
+  void follow_includes(XmlSource& source, const XmlElement& element, const std::filesystem::path& folder);
 
   std::vector<std::unique_ptr<XmlSource>> sources_;  ///< the file itself, then the included ones
 };

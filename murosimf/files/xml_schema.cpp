@@ -38,7 +38,8 @@ class Checker {
       if (contains(rule.used, name) || declares_prefix) continue;
       const auto kind = fmt::format("attribute of {}", element.tag());
       if (contains(rule.unused, name)) {
-        note(element, fmt::format("attribute '{}' of {}", name, element.tag()));
+        note(element, fmt::format("{}.{}", element.tag(), name),
+             fmt::format("attribute '{}' of {}", name, element.tag()));
       } else if (contains(rule.unsupported, name)) {
         refuse(element, fmt::format("attribute '{}' of {} is not supported", name, element.tag()));
       } else {
@@ -54,7 +55,7 @@ class Checker {
       if (contains(rule.children, tag)) {
         check(child, element.tag());
       } else if (contains(rule.unused_children, tag)) {
-        note(child, fmt::format("element '{}'", tag));
+        note(child, tag, fmt::format("element '{}'", tag));
       } else if (contains(rule.unsupported_children, tag)) {
         refuse(child, fmt::format("element '{}' is not supported", tag));
       } else {
@@ -63,9 +64,9 @@ class Checker {
     }
   }
 
-  void note(const XmlElement& at, const std::string& what) {
+  void note(const XmlElement& at, const std::string& word, const std::string& what) {
     if (noted_.insert(what).second)
-      findings.notes.push_back(one_line(fmt::format("{}: {} is not used", at.where(), what)));
+      findings.unused.push_back({one_line(word), one_line(fmt::format("{}: {} is not used", at.where(), what))});
   }
 
   void refuse(const XmlElement& at, const std::string& what) {
@@ -84,15 +85,33 @@ XmlFindings validate(const XmlElement& root, const XmlVocabulary& schema) {
   return checker.findings;
 }
 
-void validate(const XmlElement& root, const XmlVocabulary& schema, bool lenient, std::vector<std::string>& warnings,
-              std::vector<std::string>& notes) {
-  const auto [found, refused] = validate(root, schema);
+std::vector<XmlUnused> validate(const XmlElement& root, const XmlVocabulary& schema, bool lenient,
+                                std::vector<std::string>& warnings) {
+  auto [unused, refused] = validate(root, schema);
   if (!refused.empty() && !lenient) {
     const std::size_t more = refused.size() - 1;
     throw SetupError(refused.front() + (more > 0 ? fmt::format(" (and {} more like this)", more) : ""));
   }
-  notes.insert(notes.end(), found.begin(), found.end());
   warnings.insert(warnings.end(), refused.begin(), refused.end());
+  return unused;
+}
+
+std::string to_text(const XmlVocabulary& schema) {
+  std::string text;
+  for (const auto& [element, rule] : schema) {
+    std::string name = element;
+    const auto line = [&](std::string_view what, const XmlWords& attributes, const XmlWords& elements) {
+      if (attributes.empty() && elements.empty()) return;
+      std::vector<std::string> words(attributes.begin(), attributes.end());
+      for (const std::string_view tag : elements) words.push_back(fmt::format("<{}>", tag));
+      text += fmt::format("{:<16} {:<8} {}\n", name, what, fmt::join(words, " "));
+      name.clear();
+    };
+    line("acts", rule.used, rule.children);
+    line("named", rule.unused, rule.unused_children);
+    line("refused", rule.unsupported, rule.unsupported_children);
+  }
+  return text;
 }
 
 }  // namespace murosimf::files

@@ -2,8 +2,10 @@
 ///
 /// Every element and attribute of a file is one of
 ///   used         the reader acts on it,
-///   unused       it means nothing to this program: a note, once per kind,
+///   unused       it has no effect here: named, once per kind, by `check` as a line and by `run` as a word,
 ///   unsupported  it would change the robot and is not supported: refused, as is what nobody knows.
+/// to_text() writes the vocabulary down, `murosimf list mjcf` shows it. Tests change every attribute that is `used` and look for
+/// the difference (tests/formats/mjcf/mjcf_acts_test.cpp).
 #pragma once
 
 #include <functional>
@@ -27,15 +29,25 @@ struct XmlRule {
 /// Rules by tag, or by "parent/tag" where that says more. An element without a rule is not looked into.
 using XmlVocabulary = std::map<std::string, XmlRule, std::less<>>;
 
-/// Each entry is one line with file and line number.
+/// Something that a file says and that has no effect here.
+struct XmlUnused {
+  std::string word;  ///< "geom.condim", or "option" for an element
+  std::string line;  ///< "robot.xml:12: attribute 'condim' of geom is not used"
+};
+
 struct XmlFindings {
-  std::vector<std::string> notes, refused;
+  std::vector<XmlUnused> unused;
+  std::vector<std::string> refused;  ///< one line each, with file and line number
 };
 
 [[nodiscard]] XmlFindings validate(const XmlElement& root, const XmlVocabulary& schema);
 
 /// The same for a reader: appends to `warnings` what is refused if it is `lenient`, else throws SetupError for it.
-void validate(const XmlElement& root, const XmlVocabulary& schema, bool lenient, std::vector<std::string>& warnings,
-              std::vector<std::string>& notes);
+[[nodiscard]] std::vector<XmlUnused> validate(const XmlElement& root, const XmlVocabulary& schema, bool lenient,
+                                              std::vector<std::string>& warnings);
+
+/// Three lines per element, of attributes and of <elements> inside: which act, which are named without effect, which are refused. Lines
+/// without a word are left out.
+[[nodiscard]] std::string to_text(const XmlVocabulary& schema);
 
 }  // namespace murosimf::files

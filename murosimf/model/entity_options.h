@@ -18,11 +18,12 @@ struct CollisionOptions {
 };
 
 struct EntityOptions {
-  Vec3d position;      ///< [m] of the base on the ground plane: z is added to what the level finds
-  double heading = 0;  ///< [rad] about the vertical
-  Mat3d attitude;      ///< turns the level robot before it gets its heading; ignored by kinematic_walking
-  std::string team;    ///< empty for none
-  Color color;         ///< of the team or of the thing
+  Vec3d position;           ///< [m] of the base on the ground plane: z is added to what the level finds
+  double heading = 0;       ///< [rad] about the vertical
+  Mat3d attitude;           ///< turns the level robot before it gets its heading; ignored by kinematic_walking
+  bool base_level = false;  ///< a robot is level when its base is; else when its first sole is, if it has one
+  std::string team;         ///< empty for none
+  Color color;              ///< of the team or of the thing
   CollisionOptions collision;
   bool present = true;  ///< at the start (Simulation::enter, leave)
   int own_steps =

@@ -1,5 +1,7 @@
 #include "murosimf/model/properties.h"
 
+#include "murosimf/model/keyframe.h"
+
 #include <array>
 
 #include "murosimf/model/visual_mesh.h"
@@ -13,6 +15,9 @@ constexpr std::array core_entries{constant(mass),
                                   constant(shapes),
                                   constant(visuals),
                                   constant(joint_range),
+                                  constant(joint_target_range),
+                                  constant(joint_start),
+                                  constant(keyframes),
                                   constant(servo),
                                   constant(sole),
                                   constant(markings),

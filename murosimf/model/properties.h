@@ -27,6 +27,8 @@ inline constexpr Property<Vec3d>    center_of_mass   {{"center_of_mass", "m", "o
 inline constexpr Property<SymMat3d> inertia          {{"inertia", "kg m^2", "object, at its center of mass", "xx yy zz xy xz yz"}};
 inline constexpr Property<Shapes>   shapes           {{"shapes", "m", "object", "geometry with surface and color"}};
 inline constexpr Property<Vec3d>    joint_range      {{"joint_range", "rad | m", "joint", "lowest, highest, 0"}};
+inline constexpr Property<Vec3d>    joint_target_range {{"joint_target_range", "rad | m", "joint", "lowest and highest target that its servo takes, 0; of a servo without position gain rates"}};
+inline constexpr Property<double>   joint_start      {{"joint_start", "rad | m", "joint", "position at the start, where nothing else is asked for; missing: 0"}};
 inline constexpr Property<Servo>    servo            {{"servo", "-", "joint", "motor and gear that move the joint"}};
 inline constexpr Property<Sole>     sole             {{"sole", "m", "object", "bottom of a foot, centered at the object"}};
 inline constexpr Property<Markings> markings         {{"markings", "m", "object", "lines painted on the ground"}};

@@ -39,6 +39,8 @@ struct Servo {
   std::string law = "dc_motor";  ///< name of the servo law
   double voltage = 0;            ///< [V] supply; 0: not known
   double stall_torque = 0;       ///< [N m] at rest and full duty; 0: unlimited (ideal_pd only)
+  double lowest_share = -1;      ///< [1] of stall_torque: the lowest torque that it gives (ideal_pd only)
+  double highest_share = 1;      ///< [1] likewise, the highest
   double no_load_speed = 0;      ///< [rad/s] at full duty, without friction; 0: not known (ideal_pd only)
   double position_gain = 0;      ///< [N m/rad] torque at rest per angle between target and position
   double firmware_gain = 0;      ///< [1] the integer P gain of the firmware that gives position_gain; 0: not known
@@ -52,6 +54,7 @@ struct Servo {
   double dead_band = 0;       ///< [rad] an error up to this counts as none; a larger one is as much smaller
   double command_period = 0;  ///< [s] a target is taken over every so often, and held; 0: at once
   double command_delay = 0;   ///< [s] from the controller's target to the motor
+  double command_filter = 0;  ///< [s] time constant with which the motor comes to a target that arrives; 0: at once
   ServoHeat heat;
 };
 

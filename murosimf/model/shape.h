@@ -55,6 +55,7 @@ using Shape = std::variant<Sphere, Box, Capsule, Cylinder, Ellipsoid, Plane, Con
 
 struct Color {
   double red = 0.5, green = 0.5, blue = 0.5;
+  double alpha = 1;  ///< [1] 0: cannot be seen; below 1: what is behind shines through
   friend bool operator==(const Color&, const Color&) = default;
 };
 

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "murosimf/model/error.h"
+#include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
 
 namespace murosimf::motion {
@@ -17,6 +18,21 @@ constexpr ReferenceEntry reference_entries[] = {
     {"linear", "at constant rate, in one control cycle (paper 4.3)", ReferenceKind::linear},
     {"exact", "the target is the position (paper 4.1, 4.2)", ReferenceKind::exact},
 };
+
+/// What targets are held to, by object: ranges of joints, and the target ranges of those that follow positions.
+std::vector<MimicJoints::Range> target_ranges(const Model& model, const MimicJoints& coupled,
+                                              const VelocityJoints& turning) {
+  std::vector<MimicJoints::Range> ranges;
+  for (int i = 0; i < model.size(); ++i) {
+    ranges.push_back(coupled.range(i));
+    const Vec3d* held = model.find(properties::joint_target_range, i);
+    if (!held || turning.contains(i)) continue;
+    auto& [lowest, highest] = ranges.back();
+    lowest = std::clamp(held->x, lowest, highest);
+    highest = std::clamp(held->y, lowest, highest);
+  }
+  return ranges;
+}
 
 /// What is left of an offset [rad | m] after dt [s]; implicit Euler.
 double faded(double offset, double dt) {
@@ -34,6 +50,7 @@ JointReference::JointReference(Setup& setup, const JointReferenceOptions& option
       coupled_(setup.model()),
       target_(setup.input(properties::joint_target, 0.0)),
       offset_(setup.write(properties::joint_offset)),
+      target_range_(target_ranges(setup.model(), coupled_, turning_)),
       leader_(target_.size()),
       ratio_(target_.size()) {
   std::iota(leader_.begin(), leader_.end(), 0);
@@ -47,7 +64,8 @@ JointReference::JointReference(Setup& setup, const JointReferenceOptions& option
 void JointReference::initialize(PoseColumns& columns) noexcept {
   std::fill(offset_.begin(), offset_.end(), 0.0);
   for (std::size_t i = 0; i < target_.size(); ++i) {
-    columns.q[i] = target(static_cast<int>(i));
+    const auto& [lowest, highest] = coupled_.range(static_cast<int>(i));
+    columns.q[i] = std::clamp(target_[i], lowest, highest) + offset_[i];
     columns.qd[i] = 0;
     if (!cycle_target_.empty()) cycle_target_[i] = target_[i];
   }
@@ -65,7 +83,7 @@ void JointReference::take_over(const PoseColumns& columns) noexcept {
 }
 
 MUROSIMF_INLINE double JointReference::limited_target(int joint) const noexcept {
-  const auto& [lowest, highest] = coupled_.range(joint);
+  const auto& [lowest, highest] = target_range_[static_cast<std::size_t>(joint)];
   return std::clamp(target_[joint], lowest, highest);
 }
 

@@ -19,6 +19,7 @@
 ///
 /// is added to the target (filter, exact) or to the line (linear), and fades: nothing jerks the base. Implicit Euler.
 /// A joint that follows another one (mimic_joints.h) is where that takes it; its own target means nothing.
+/// Targets are held to the joint's range and its joint_target_range.
 /// Joints stop at the ends of their range (joint_range), at rest. Same state (q, qd) as a simulated servo, so levels can be
 /// exchanged.
 #pragma once
@@ -83,11 +84,12 @@ class JointReference {
   JointReferenceOptions options_;
   VelocityJoints turning_;
   MimicJoints coupled_;
-  std::span<const double> target_;  // [rad | m] desired positions
-  std::span<double> offset_;        // [rad | m] o, by object
-  std::vector<int> leader_;         // [objects] whom a joint follows; itself if nobody
-  std::vector<double> ratio_;       // [objects] to that one
-  std::span<double> cycle_target_;  // [rad | m] the target that the present cycle runs to (linear only)
+  std::span<const double> target_;                // [rad | m] desired positions
+  std::span<double> offset_;                      // [rad | m] o, by object
+  std::vector<MimicJoints::Range> target_range_;  // by object
+  std::vector<int> leader_;                       // [objects] whom a joint follows; itself if nobody
+  std::vector<double> ratio_;                     // [objects] to that one
+  std::span<double> cycle_target_;                // [rad | m] the target that the present cycle runs to (linear only)
 };
 
 }  // namespace murosimf::motion

@@ -35,6 +35,7 @@ inline constexpr Property<double> coupling_torque  {{"coupling_torque", "N m | N
 inline constexpr Property<Twistd> felt_acceleration {{"felt_acceleration", "rad/s^2, m/s^2", "world, at the base's origin", "of a link: what forces add to its gravity and velocity products"}};
 inline constexpr Property<double> sent_target      {{"sent_target", "rad | m", "joint", "target that went over the bus last"}};
 inline constexpr Property<double> sent_target_age  {{"sent_target_age", "1", "joint", "steps since then"}};
+inline constexpr Property<double> filtered_target  {{"filtered_target", "rad | m", "joint", "what the filter of a servo (command_filter) has come to"}};
 inline constexpr Property<double> backlash_play    {{"backlash_play", "rad", "joint", "where the motor side is in the play of the gear; 0: in the middle"}};
 inline constexpr Property<double> backlash_side    {{"backlash_side", "1", "joint", "1, -1: the motor side touches the output there; 0: it does not"}};
 inline constexpr Property<double> rotor_rate       {{"rotor_rate", "rad/s", "joint", "of the motor side of a gear with backlash"}};

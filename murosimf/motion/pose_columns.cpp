@@ -64,7 +64,7 @@ void place_at_start(PoseColumns& columns, const Entity& entity) noexcept {
   columns.r[0] = {};
   columns.R[0] = Mat3d{};
   columns.update_poses();
-  if (const auto soles = model.having(properties::sole); !soles.empty()) {
+  if (const auto soles = model.having(properties::sole); !soles.empty() && !options.base_level) {
     columns.R[0] = transpose(columns.R[soles.front()]);
   }
   columns.R[0] = rotation_z(options.heading) * (options.attitude * columns.R[0]);

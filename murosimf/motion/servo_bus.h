@@ -1,9 +1,15 @@
-/// servo_bus.h - how targets get from the controller to the motors: sent every so often, held, delayed.
+/// servo_bus.h - how targets get from the controller to the motors: held to their range, sent every so often, held, delayed,
+/// filtered.
+///
+/// A servo with command_filter T comes to what arrives as the activation a of MuJoCo's `filterexact` does, a step behind:
+///
+///     a += (1 - exp(-h / T)) (target - a)
 ///
 /// The servo of a joint that follows another one (mimic_joints.h) knows where the other one's target takes it; its own
 /// target means nothing.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -28,11 +34,13 @@ class ServoBus {
   [[nodiscard]] double target(int object) const noexcept { return present_[static_cast<std::size_t>(object)]; }
   /// The same of all, by object.
   [[nodiscard]] std::span<const double> targets() const noexcept { return present_; }
-  /// What control software wants of it.
+  /// What control software wants of it, held to joint_target_range.
   [[nodiscard]] double wanted(int object) const noexcept {
-    return turning_.contains(object) ? turning_.target(object) : target_[static_cast<std::size_t>(object)];
+    if (turning_.contains(object)) return turning_.target(object);
+    const auto i = static_cast<std::size_t>(object);
+    return std::clamp(target_[i], lowest_[i], highest_[i]);
   }
-  /// [rad | m] where a joint is to stand, also one that follows a rate.
+  /// [rad | m] where control software wants a joint to stand, also one that follows a rate; whatever its range of targets.
   [[nodiscard]] double position_target(int object) const noexcept { return target_[static_cast<std::size_t>(object)]; }
   [[nodiscard]] const VelocityJoints& turning() const { return turning_; }
   [[nodiscard]] const MimicJoints& coupled() const { return coupled_; }
@@ -40,18 +48,22 @@ class ServoBus {
  private:
   [[nodiscard]] double sent(int object) noexcept;
   [[nodiscard]] bool pass_on(double now, int object) noexcept;
+  void filter(int object) noexcept;
   void couple() noexcept;
 
   VelocityJoints turning_;
   MimicJoints coupled_;
   std::span<const int> objects_;
-  double step_;                     // [s] of the simulation
-  bool plain_;                      // all are sent a position in every step
+  double step_;                           // [s] of the simulation
+  bool plain_;                            // all are sent a position in every step, and take any
+  std::vector<double> lowest_, highest_;  // [rad | m] of targets, by object
+  std::vector<double> share_;       // [1] of the way to a target that a filter takes in a step, by object; 1: no filter
   std::vector<double> period_;      // [steps] by object; 0: every step
   std::vector<std::size_t> delay_;  // [steps] by object
   std::span<const double> target_;
   std::span<DelayLine> delayed_;
   std::span<double> sent_, age_;  // empty if no servo has a period
+  std::span<double> filtered_;    // empty if no servo has a filter
   std::vector<double> present_;   // by object
 };
 

@@ -15,6 +15,8 @@
 namespace murosimf::motion {
 namespace {
 
+constexpr double no_limit = std::numeric_limits<double>::infinity();  // [N m]
+
 /// What is left of a motor's torque [N m] behind the gear, while it drives a load at a rate [rad/s].
 double behind_gear(const Servo& servo, double torque, double qd) {
   const double load = -torque;  // nearly
@@ -27,22 +29,26 @@ class IdealPd final : public ServoLaw {
   explicit IdealPd(const Servo& servo)
       : servo_(servo),
         by_rate_(follows_rate(servo)),
-        limit_(servo.stall_torque > 0 ? servo.stall_torque : std::numeric_limits<double>::infinity()) {}
+        lowest_(servo.stall_torque > 0 ? servo.lowest_share * servo.stall_torque : -no_limit),
+        highest_(servo.stall_torque > 0 ? servo.highest_share * servo.stall_torque : no_limit) {}
 
   [[nodiscard]] MotorTorque torque(const MotorInput& in, double dt) const noexcept override {
     if (in.enabled == 0) return {};
     const double kp = servo_.position_gain * in.gain, kd = servo_.velocity_gain + in.damping;
-    const double limit = std::min(limit_, in.limit);
+    const double low = std::max(lowest_, -in.limit), high = std::max(low, std::min(highest_, in.limit));
     const double error = by_rate_ ? 0 : position_error(in);
     const double stiffness = error == 0 && servo_.dead_band > 0 ? 0 : kp;
     const double wanted = by_rate_ ? kd * (in.target - in.rate) : kp * error - kd * in.rate;
     const double linear = wanted - dt * stiffness * in.rate;
-    const double now = std::clamp(wanted, -limit, limit);
+    const double now = std::clamp(wanted, low, high);
     // a stiff servo is not bounced from one limit to the other if the end of the step decides
-    if (std::abs(linear) > limit) return {now, std::copysign(limit, linear), 0};
+    if (linear > high) return {now, high, 0};
+    if (linear < low) return {now, low, 0};
     return {now, linear, dt * kd + dt * dt * stiffness};
   }
-  [[nodiscard]] double available(double qd, double) const noexcept override { return behind_gear(servo_, limit_, qd); }
+  [[nodiscard]] double available(double qd, double direction) const noexcept override {
+    return behind_gear(servo_, std::max(0.0, direction > 0 ? highest_ : -lowest_), qd);
+  }
 
  private:
   [[nodiscard]] double position_error(const MotorInput& in) const noexcept {
@@ -51,7 +57,7 @@ class IdealPd final : public ServoLaw {
 
   Servo servo_;
   bool by_rate_;
-  double limit_;  // [N m]
+  double lowest_, highest_;  // [N m]
 };
 
 class DcMotor final : public ServoLaw {

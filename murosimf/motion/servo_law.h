@@ -8,7 +8,7 @@
 /// the step without acceleration, a spring kp and a damper b give torque = kp e - b qd, inertia = h b + h^2 kp.
 /// With h = 0 the answer is the plain torque of this instant.
 ///
-/// ideal_pd:   tau = kp (target - q) - kd qd, at most stall_torque if that is given; without kp, as a wheel's drive:
+/// ideal_pd:   tau = kp (target - q) - kd qd, between its shares of stall_torque if that is given; without kp, as a wheel's drive:
 ///             tau = kd (rate target - qd). No motor: neither supply nor heat matter
 /// dc_motor:   firmware and motor of multibody/servo_motor.h
 ///

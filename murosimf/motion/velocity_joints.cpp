@@ -1,18 +1,26 @@
 #include "murosimf/motion/velocity_joints.h"
 
 #include <cmath>
+#include <limits>
 
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/servo_law.h"
 
 namespace murosimf::motion {
 
-VelocityJoints::VelocityJoints(Setup& setup) : turns_(static_cast<std::size_t>(setup.model().size())) {
+VelocityJoints::VelocityJoints(Setup& setup)
+    : turns_(static_cast<std::size_t>(setup.model().size())),
+      lowest_(turns_.size(), -std::numeric_limits<double>::infinity()),
+      highest_(turns_.size(), std::numeric_limits<double>::infinity()) {
   const Model& model = setup.model();
   for (const int i : model.joints()) {
     const Servo* servo = model.find(properties::servo, i);
     const bool turns = servo && follows_rate(*servo);
     turns_[i] = turns;
+    if (const Vec3d* range = model.find(properties::joint_target_range, i); turns && range) {
+      lowest_[i] = range->x;
+      highest_[i] = range->y;
+    }
     (turns ? joints_ : others_).push_back(i);
     const bool hinge = model.objects()[i].kind == Kind::revolute;
     if (turns && hinge && !model.find(properties::joint_range, i)) endless_.push_back(i);

@@ -3,6 +3,7 @@
 /// Hinges without ends turn for ever; their joint position is kept within a turn, so that sines stay exact.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -19,15 +20,19 @@ class VelocityJoints {
   [[nodiscard]] const std::vector<int>& joints() const { return joints_; }
   [[nodiscard]] const std::vector<int>& others() const { return others_; }
   [[nodiscard]] bool contains(int object) const { return turns_[static_cast<std::size_t>(object)]; }
-  /// [rad/s | m/s] of one of joints().
-  [[nodiscard]] double target(int object) const noexcept { return target_[static_cast<std::size_t>(object)]; }
+  /// [rad/s | m/s] of one of joints(), held to its joint_target_range.
+  [[nodiscard]] double target(int object) const noexcept {
+    const auto i = static_cast<std::size_t>(object);
+    return std::clamp(target_[i], lowest_[i], highest_[i]);
+  }
   /// Takes whole turns out of positions [rad] beyond half a turn.
   void wrap(std::span<double> q) const noexcept;
 
  private:
   std::vector<int> joints_, others_, endless_;
-  std::vector<bool> turns_;         // by object
-  std::span<const double> target_;  // [rad/s | m/s] empty if there are none
+  std::vector<bool> turns_;               // by object
+  std::vector<double> lowest_, highest_;  // [rad/s | m/s] that targets are held to, by object
+  std::span<const double> target_;        // [rad/s | m/s] empty if there are none
 };
 
 }  // namespace murosimf::motion

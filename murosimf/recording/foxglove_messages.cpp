@@ -49,7 +49,7 @@ void put_color(ProtobufWriter& out, int field, const Color& color) {
     in.number(1, color.red);
     in.number(2, color.green);
     in.number(3, color.blue);
-    in.number(4, 1);
+    in.number(4, color.alpha);
   });
 }
 

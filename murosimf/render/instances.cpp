@@ -97,7 +97,8 @@ Instance instance_of(const Drawable& drawable, const Transformd& at) {
           row(s.x * R.x.y, s.y * R.y.y, s.z * R.z.y, p.y),
           row(s.x * R.x.z, s.y * R.y.z, s.z * R.z.z, p.z),
           {inverse_square(s.x), inverse_square(s.y), inverse_square(s.z)},
-          {byte_of(drawable.color.red), byte_of(drawable.color.green), byte_of(drawable.color.blue), 255},
+          {byte_of(drawable.color.red), byte_of(drawable.color.green), byte_of(drawable.color.blue),
+           byte_of(drawable.color.alpha)},
           drawable.label};
 }
 
@@ -121,11 +122,16 @@ MeshCatalog solid_catalog(std::span<const RenderMesh> meshes) {
 
 void InstanceList::begin(const MeshCatalog& catalog) {
   unsorted_.clear();
+  clear_.clear();
   render_mesh_of_.clear();
   first_of_.assign(catalog.meshes.size() + 1, 0);
 }
 
 void InstanceList::add(std::size_t solid, const Drawable& drawable, const Transformd& optical) {
+  if (drawable.color.alpha < 1) {
+    clear_.emplace_back(solid, instance_of(drawable, optical));
+    return;
+  }
   unsorted_.push_back(instance_of(drawable, optical));
   render_mesh_of_.push_back(solid);
   ++first_of_[solid + 1];
@@ -170,6 +176,17 @@ void InstanceList::sort() {
   }
   sorted_.resize(unsorted_.size());
   for (std::size_t i = 0; i < unsorted_.size(); ++i) sorted_[first_of_[render_mesh_of_[i]]++] = unsorted_[i];
+  append_clear();
+}
+
+void InstanceList::append_clear() {
+  solid_groups_ = groups_.size();
+  const auto depth = [](const std::pair<std::size_t, Instance>& one) { return one.second.row_z[3]; };
+  std::stable_sort(clear_.begin(), clear_.end(), [&](const auto& a, const auto& b) { return depth(a) > depth(b); });
+  for (const auto& [solid, instance] : clear_) {
+    groups_.push_back({solid, sorted_.size(), 1});
+    sorted_.push_back(instance);
+  }
 }
 
 }  // namespace murosimf::render

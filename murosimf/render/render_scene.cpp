@@ -25,7 +25,9 @@ double farthest(const RenderMesh& solid) {
 Color color_on(const Entity& entity, const Color& color) {
   const Color gray;
   const bool is_default = color.red == gray.red && color.green == gray.green && color.blue == gray.blue;
-  return is_default ? entity.options().color : color;
+  Color shown = is_default ? entity.options().color : color;
+  shown.alpha = color.alpha;
+  return shown;
 }
 
 EntityAppearance appearance_of_shapes(const Entity& entity) {
@@ -87,10 +89,12 @@ void RenderScene::add_entity(Entity& entity, const std::vector<Entity*>& moving_
   }
   const EntityAppearance own = appearance(entity);
   for (const ShownShape& shown : own.shapes) {
+    if (shown.placed.color.alpha <= 0) continue;
     add_shape({.owner = owner, .object = shown.object, .color = color_on(entity, shown.placed.color), .label = label},
               shown.placed);
   }
   for (const ShownMesh& part : own.meshes) {
+    if (part.color.alpha <= 0) continue;
     Drawable drawable{.owner = owner,
                       .object = part.object,
                       .form = Form::mesh,

@@ -26,7 +26,7 @@ struct ShownShape {
   PlacedShape placed;
 };
 
-/// What an entity looks like. Gray, the color that things have by default, is drawn in the entity's own color.
+/// What an entity looks like. What has an alpha of 0 is not drawn. Gray, the color that things have by default, is drawn in the entity's own color.
 struct EntityAppearance {
   std::vector<ShownMesh> meshes;
   std::vector<ShownShape> shapes;

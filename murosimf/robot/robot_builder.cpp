@@ -8,8 +8,10 @@
 #include "murosimf/description/robot_visuals.h"
 #include "murosimf/files/xml_element.h"
 #include "murosimf/model/error.h"
+#include "murosimf/model/keyframe.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
+#include "murosimf/motion/servo_law.h"
 #include "murosimf/robot/robot_soles.h"
 
 namespace murosimf::robot {
@@ -44,6 +46,7 @@ class Builder {
     if (!base_joint.empty() && base_joint != base) chain.alias(base_joint);
     if (!frames_.contains(base)) add_other_names(chain, table_.frames, base);
     add_pairs(chain);
+    add_keyframes(chain);
     finish(chain, 0);
     return chain;
   }
@@ -119,6 +122,7 @@ class Builder {
   /// A servo of the table has rotor, friction and speed-torque line of its own: the file's describe the same part.
   void add_joint_constants(Chain& chain, const description::JointDescription& joint) const {
     if (joint.range) chain.with(properties::joint_range, *joint.range);
+    if (joint.reference != 0) chain.with(properties::joint_start, joint.reference);
     if (joint.stiffness > 0) {
       chain.with(properties::joint_stiffness, joint.stiffness);
       chain.with(properties::joint_spring_reference, joint.spring_reference);
@@ -128,7 +132,12 @@ class Builder {
         chain.with(properties::joint_coupling, {mimic.leader, mimic.ratio, mimic.offset});
       }
     }
-    if (const auto found = table_.servos.find(joint.name); found != table_.servos.end()) {
+    const auto found = table_.servos.find(joint.name);
+    const bool of_table = found != table_.servos.end();
+    const bool same_kind =
+        !of_table || !joint.servo || motion::follows_rate(*joint.servo) == motion::follows_rate(found->second.servo);
+    if (joint.target_range && same_kind) chain.with(properties::joint_target_range, *joint.target_range);
+    if (of_table) {
       chain.with(properties::servo, found->second.servo);
       return;
     }
@@ -162,6 +171,17 @@ class Builder {
     }
     if (!excluded.empty()) chain.with(properties::excluded_pairs, excluded);
     if (!allowed.empty()) chain.with(properties::allowed_pairs, allowed);
+  }
+
+  void add_keyframes(Chain& chain) const {
+    Keyframes keyframes;
+    for (const description::KeyframeDescription& key : description_.keyframes) {
+      keyframes.push_back({key.name,
+                           {key.positions.begin(), key.positions.end()},
+                           {key.targets.begin(), key.targets.end()},
+                           key.base.orientation});
+    }
+    if (!keyframes.empty()) chain.with(properties::keyframes, keyframes);
   }
 
   /// Name of the object that is a body, or the frame of one that is welded to another.

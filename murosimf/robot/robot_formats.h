@@ -9,6 +9,7 @@
 
 #include "murosimf/description/reader_options.h"
 #include "murosimf/description/robot_description.h"
+#include "murosimf/files/xml_schema.h"
 #include "murosimf/model/registry.h"
 
 namespace murosimf::robot {
@@ -19,6 +20,8 @@ struct RobotFormat {
   std::string root;     ///< first element, which tells the format of XML files; empty: no XML, the ending tells it
   /// Throws SetupError: file, line, what is wrong, what to do.
   std::function<description::RobotDescription(const std::filesystem::path&, const description::ReaderOptions&)> read;
+  /// Of a format of XML: its elements and attributes, and what becomes of each (`murosimf list mjcf`); null: no list.
+  const files::XmlVocabulary& (*words)() = nullptr;
 };
 
 [[nodiscard]] Registry<RobotFormat>& robot_format_registry();

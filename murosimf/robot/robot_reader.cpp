@@ -46,7 +46,8 @@ RobotFile read_robot(const std::filesystem::path& file, const description::Reade
   robot.model = build_model(robot.description, table);
   robot.sensors = sensors_of(robot.description, table, *robot.model, file.parent_path(), options.lenient);
   robot.warnings = std::move(robot.description.warnings);
-  robot.notes = std::move(robot.description.notes);
+  for (const description::Unused& unused : robot.description.unused) robot.notes.push_back(unused.line);
+  robot.notes.insert(robot.notes.end(), robot.description.notes.begin(), robot.description.notes.end());
   robot.table = std::move(table);
   return robot;
 }

@@ -17,7 +17,7 @@ struct RobotFile {
   ModelPtr model;
   std::vector<std::string>
       warnings;                    ///< one line each: file:line: what looks wrong, or is dropped because of `lenient`
-  std::vector<std::string> notes;  ///< one line each: file:line: what means nothing here
+  std::vector<std::string> notes;  ///< one line each: file:line: what has no effect here, what was guessed
   RobotConfig table;               ///< of the TOML file, completed by what was guessed (role_inference.h)
   std::vector<sensors::SensorSpec> sensors;   ///< that it carries
   description::RobotDescription description;  ///< what the model was made of; bodies without joints are welded

@@ -91,11 +91,14 @@ std::string why_not(const description::SensorDescription& sensor, const Kind* ki
   return {};
 }
 
+std::string line_of(const description::SensorDescription& sensor, std::string_view text) {
+  return files::one_line(
+      fmt::format("{}: sensor {} '{}' at '{}': {}", sensor.where, sensor.kind, sensor.name, sensor.frame, text));
+}
+
 void note(description::RobotDescription& description, const description::SensorDescription& sensor,
           std::string_view text) {
-  if (text.empty()) return;
-  description.notes.push_back(files::one_line(
-      fmt::format("{}: sensor {} '{}' at '{}': {}", sensor.where, sensor.kind, sensor.name, sensor.frame, text)));
+  if (!text.empty()) description.notes.push_back(line_of(sensor, text));
 }
 
 /// [Hz] The highest rate up to `rate` whose period is a whole number of milliseconds, the usual steps: published cameras
@@ -158,8 +161,11 @@ std::vector<SensorSpec> sensors_of_file(description::RobotDescription& descripti
   for (description::SensorDescription& sensor : description.sensors) {
     const Kind* kind = find_kind(sensor.kind);
     const std::string reason = why_not(sensor, kind, description);
-    note(description, sensor, reason.empty() ? kind->difference : reason);
-    if (!reason.empty()) continue;
+    if (!reason.empty()) {
+      description.unused.push_back({files::one_line("sensor " + sensor.kind), line_of(sensor, reason)});
+      continue;
+    }
+    note(description, sensor, kind->difference);
     SensorSpec spec = spec_of(sensor, std::string(kind->type), model);
     if (spec.type == "camera") spec.rate = camera_rate(description, sensor);
     spec.name = free_name(sensor, spec.type, specs);

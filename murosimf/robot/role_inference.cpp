@@ -172,6 +172,11 @@ void guess_servo(description::JointDescription& joint) {
   servo.type = components::guessed_servo;
   servo.law = "ideal_pd";
   servo.stall_torque = largest_torque(joint);
+  if (joint.servo) {
+    servo.lowest_share = joint.servo->lowest_share;
+    servo.highest_share = joint.servo->highest_share;
+    servo.command_filter = joint.servo->command_filter;
+  }
   servo.no_load_speed = joint.rate_limit;
   servo.position_gain = servo.stall_torque / (joint.kind == Kind::prismatic ? full_force_shift : full_torque_bend);
   servo.velocity_gain = damping_time * servo.position_gain;

@@ -1,5 +1,7 @@
 #include "murosimf/scene/assets.h"
 
+#include <algorithm>
+
 #include "murosimf/robot/robot_reader.h"
 
 namespace murosimf::scene {
@@ -9,8 +11,11 @@ std::shared_ptr<const RobotKind> Assets::robot(const std::filesystem::path& file
   std::shared_ptr<const RobotKind>& known = robots_[{std::filesystem::absolute(file), lenient}];
   if (known) return known;
   robot::RobotFile read = robot::read_robot(file, {.lenient = lenient});
-  known = std::make_shared<const RobotKind>(
-      RobotKind{std::move(read.model), std::move(read.sensors), std::move(read.warnings)});
+  RobotKind kind{std::move(read.model), std::move(read.sensors), std::move(read.warnings), {}};
+  for (description::Unused& unused : read.description.unused) {
+    if (std::ranges::find(kind.unused, unused.word) == kind.unused.end()) kind.unused.push_back(std::move(unused.word));
+  }
+  known = std::make_shared<const RobotKind>(std::move(kind));
   return known;
 }
 

@@ -26,6 +26,7 @@ struct RobotKind {
   ModelPtr model;
   std::vector<sensors::SensorSpec> sensors;
   std::vector<std::string> warnings;  ///< of reading
+  std::vector<std::string> unused;    ///< words of the file that have no effect (description::Unused), each once
 };
 
 class Assets {

@@ -39,6 +39,16 @@ void check_visuals(const Model& model) {
   }
 }
 
+/// "these words of its file have no effect here: option, geom.condim and 3 more; murosimf check kid21"
+std::string unused_text(const std::vector<std::string>& words, const std::string& name) {
+  constexpr std::ptrdiff_t most = 8;  // that fit into a line
+  const auto shown = std::min(most, std::ssize(words));
+  const auto more = std::ssize(words) - shown;
+  return fmt::format("these words of its file have no effect here: {}{}; murosimf check {}",
+                     fmt::join(words.begin(), words.begin() + shown, ", "),
+                     more > 0 ? fmt::format(" and {} more", more) : "", name);
+}
+
 }  // namespace
 
 const RobotKind& ModelSource::robot(const std::string& name, const std::string& where) {
@@ -48,6 +58,7 @@ const RobotKind& ModelSource::robot(const std::string& name, const std::string& 
       with_context(where, [&] { return files::find_data_file(name, "models", ".xml", spec_.file.parent_path()); });
   auto kind = assets_.robot(file, lenient_);
   remarks_.warn(kind->warnings);
+  if (!kind->unused.empty()) remarks_.note(name, unused_text(kind->unused, name));
   check_materials(*kind->model);
   check_visuals(*kind->model);
   known = std::move(kind);

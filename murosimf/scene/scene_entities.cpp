@@ -7,6 +7,7 @@
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/scene/assets.h"
+#include "murosimf/scene/start_posture.h"
 #include "murosimf/scene_file/field.h"
 
 namespace murosimf::scene {
@@ -68,6 +69,7 @@ EntityOptions options_of(const scene_file::SceneSpec& spec, const scene_file::Ro
   options.present = robot.present;
   options.collision = robot.collision;
   options.team = robot.team;
+  options.base_level = !robot.keyframe.empty();
   options.own_steps = with_context(robot.where, [&] { return own_steps_of(spec, robot); });
   for (const scene_file::TeamSpec& team : spec.teams) {
     if (team.name == robot.team) options.color = team.color;
@@ -78,7 +80,9 @@ EntityOptions options_of(const scene_file::SceneSpec& spec, const scene_file::Ro
 }  // namespace
 
 EntitySpec robot_entity(const SceneParts& parts, ModelSource& models, const scene_file::RobotSpec& robot) {
-  return {models.changed_for(robot.name, models.robot(robot.model, robot.where).model), options_of(parts.spec, robot)};
+  const ModelPtr model = models.changed_for(robot.name, models.robot(robot.model, robot.where).model);
+  with_context(robot.where, [&] { (void)find_keyframe(*model, robot.keyframe); });
+  return {model, options_of(parts.spec, robot)};
 }
 
 EntitySpec body_entity(ModelSource& models, const scene_file::BodySpec& body) {

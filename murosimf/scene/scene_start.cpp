@@ -9,6 +9,7 @@
 #include "murosimf/scene/scene_exchange.h"
 #include "murosimf/scene/scene_settings.h"
 #include "murosimf/scene/section_changes.h"
+#include "murosimf/scene/start_posture.h"
 
 namespace murosimf::scene {
 namespace {
@@ -36,15 +37,16 @@ void place(const scene_file::SceneSpec& spec, const Start& start, Entity& entity
                random_tilt(random, spec.jitter_tilt) * start.attitude);
 }
 
-/// Turns joint targets away from zero, by up to jitter_posture; controllers that set them are stronger.
-void scatter_posture(const SceneParts& parts, Entity& robot) {
+/// Turns joint targets away from the posture at the start, by up to jitter_posture; controllers that set them are stronger.
+void scatter_posture(const SceneParts& parts, const Keyframe* key, Entity& robot) {
   const double largest = parts.spec.jitter_posture;
   if (largest == 0) return;
   const RandomStream random(parts.spec.seed, robot.name() + "/posture");
   auto& targets = robot.column(properties::joint_target).values;
   for (const int joint : robot.model().joints()) {
     const Vec3d* range = robot.model().find(properties::joint_range, joint);
-    const double angle = random.uniform(static_cast<std::uint64_t>(joint), -largest, largest);
+    const double angle = start_position(robot.model(), key, joint) +
+                         random.uniform(static_cast<std::uint64_t>(joint), -largest, largest);
     targets[joint] = range ? std::clamp(angle, range->x, range->y) : angle;
   }
 }
@@ -58,12 +60,18 @@ void place_at_start(const SceneParts& parts, Entity& entity) {
     place(parts.spec, {body->name, body->position, body->heading, rotation_y(body->pitch) * rotation_x(body->roll)},
           entity);
   if (robot == parts.spec.robots.end()) return;
-  place(parts.spec, {robot->name, robot->position, robot->heading, rotation_y(robot->pitch) * rotation_x(robot->roll)},
+  const Keyframe* key = find_keyframe(entity.model(), robot->keyframe);
+  place(parts.spec,
+        {robot->name, robot->position, robot->heading,
+         rotation_y(robot->pitch) * rotation_x(robot->roll) * (key ? key->base : Mat3d{})},
         entity);
-  scatter_posture(parts, entity);
+  take_posture(key, entity);
+  scatter_posture(parts, key, entity);
 }
 
 void start_moving(const SceneParts& parts, Entity& entity) {
+  const auto robot = std::ranges::find(parts.spec.robots, entity.name(), &scene_file::RobotSpec::name);
+  if (robot != parts.spec.robots.end()) take_targets(find_keyframe(entity.model(), robot->keyframe), entity);
   if (&entity == parts.ball) entity.base().set(properties::linear_velocity, parts.spec.ball->velocity);
   if (const scene_file::BodySpec* body = body_spec(parts.spec, entity)) {
     entity.base().set(properties::linear_velocity, body->velocity);

@@ -113,6 +113,7 @@ const Section<RobotSpec>& robot_section() {
        {"roll_deg", Turn{&RobotSpec::roll}, "deg", "about x, before the heading; not at kinematic_walking", turns},
        {"pitch_deg", Turn{&RobotSpec::pitch}, "deg", "about y, before roll and heading; not at kinematic_walking",
         turns},
+       {"keyframe", &RobotSpec::keyframe, "", "posture at the start: a key of its MJCF file", {}, "its pose there"},
        {"present", &RobotSpec::present, "", "at the start; an event 'NAME.present = true' brings it"},
        {"joint_reference",
         Name{&RobotSpec::joint_reference, "joint reference", [] { return entry_names(motion::joint_references()); }},

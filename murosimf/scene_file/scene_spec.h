@@ -107,6 +107,7 @@ struct RobotSpec {
   Vec3d position;              ///< [m]
   double heading = 0;          ///< [rad]
   double roll = 0, pitch = 0;  ///< [rad] about the level robot's x, then its y; before the heading
+  std::string keyframe;        ///< of its file, at which it starts; empty: the pose of the file
   Vec3d command;               ///< [m/s, m/s, rad/s]
   bool present = true;         ///< at the start
   bool accelerations = false;  ///< are worked out (motion/accelerations.h)

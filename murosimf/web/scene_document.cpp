@@ -24,7 +24,9 @@ double short_number(double value) { return std::round(value * 1e5) / 1e5; }
 json numbers(const Vec3d& v) { return {short_number(v.x), short_number(v.y), short_number(v.z)}; }
 
 json color_of(const Color& color) {
-  return {short_number(color.red), short_number(color.green), short_number(color.blue)};
+  json rgba{short_number(color.red), short_number(color.green), short_number(color.blue)};
+  if (color.alpha < 1) rgba.push_back(short_number(color.alpha));
+  return rgba;
 }
 
 json place_of(const Transformd& place) {

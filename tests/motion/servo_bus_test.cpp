@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <limits>
 
 #include "murosimf/model/properties.h"
@@ -166,6 +168,46 @@ TEST(ServoBus, WheelsFollowTheirRateAndStandWhereTheyAreTold) {
   EXPECT_EQ(bus.part->wanted(bus.index("wheel")), -3);
   EXPECT_EQ(bus.part->position_target(bus.index("wheel")), 0.7);
   EXPECT_EQ(bus.part->wanted(bus.index("late")), 0);
+}
+
+/// "held" takes targets from -0.2 to 0.3, "slow" comes to them with a time constant of 20 ms, a wheel takes -1 to 2 rad/s.
+Chain careful_joints() {
+  return Chain{}
+      .base("base")
+      .revolute("held", {0, 1, 0})
+      .with(properties::servo, Servo{.law = "ideal_pd", .position_gain = 5})
+      .with(properties::joint_target_range, Vec3d{-0.2, 0.3, 0})
+      .revolute("slow", {0, 1, 0})
+      .with(properties::servo, Servo{.law = "ideal_pd", .position_gain = 5, .command_filter = 0.02})
+      .revolute("wheel", {0, 1, 0})
+      .with(properties::servo, Servo{.law = "ideal_pd", .velocity_gain = 0.4})
+      .with(properties::joint_target_range, Vec3d{-1, 2, 0});
+}
+
+TEST(ServoBus, TargetsAreHeldToTheirRange) {
+  Alone<ServoBus> bus(careful_joints());
+  bus.part->start();
+  for (const auto& [target, held, rate] : {std::array{9.0, 0.3, 2.0}, {-9.0, -0.2, -1.0}, {0.1, 0.1, 0.1}}) {
+    bus.object("held").set(properties::joint_target, target);
+    bus.object("wheel").set(properties::joint_velocity_target, target);
+    EXPECT_TRUE(bus.part->step(0.001));
+    EXPECT_EQ(bus.part->target(bus.index("held")), held);
+    EXPECT_EQ(bus.part->target(bus.index("wheel")), rate);
+    EXPECT_EQ(bus.part->position_target(bus.index("held")), target);
+  }
+}
+
+TEST(ServoBus, AFilterComesToItsTargetByTheExponentialOfTime) {
+  Alone<ServoBus> bus(careful_joints());
+  bus.object("slow").set(properties::joint_target, 1.0);
+  bus.part->start();
+  bus.object("slow").set(properties::joint_target, 3.0);
+  for (int i = 0; i < 50; ++i) {
+    EXPECT_TRUE(bus.part->step(0.001));
+    EXPECT_NEAR(bus.part->target(bus.index("slow")), 3 - 2 * std::exp(-i * 0.001 / 0.02), 1e-12) << i;
+  }
+  EXPECT_TRUE(bus.part->step(0.01));  // as ten of them
+  EXPECT_NEAR(bus.part->target(bus.index("slow")), 3 - 2 * std::exp(-59 * 0.001 / 0.02), 1e-12);
 }
 
 TEST(ServoBus, TargetsThatAreNoSensibleNumbersAreRefused) {

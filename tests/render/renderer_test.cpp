@@ -2,6 +2,9 @@
 #include "murosimf/render/renderer.h"
 
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "tests/law.h"
 #include "tests/render/drawn.h"
@@ -261,6 +264,50 @@ TEST_F(Renderer, SaysWhoDraws) {
   if (renderer.name().find("llvmpipe") != std::string::npos) {
     EXPECT_NE(renderer.name().find(", software"), std::string::npos);
   }
+}
+
+/// A plate across x of 1 m, in `color`.
+ModelPtr plate(const Color& color) {
+  PlacedShape placed;
+  placed.shape = Box{{0.01, 0.5, 0.5}};
+  placed.color = color;
+  return std::make_shared<const Model>("plate", Chain{}.base("plate").with(properties::shapes, Shapes{placed}));
+}
+
+/// The color and depth of the middle of a picture of plates at 1, 2, ... m, in the order in which they are given.
+std::pair<imaging::Rgb, double> seen_through(const std::vector<std::pair<double, Color>>& plates) {
+  DrawnWorld world;
+  for (std::size_t i = 0; i < plates.size(); ++i) {
+    world.add("plate_" + std::to_string(i), plate(plates[i].second), {plates[i].first, 0, 0});
+  }
+  const View drawn = world.draw(along_x({0, 0, 0}, 0.1, 21, 21));
+  return {drawn.color(10, 10), drawn.depth(10, 10)};
+}
+
+TEST_F(Renderer, WhatIsSeeThroughIsLaidOverWhatIsBehind) {
+  const Color red{1, 0, 0}, green{0, 1, 0}, half_blue{0, 0, 1, 0.5}, half_green{0, 1, 0, 0.25};
+  const auto red_alone = seen_through({{2, red}}).first, blue_alone = seen_through({{1, {0, 0, 1}}}).first;
+  const auto green_alone = seen_through({{1, green}}).first;
+  const auto expect_level = [](double value, double expected) { EXPECT_NEAR(value, expected, 2); };
+  // whichever is told first
+  for (const bool swapped : {false, true}) {
+    std::vector<std::pair<double, Color>> plates{{2, red}, {1, half_blue}};
+    if (swapped) std::swap(plates[0], plates[1]);
+    const auto [color, depth] = seen_through(plates);
+    expect_level(color.red, 0.5 * red_alone.red);
+    expect_level(color.blue, 0.5 * blue_alone.blue + 0.5 * red_alone.blue);
+    EXPECT_NEAR(depth, 0.99, 1e-3);
+  }
+  // two see-through ones: the nearer over the farther
+  const auto both = seen_through({{1, half_green}, {2, half_blue}, {3, red}}).first;
+  expect_level(both.red, 0.75 * 0.5 * red_alone.red);
+  expect_level(both.blue, 0.75 * 0.5 * blue_alone.blue);
+  expect_level(both.green, 0.25 * green_alone.green);
+  // behind something solid it cannot be seen, and with alpha 0 it is not there
+  EXPECT_EQ(seen_through({{1, red}, {2, half_blue}}).first, seen_through({{1, red}}).first);
+  const auto [color, depth] = seen_through({{2, red}, {1, {0, 0, 1, 0}}});
+  EXPECT_EQ(color, red_alone);
+  EXPECT_NEAR(depth, 1.99, 1e-3);
 }
 
 }  // namespace

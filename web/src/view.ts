@@ -52,7 +52,7 @@ function merged(parts: Part[], scene: SceneDocument): BufferGeometry {
     for (let i = 0; i < places.count; ++i) {
       positions.push(places.getX(i), places.getY(i), places.getZ(i));
       normals.push(directions.getX(i), directions.getY(i), directions.getZ(i));
-      colors.push(color.r, color.g, color.b);
+      colors.push(color.r, color.g, color.b, part.color[3] ?? 1);
     }
     for (const index of geometry.getIndex()!.array) indices.push(first + index);
     geometry.dispose();
@@ -60,7 +60,7 @@ function merged(parts: Part[], scene: SceneDocument): BufferGeometry {
   const all = new BufferGeometry();
   all.setAttribute("position", new BufferAttribute(new Float32Array(positions), 3));
   all.setAttribute("normal", new BufferAttribute(new Float32Array(normals), 3));
-  all.setAttribute("color", new BufferAttribute(new Float32Array(colors), 3));
+  all.setAttribute("color", new BufferAttribute(new Float32Array(colors), 4));
   all.setIndex(indices);
   return all;
 }
@@ -156,13 +156,21 @@ export class View {
       byEntity.get(part.entity)!.push(part);
     }
     const material = new MeshLambertMaterial({ vertexColors: true });
+    const clear = new MeshLambertMaterial({ vertexColors: true, transparent: true, depthWrite: false });
+    const isClear = (part: Part) => part.color[3] !== undefined;
     scene.text.entities.forEach((entity, index) => {
       const group = new Group();
       const parts = byEntity.get(index) ?? [];
       const bodies = (entity.bodies ?? ["world"]).map((_, body) => {
         const own = parts.filter((part) => (part.body ?? 0) === body);
-        const object = own.length > 0 ? new Mesh(merged(own, scene), material) : new Object3D();
+        const solid = own.filter((part) => !isClear(part));
+        const object = solid.length > 0 ? new Mesh(merged(solid, scene), material) : new Object3D();
         object.castShadow = object.receiveShadow = true;
+        for (const part of own.filter(isClear)) {
+          const seen = new Mesh(merged([part], scene), clear);
+          seen.userData = { entity: index, body };
+          object.add(seen);
+        }
         object.userData = { entity: index, body };
         group.add(object);
         return object;

@@ -1,75 +1,114 @@
 #include "murosimf/formats/mjcf/mjcf_actuator.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <set>
 
 #include <fmt/format.h>
 
+#include "murosimf/formats/mjcf/mjcf_gains.h"
 #include "murosimf/formats/mjcf/mjcf_schema.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::formats::mjcf {
 namespace {
 
-double largest(const std::vector<double>& range) { return std::max(std::abs(range[0]), std::abs(range[1])); }
-
-double read_stall_torque(const MjcfAttributes& attributes, double gear, const MjcfCompiler& compiler) {
-  if (is_limited(attributes, "forcelimited", "forcerange", compiler)) {
-    return gear * largest(attributes.numbers("forcerange", 2, 2));
-  }
-  // the control of a motor is its torque
-  const bool motor = attributes.element().tag() == "motor";
-  if (motor && is_limited(attributes, "ctrllimited", "ctrlrange", compiler)) {
-    return gear * largest(attributes.numbers("ctrlrange", 2, 2));
-  }
-  return 0;
-}
-
-/// Torque per angle and per rate; force = gainprm[0] u + biasprm . (1, length, velocity) for general actuators.
-struct Gains {
-  double position = 0, velocity = 0;
+/// From lowest to highest.
+struct Limits {
+  double lowest = -std::numeric_limits<double>::infinity(), highest = std::numeric_limits<double>::infinity();
 };
 
-Gains read_gains(const MjcfAttributes& attributes) {
-  const std::string& tag = attributes.element().tag();
-  if (tag == "position") return {attributes.number("kp", 1.0), attributes.number("kv", 0.0)};
-  if (tag == "velocity") return {0, attributes.number("kv", 1.0)};
-  if (tag == "general" && attributes.text("biastype") == "affine") {
-    auto bias = attributes.numbers("biasprm", 1, 10);
-    bias.resize(3);
-    return {0 - bias[1], 0 - bias[2]};  // no -0
-  }
-  return {};
+Limits scaled(double factor, double offset, const std::vector<double>& range) {
+  const auto [lowest, highest] = std::minmax({offset + factor * range[0], offset + factor * range[1]});
+  return {lowest, highest};
 }
 
-double read_damping_ratio(const MjcfAttributes& attributes, double velocity_gain) {
-  const double ratio = attributes.number("dampratio", 0);
-  if (ratio < 0) attributes.source("dampratio").fail("dampratio is negative; it must be at least 0");
-  if (ratio > 0 && velocity_gain > 0) attributes.element().fail("both kv and dampratio; keep one");
-  if (ratio > 0 && attributes.element().tag() != "position") {
-    attributes.source("dampratio").fail("dampratio belongs to position actuators; remove it");
-  }
-  return ratio;
+Limits clamped(const Limits& limits, const Limits& by) {
+  return {std::clamp(limits.lowest, by.lowest, by.highest), std::clamp(limits.highest, by.lowest, by.highest)};
 }
 
-MjcfActuator read_actuator(const MjcfAttributes& attributes, const MjcfCompiler& compiler) {
-  const auto gears = attributes.numbers("gear", 1, 6);
-  const double gear = gears.empty() ? 1.0 : std::abs(gears[0]);
-  const auto [position, velocity] = read_gains(attributes);
-  if (position < 0 || velocity < 0) attributes.element().fail("a gain of this actuator is negative; correct it");
-  Servo servo;
-  servo.type = attributes.element().tag();
-  servo.law = "ideal_pd";
-  servo.stall_torque = read_stall_torque(attributes, gear, compiler);
-  servo.position_gain = gear * gear * position;
-  servo.velocity_gain = gear * gear * velocity;
-  return {servo, read_damping_ratio(attributes, velocity)};
-}
+class ActuatorReader {
+ public:
+  ActuatorReader(const MjcfAttributes& attributes, const MjcfGains& gains, const MjcfCompiler& compiler)
+      : attributes_(attributes), gains_(gains), compiler_(compiler) {
+    const auto gears = attributes.numbers("gear", 1, 6);
+    gear_ = gears.empty() ? 1.0 : gears[0];
+  }
+
+  [[nodiscard]] MjcfActuator read() const {
+    MjcfActuator actuator;
+    Servo& servo = actuator.servo;
+    servo.type = attributes_.element().tag();
+    servo.law = "ideal_pd";
+    servo.position_gain = gear_ * gear_ * -gains_.bias[1] + 0.0;  // no -0
+    servo.velocity_gain = gear_ * gear_ * -gains_.bias[2] + 0.0;
+    servo.command_filter = gains_.time_constant;
+    actuator.damping_ratio = gains_.damping_ratio;
+    set_torque(servo);
+    set_target_range(actuator);
+    return actuator;
+  }
+
+  [[nodiscard]] MjcfControl control(std::string joint) const {
+    const double gain = per_target();
+    if (gain == 0) return {std::move(joint)};
+    return {std::move(joint), gains_.bias[1] != 0, gains_.gain / gain, gains_.bias[0] / gain};
+  }
+
+ private:
+  [[nodiscard]] bool is_motor() const { return gains_.bias[1] == 0 && gains_.bias[2] == 0; }
+  /// [N m per rad or rad/s, at the actuator] that the control holds up; 0: a motor, or nothing at all.
+  [[nodiscard]] double per_target() const { return -(gains_.bias[1] != 0 ? gains_.bias[1] : gains_.bias[2]) * gear_; }
+  [[nodiscard]] bool holds_control() const { return is_limited(attributes_, "ctrllimited", "ctrlrange", compiler_); }
+
+  void set_torque(Servo& servo) const {
+    Limits limits;
+    // the control of a motor is its torque
+    if (is_motor() && holds_control()) limits = scaled(gains_.gain, 0, attributes_.numbers("ctrlrange", 2, 2));
+    if (is_limited(attributes_, "forcelimited", "forcerange", compiler_)) {
+      limits = clamped(limits, scaled(1, 0, attributes_.numbers("forcerange", 2, 2)));
+    }
+    if (std::isfinite(limits.lowest)) {
+      set_torque_range(servo, gear_ * limits.lowest, gear_ * limits.highest);
+    }
+  }
+
+  void set_target_range(MjcfActuator& actuator) const {
+    if (is_motor() || per_target() == 0) return;
+    if (gains_.inherited_range > 0) {
+      actuator.inherited_range = gains_.inherited_range;
+      actuator.per_range = gains_.gain / per_target();
+    } else if (gains_.gain == 0) {  // the control has no say
+      const double rest = gains_.bias[0] / per_target();
+      actuator.target_range = Vec3d{rest, rest, 0};
+    } else if (holds_control()) {
+      const auto [lowest, highest] =
+          scaled(gains_.gain / per_target(), gains_.bias[0] / per_target(), attributes_.numbers("ctrlrange", 2, 2));
+      actuator.target_range = Vec3d{lowest, highest, 0};
+    }
+  }
+
+  const MjcfAttributes& attributes_;
+  const MjcfGains& gains_;
+  const MjcfCompiler& compiler_;
+  double gear_ = 1;
+};
 
 void add(MjcfActuator& actuator, const MjcfActuator& other) {
   Servo& servo = actuator.servo;
   const Servo& more = other.servo;
   actuator.damping_ratio = std::max(actuator.damping_ratio, other.damping_ratio);
+  if (more.stall_torque > servo.stall_torque) {
+    servo.lowest_share = more.lowest_share;
+    servo.highest_share = more.highest_share;
+  }
+  if (more.position_gain > servo.position_gain) {
+    actuator.target_range = other.target_range;
+    actuator.inherited_range = other.inherited_range;
+    actuator.per_range = other.per_range;
+    servo.command_filter = more.command_filter;
+  }
   servo.stall_torque = std::max(servo.stall_torque, more.stall_torque);
   servo.position_gain = std::max(servo.position_gain, more.position_gain);
   servo.velocity_gain = std::max(servo.velocity_gain, more.velocity_gain);
@@ -84,32 +123,70 @@ std::string read_joint(const MjcfAttributes& attributes, const MjcfNames& names)
   return joint;
 }
 
+/// Of the whole section.
+class Reader {
+ public:
+  Reader(const MjcfDefaults& defaults, const MjcfCompiler& compiler, const MjcfNames& names, bool lenient,
+         description::RobotDescription& description)
+      : defaults_(defaults), compiler_(compiler), names_(names), lenient_(lenient), description_(description) {}
+
+  void read(const files::XmlElement& element) {
+    const auto name = element.attribute("name");
+    if (name && !taken_.insert(*name).second)
+      element.fail(fmt::format("actuator '{}' appears twice; rename one", *name));
+    const MjcfAttributes attributes = defaults_.resolve(element);
+    const MjcfGains gains = read_gains(defaults_.settings(element), element);
+    if (!attributes.has("joint"))
+      return leave_out(element, "actuator without joint; add joint=\"...\"", "it moves no joint");
+    if (!gains.obstacle.empty()) return leave_out(element, "actuator: " + gains.obstacle, gains.obstacle);
+    const ActuatorReader reader(attributes, gains, compiler_);
+    const std::string joint = read_joint(attributes, names_);
+    result_.controls.push_back(reader.control(joint));
+    const auto [place, fresh] = result_.by_joint.emplace(joint, reader.read());
+    if (fresh) return;
+    add(place->second, reader.read());
+    description_.notes.push_back(files::one_line(fmt::format(
+        "{}: joint '{}' has several actuators: of each gain and limit the largest counts, they have one target",
+        element.where(), joint)));
+  }
+
+  [[nodiscard]] MjcfActuators result() && { return std::move(result_); }
+
+ private:
+  void leave_out(const files::XmlElement& element, const std::string& refusal, const std::string& reason) {
+    if (!lenient_) element.fail(refusal);
+    description_.warnings.push_back(files::one_line(fmt::format("{}: actuator ignored: {}", element.where(), reason)));
+    result_.controls.emplace_back();
+  }
+
+  const MjcfDefaults& defaults_;
+  const MjcfCompiler& compiler_;
+  const MjcfNames& names_;
+  bool lenient_;
+  description::RobotDescription& description_;
+  std::set<std::string> taken_;
+  MjcfActuators result_;
+};
+
 }  // namespace
 
-std::map<std::string, MjcfActuator> read_actuators(const files::XmlElement& root, const MjcfDefaults& defaults,
-                                                   const MjcfCompiler& compiler, const MjcfNames& names, bool lenient,
-                                                   std::vector<std::string>& warnings) {
-  std::map<std::string, MjcfActuator> actuators;
-  std::set<std::string> taken;
+MjcfActuators read_actuators(const files::XmlElement& root, const MjcfDefaults& defaults, const MjcfCompiler& compiler,
+                             const MjcfNames& names, bool lenient, description::RobotDescription& description) {
+  Reader reader(defaults, compiler, names, lenient, description);
   for (const files::XmlElement& section : root.children("actuator")) {
     for (const files::XmlElement& element : section.children()) {
-      if (!is_actuator(element.tag())) continue;
-      const auto name = element.attribute("name");
-      if (name && !taken.insert(*name).second)
-        element.fail(fmt::format("actuator '{}' appears twice; rename one", *name));
-      const MjcfAttributes attributes = defaults.resolve(element);
-      if (attributes.has("joint")) {
-        const MjcfActuator actuator = read_actuator(attributes, compiler);
-        const auto [place, fresh] = actuators.emplace(read_joint(attributes, names), actuator);
-        if (!fresh) add(place->second, actuator);
-      } else if (lenient) {
-        warnings.push_back(fmt::format("{}: actuator ignored: it moves no joint", element.where()));
-      } else {
-        element.fail("actuator without joint; add joint=\"...\"");
-      }
+      if (is_actuator(element.tag())) reader.read(element);
     }
   }
-  return actuators;
+  return std::move(reader).result();
+}
+
+void set_torque_range(Servo& servo, double one, double other) {
+  const auto [lowest, highest] = std::minmax(one, other);
+  servo.stall_torque = std::max(std::abs(lowest), std::abs(highest));
+  if (!(servo.stall_torque > 0)) return;
+  servo.lowest_share = lowest / servo.stall_torque;
+  servo.highest_share = highest / servo.stall_torque;
 }
 
 }  // namespace murosimf::formats::mjcf

@@ -1,5 +1,7 @@
 #include "murosimf/formats/mjcf/mjcf_body.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "murosimf/formats/mjcf/mjcf_camera.h"
@@ -17,7 +19,8 @@ class BodyReader {
 
   void read_base(const files::XmlElement& base, const std::string& outer_class) {
     int joints = 0;
-    for (const files::XmlElement& joint : base.children()) {
+    for (const MjcfChild& child : children_in(base, {}, context_.defaults, context_.compiler)) {
+      const files::XmlElement& joint = child.element;
       if (joint.tag() != "joint" && joint.tag() != "freejoint") continue;
       if (++joints > 1) joint.fail("the base has a second joint; besides its free joint it can have none");
       description_.base_joint = joint.attribute("name").value_or("");
@@ -52,9 +55,10 @@ class BodyReader {
     body.parent = parent;
     body.place = child.frame * place_of(own_attributes(element));
     const std::string child_class = context_.defaults.child_class(element, child.child_class);
-    for (const files::XmlElement& joint : element.children()) {
+    for (const MjcfChild& inner : children_in(element, child_class, context_.defaults, context_.compiler)) {
+      const files::XmlElement& joint = inner.element;
       if (joint.tag() == "freejoint") joint.fail("freejoint inside the robot; only its base may be free");
-      if (joint.tag() == "joint") body.joints.push_back(read_joint(joint, child_class, context_));
+      if (joint.tag() == "joint") body.joints.push_back(read_joint(inner, context_));
     }
     finish(element, child_class, std::move(body));
   }
@@ -62,8 +66,9 @@ class BodyReader {
   void read_solid(const files::XmlElement& element, const std::vector<MjcfChild>& children,
                   description::BodyDescription& body) {
     std::vector<description::MassProperties> solids;
-    const MjcfGeomContext geom_context{context_.compiler, context_.meshes, mass_from_geoms(element, context_.compiler),
-                                       context_.lenient, context_.warnings};
+    const MjcfGeomContext geom_context{context_.compiler,  context_.meshes,
+                                       context_.materials, mass_from_geoms(element, context_.compiler),
+                                       context_.lenient,   context_.warnings};
     for (const MjcfChild& child : children) {
       if (child.element.tag() != "geom") continue;
       const MjcfAttributes attributes = context_.defaults.resolve(child.element, child.child_class);
@@ -140,9 +145,12 @@ class BodyReader {
 
 }  // namespace
 
-bool is_free_joint(const files::XmlElement& joint, const std::string& child_class, const MjcfDefaults& defaults) {
-  if (joint.tag() == "freejoint") return true;
-  return joint.tag() == "joint" && defaults.resolve(joint, child_class).text("type") == "free";
+bool has_free_joint(const files::XmlElement& body, const std::string& outer_class, const MjcfDefaults& defaults) {
+  if (!elements_in(body, "freejoint").empty()) return true;
+  const std::string child_class = defaults.child_class(body, outer_class);
+  return std::ranges::any_of(elements_in(body, "joint"), [&](const files::XmlElement& joint) {
+    return defaults.resolve(joint, child_class).text("type") == "free";
+  });
 }
 
 void read_bodies(const files::XmlElement& base, const std::string& child_class, const MjcfContext& context,

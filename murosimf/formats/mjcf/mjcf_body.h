@@ -10,8 +10,8 @@ namespace murosimf::formats::mjcf {
 void read_bodies(const files::XmlElement& base, const std::string& child_class, const MjcfContext& context,
                  description::RobotDescription& description);
 
-/// True for `freejoint` and for a joint of type free.
-[[nodiscard]] bool is_free_joint(const files::XmlElement& joint, const std::string& child_class,
-                                 const MjcfDefaults& defaults);
+/// Whether it has a `freejoint` or a joint of type free.
+[[nodiscard]] bool has_free_joint(const files::XmlElement& body, const std::string& outer_class,
+                                  const MjcfDefaults& defaults);
 
 }  // namespace murosimf::formats::mjcf

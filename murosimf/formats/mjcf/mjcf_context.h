@@ -9,6 +9,7 @@
 #include "murosimf/formats/mjcf/mjcf_actuator.h"
 #include "murosimf/formats/mjcf/mjcf_defaults.h"
 #include "murosimf/formats/mjcf/mjcf_frame.h"
+#include "murosimf/formats/mjcf/mjcf_material.h"
 #include "murosimf/formats/mjcf/mjcf_mesh.h"
 #include "murosimf/formats/mjcf/mjcf_names.h"
 
@@ -19,6 +20,7 @@ struct MjcfContext {
   const MjcfCompiler& compiler;
   const MjcfNames& names;
   const std::map<std::string, MjcfActuator>& actuators;  ///< by joint
+  const MjcfMaterials& materials;
   bool lenient = false;
   MjcfMeshes& meshes;
   std::vector<std::string>& warnings;

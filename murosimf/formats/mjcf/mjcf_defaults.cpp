@@ -5,10 +5,14 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/formats/mjcf/mjcf_schema.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::formats::mjcf {
 namespace {
+
+/// Of elements that share their settings.
+std::string kind_of(const std::string& tag) { return is_actuator(tag) ? "actuator" : tag; }
 
 constexpr std::array orientations{"quat", "axisangle", "xyaxes", "zaxis", "euler"};
 
@@ -70,6 +74,9 @@ std::string MjcfAttributes::choice(std::string_view name, const std::vector<std:
 MjcfDefaults::MjcfDefaults(const files::XmlElement& root) {
   classes_[outermost_] = {};
   for (const files::XmlElement& element : root.children("default")) read(element, classes_[outermost_], true);
+  for (const files::XmlElement& element : root.children(attached_defaults)) {
+    for (const files::XmlElement& child : element.children("default")) read(child, {}, false);
+  }
 }
 
 void MjcfDefaults::read(const files::XmlElement& element, const Class& outer, bool outermost) {
@@ -83,23 +90,27 @@ void MjcfDefaults::read(const files::XmlElement& element, const Class& outer, bo
   }
   Class mine = outer;
   for (const files::XmlElement& child : element.children()) {
-    if (child.tag() != "default") mine[child.tag()].push_back(child);
+    if (child.tag() != "default") mine[kind_of(child.tag())].push_back(child);
   }
   classes_[outermost ? outermost_ : *name] = mine;
   for (const files::XmlElement& child : element.children("default")) read(child, mine, false);
 }
 
-MjcfAttributes MjcfDefaults::resolve(const files::XmlElement& element, const std::string& child_class) const {
+std::vector<files::XmlElement> MjcfDefaults::settings(const files::XmlElement& element,
+                                                      const std::string& child_class) const {
   std::string name = child_class.empty() ? outermost_ : child_class;
   if (const auto own = element.attribute("class")) {
     check_known(element, *own);
     name = *own;
   }
+  const Class& all = classes_.at(name);
+  const auto found = all.find(kind_of(element.tag()));
+  return found == all.end() ? std::vector<files::XmlElement>{} : found->second;
+}
+
+MjcfAttributes MjcfDefaults::resolve(const files::XmlElement& element, const std::string& child_class) const {
   MjcfAttributes attributes(element);
-  const Class& settings = classes_.at(name);
-  if (const auto found = settings.find(element.tag()); found != settings.end()) {
-    for (const files::XmlElement& setting : found->second) attributes.overlay(setting);
-  }
+  for (const files::XmlElement& setting : settings(element, child_class)) attributes.overlay(setting);
   attributes.overlay(element);
   return attributes;
 }

@@ -1,5 +1,7 @@
 /// mjcf_defaults.h - default classes of an MJCF file, and the attributes of an element after they are applied.
 ///
+/// Actuators of all kinds share their settings: what a default says of `position` holds for a `general` of the class, too, as far as
+/// that has the attribute (MuJoCo has one default actuator per class).
 /// A class takes over all settings of the class around it. An element follows, in this order: its own attributes, its
 /// `class`, or else the nearest `childclass` of a body around it, or else the outermost class.
 #pragma once
@@ -14,6 +16,9 @@
 #include "murosimf/math/vec3.h"
 
 namespace murosimf::formats::mjcf {
+
+/// Element of the root with the classes of models that are attached, which take nothing over from those of the file.
+inline constexpr const char* attached_defaults = "attached_defaults";
 
 /// The attributes that hold for one element, its own and those of its class. Every complaint names file and line of
 /// the place where the attribute is written.
@@ -54,6 +59,9 @@ class MjcfDefaults {
 
   /// `child_class`: nearest one of a body around the element, empty if there is none.
   [[nodiscard]] MjcfAttributes resolve(const files::XmlElement& element, const std::string& child_class = {}) const;
+  /// The settings of the element's class, outermost first; of an actuator those of all kinds.
+  [[nodiscard]] std::vector<files::XmlElement> settings(const files::XmlElement& element,
+                                                        const std::string& child_class = {}) const;
   /// The class that holds inside a body or worldbody, given the one around it.
   [[nodiscard]] std::string child_class(const files::XmlElement& body, const std::string& outer) const;
 

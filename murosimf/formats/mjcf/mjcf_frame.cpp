@@ -23,15 +23,17 @@ Vec3d unit(const MjcfAttributes& attributes, std::string_view name, const Vec3d&
 
 Mat3d from_axis_angle(const MjcfAttributes& attributes, const MjcfCompiler& compiler) {
   const auto a = attributes.numbers("axisangle", 4, 4);
-  return rotation(unit(attributes, "axisangle", {a[0], a[1], a[2]}), a[3] * compiler.angle_unit);
+  return rotation(unit(attributes, "axisangle", {a[0], a[1], a[2]}),
+                  a[3] * compiler.units_of(attributes.source("axisangle")).angle_unit);
 }
 
 Mat3d from_euler(const MjcfAttributes& attributes, const MjcfCompiler& compiler) {
   const auto angles = attributes.numbers("euler", 3, 3);
+  const MjcfUnits& units = compiler.units_of(attributes.source("euler"));
   Mat3d turn;
   for (std::size_t i = 0; i < 3; ++i) {
-    const char letter = compiler.euler_sequence[i];
-    const double angle = angles[i] * compiler.angle_unit;
+    const char letter = units.euler_sequence[i];
+    const double angle = angles[i] * units.angle_unit;
     const int axis = std::tolower(letter);
     const Mat3d step = axis == 'x' ? rotation_x(angle) : axis == 'y' ? rotation_y(angle) : rotation_z(angle);
     turn = std::islower(letter) ? turn * step : step * turn;
@@ -67,14 +69,15 @@ MjcfCompiler read_compiler(const files::XmlElement& root) {
     MjcfAttributes attributes(element);
     attributes.overlay(element);
     if (attributes.has("angle") && attributes.choice("angle", {"degree", "radian"}) == "radian") {
-      compiler.angle_unit = 1.0;
+      compiler.units.angle_unit = 1.0;
     }
-    if (attributes.has("eulerseq")) compiler.euler_sequence = attributes.text("eulerseq");
-    if (!is_euler_sequence(compiler.euler_sequence)) {
-      element.fail(fmt::format("eulerseq '{}' must be three letters out of x y z X Y Z", compiler.euler_sequence));
+    if (attributes.has("eulerseq")) compiler.units.euler_sequence = attributes.text("eulerseq");
+    if (!is_euler_sequence(compiler.units.euler_sequence)) {
+      element.fail(
+          fmt::format("eulerseq '{}' must be three letters out of x y z X Y Z", compiler.units.euler_sequence));
     }
     if (attributes.has("autolimits"))
-      compiler.auto_limits = attributes.choice("autolimits", {"true", "false"}) == "true";
+      compiler.units.auto_limits = attributes.choice("autolimits", {"true", "false"}) == "true";
     if (attributes.has("inertiafromgeom")) {
       const auto choice = attributes.choice("inertiafromgeom", {"auto", "true", "false"});
       compiler.inertia_from_geom = choice == "auto"   ? InertiaFromGeom::if_missing
@@ -124,10 +127,12 @@ Mat3d turn_of_z(const Vec3d& axis) {
 bool is_limited(const MjcfAttributes& attributes, std::string_view flag, std::string_view range,
                 const MjcfCompiler& compiler) {
   const auto choice = attributes.choice(flag, {"auto", "true", "false"});
-  const bool limited = choice == "true" || (choice == "auto" && compiler.auto_limits && attributes.has(range));
+  const bool limited = choice == "true" || (choice == "auto" && attributes.has(range) &&
+                                            compiler.units_of(attributes.source(range)).auto_limits);
   if (!limited) return false;
   const auto limits = attributes.numbers(range, 2, 2);
   if (limits.empty()) attributes.element().fail(fmt::format("{} is true, but there is no {}; add it", flag, range));
+  if (choice == "auto" && limits[0] == limits[1]) return false;
   if (limits[0] >= limits[1]) {
     attributes.source(range).fail(fmt::format("{} '{}' must go from lower to higher", range, attributes.text(range)));
   }

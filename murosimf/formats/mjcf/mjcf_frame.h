@@ -5,6 +5,7 @@
 /// about the fixed ones), xyaxes (x axis, then y axis made perpendicular to it), zaxis (shortest turn of z).
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -15,10 +16,23 @@ namespace murosimf::formats::mjcf {
 
 enum class InertiaFromGeom { never, always, if_missing };
 
-struct MjcfCompiler {
+/// How numbers and ranges of a file are meant.
+struct MjcfUnits {
   double angle_unit = pi / 180.0;  ///< [rad] of one unit of the file
   std::string euler_sequence = "xyz";
   bool auto_limits = true;  ///< a range without `limited` counts
+  bool operator==(const MjcfUnits&) const = default;
+};
+
+struct MjcfCompiler {
+  MjcfUnits units;                            ///< of the file
+  std::map<std::string, MjcfUnits> attached;  ///< of files that it attaches, by name (mjcf_attach.h)
+  /// Those that hold where the element is written.
+  [[nodiscard]] const MjcfUnits& units_of(const files::XmlElement& element) const {
+    const auto other = attached.find(element.file());
+    return other == attached.end() ? units : other->second;
+  }
+
   InertiaFromGeom inertia_from_geom = InertiaFromGeom::if_missing;
   std::string mesh_folder;       ///< where mesh files are, seen from the MJCF file's folder
   bool strip_path = false;       ///< only the last part of a mesh file's path counts
@@ -39,7 +53,7 @@ struct MjcfCompiler {
 /// The shortest turn that takes z to the direction of `axis` (any length but zero).
 [[nodiscard]] Mat3d turn_of_z(const Vec3d& axis);
 
-/// Whether a range or force range counts: `flag` is "true", "false" or "auto".
+/// Whether a range or force range counts: `flag` is "true", "false" or "auto". Equal ends take back what a class says, if it is "auto".
 [[nodiscard]] bool is_limited(const MjcfAttributes& attributes, std::string_view flag, std::string_view range,
                               const MjcfCompiler& compiler);
 

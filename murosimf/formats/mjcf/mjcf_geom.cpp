@@ -75,14 +75,13 @@ std::uint32_t read_mask(const MjcfAttributes& attributes, const char* name) {
   return static_cast<std::uint32_t>(static_cast<std::int64_t>(number));
 }
 
-void read_surface(const MjcfAttributes& attributes, PlacedShape& placed) {
+void read_surface(const MjcfAttributes& attributes, const Color& color, PlacedShape& placed) {
   placed.surface.friction = 1.0;  // default of the format
   if (const auto friction = attributes.numbers("friction", 1, 3); !friction.empty()) {
     if (friction[0] < 0) attributes.source("friction").fail("friction is negative; it must be at least 0");
     placed.surface.friction = friction[0];
   }
-  if (const auto color = attributes.numbers("rgba", 4, 4); !color.empty())
-    placed.color = {color[0], color[1], color[2]};
+  placed.color = color;
   placed.contact_type = read_mask(attributes, "contype");
   placed.contact_affinity = read_mask(attributes, "conaffinity");
   placed.collides = placed.contact_type != 0 || placed.contact_affinity != 0;
@@ -110,7 +109,8 @@ MjcfGeom read_mesh_geom(const MjcfAttributes& attributes, const std::string& typ
   PlacedShape placed;
   placed.position = attributes.vector("pos", {});
   placed.orientation = read_orientation(attributes, context.compiler);
-  read_surface(attributes, placed);
+  const std::string of_mesh = context.meshes.material(attributes.text("mesh"), element);
+  read_surface(attributes, context.materials.color_of(attributes, of_mesh), placed);
   MjcfGeom geom;
   geom.solid = read_mesh_solid(attributes, placed, context);
   const std::string mesh = attributes.text("mesh");
@@ -155,7 +155,7 @@ MjcfGeom read_geom(const MjcfAttributes& attributes, const MjcfGeomContext& cont
     placed.position = attributes.vector("pos", {});
     placed.orientation = read_orientation(attributes, context.compiler);
   }
-  read_surface(attributes, placed);
+  read_surface(attributes, context.materials.color_of(attributes), placed);
   return {{placed}, {{}}, std::nullopt, read_solid(attributes, placed)};
 }
 

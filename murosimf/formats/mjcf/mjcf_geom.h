@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "murosimf/description/robot_description.h"
+#include "murosimf/formats/mjcf/mjcf_material.h"
 #include "murosimf/formats/mjcf/mjcf_mesh.h"
 
 namespace murosimf::formats::mjcf {
@@ -22,6 +23,7 @@ struct MjcfGeom {
 struct MjcfGeomContext {
   const MjcfCompiler& compiler;
   MjcfMeshes& meshes;
+  const MjcfMaterials& materials;
   bool mass_counts = true;  ///< the body has no inertial that replaces it; else the mass of a mesh is left at zero
   bool lenient = false;     ///< a mesh that cannot be used is left out, with a line in `warnings`
   std::vector<std::string>& warnings;

@@ -43,9 +43,7 @@ struct WriteShape {
 };
 
 void write_color(files::XmlText& xml, const Color& color) {
-  const Color gray;
-  if (color.red == gray.red && color.green == gray.green && color.blue == gray.blue) return;
-  xml.numbers("rgba", {color.red, color.green, color.blue, 1});
+  if (color != Color{}) xml.numbers("rgba", {color.red, color.green, color.blue, color.alpha});
 }
 
 /// The format has them as integers of 32 bits with a sign.

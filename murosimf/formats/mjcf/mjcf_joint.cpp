@@ -19,15 +19,16 @@ Vec3d read_axis(const MjcfAttributes& attributes, const std::string& name) {
   return axis;
 }
 
-/// [rad | m] of one unit of the file.
-double unit_of(const description::JointDescription& joint, const MjcfContext& context) {
-  return joint.kind == Kind::revolute ? context.compiler.angle_unit : 1.0;
+/// [rad | m] An angle or a length.
+double read_coordinate(const MjcfAttributes& attributes, const char* name, Kind kind, const MjcfContext& context) {
+  const double unit = kind == Kind::revolute ? context.compiler.units_of(attributes.source(name)).angle_unit : 1.0;
+  return unit * attributes.number(name, 0);
 }
 
-void read_spring(const MjcfAttributes& attributes, description::JointDescription& joint, double unit) {
-  joint.reference = unit * attributes.number("ref", 0);
+void read_spring(const MjcfAttributes& attributes, description::JointDescription& joint, const MjcfContext& context) {
+  joint.reference = read_coordinate(attributes, "ref", joint.kind, context);
   joint.stiffness = at_least_zero(attributes, "stiffness");
-  joint.spring_reference = unit * attributes.number("springref", 0);
+  joint.spring_reference = read_coordinate(attributes, "springref", joint.kind, context);
 }
 
 /// What limits the torque of all actuators together.
@@ -35,16 +36,34 @@ void limit_effort(const MjcfAttributes& attributes, description::JointDescriptio
   if (!is_limited(attributes, "actuatorfrclimited", "actuatorfrcrange", context.compiler)) return;
   const auto range = attributes.numbers("actuatorfrcrange", 2, 2);
   joint.effort_limit = std::max(std::abs(range[0]), std::abs(range[1]));
+  if (range[0] != -range[1]) joint.effort_range = Vec3d{range[0], range[1], 0};
   if (!joint.servo) return;
-  double& stall = joint.servo->stall_torque;
-  stall = stall > 0 ? std::min(stall, joint.effort_limit) : joint.effort_limit;
+  Servo& servo = *joint.servo;
+  const bool limited = servo.stall_torque > 0;
+  const double lowest = limited ? servo.lowest_share * servo.stall_torque : range[0];
+  const double highest = limited ? servo.highest_share * servo.stall_torque : range[1];
+  set_torque_range(servo, std::clamp(lowest, range[0], range[1]), std::clamp(highest, range[0], range[1]));
+}
+
+/// What holds the joint's targets.
+void limit_target(const MjcfActuator& actuator, const files::XmlElement& element,
+                  description::JointDescription& joint) {
+  joint.target_range = actuator.target_range;
+  if (!(actuator.inherited_range > 0)) return;
+  if (!joint.range)
+    element.fail(fmt::format("joint '{}' needs a range, because of inheritrange of its actuator", joint.name));
+  const double middle = 0.5 * (joint.range->x + joint.range->y);
+  const double half = 0.5 * actuator.inherited_range * (joint.range->y - joint.range->x);
+  const auto [lowest, highest] =
+      std::minmax(actuator.per_range * (middle - half), actuator.per_range * (middle + half));
+  joint.target_range = Vec3d{lowest, highest, 0};
 }
 
 }  // namespace
 
-description::JointDescription read_joint(const files::XmlElement& element, const std::string& child_class,
-                                         const MjcfContext& context) {
-  const MjcfAttributes attributes = context.defaults.resolve(element, child_class);
+description::JointDescription read_joint(const MjcfChild& child, const MjcfContext& context) {
+  const files::XmlElement& element = child.element;
+  const MjcfAttributes attributes = context.defaults.resolve(element, child.child_class);
   const auto type = attributes.choice("type", {"hinge", "slide", "ball", "free"});
   description::JointDescription joint;
   joint.name = context.names.of(element);
@@ -54,20 +73,22 @@ description::JointDescription read_joint(const files::XmlElement& element, const
     element.fail(fmt::format("free joint '{}' inside the robot; only its base may be free", joint.name));
   }
   joint.kind = type == "slide" ? Kind::prismatic : Kind::revolute;
-  joint.anchor = attributes.vector("pos", {});
-  joint.axis = read_axis(attributes, joint.name);
+  joint.anchor = child.frame.position + child.frame.orientation * attributes.vector("pos", {});
+  joint.axis = child.frame.orientation * read_axis(attributes, joint.name);
   joint.armature = at_least_zero(attributes, "armature");
   joint.damping = at_least_zero(attributes, "damping");
   joint.friction = at_least_zero(attributes, "frictionloss");
-  const double unit = unit_of(joint, context);
   if (is_limited(attributes, "limited", "range", context.compiler)) {
     const auto range = attributes.numbers("range", 2, 2);
+    const double unit =
+        joint.kind == Kind::revolute ? context.compiler.units_of(attributes.source("range")).angle_unit : 1.0;
     joint.range = Vec3d{unit * range[0], unit * range[1], 0};
   }
-  read_spring(attributes, joint, unit);
+  read_spring(attributes, joint, context);
   if (const auto found = context.actuators.find(joint.name); found != context.actuators.end()) {
     joint.servo = found->second.servo;
     joint.damping_ratio = found->second.damping_ratio;
+    limit_target(found->second, element, joint);
   }
   limit_effort(attributes, joint, context);
   return joint;

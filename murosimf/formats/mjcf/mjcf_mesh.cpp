@@ -86,6 +86,10 @@ void MjcfMeshes::check_file(const std::string& name, const files::XmlElement& us
   }
 }
 
+std::string MjcfMeshes::material(const std::string& name, const files::XmlElement& user) {
+  return find(name, user).attributes.text("material");
+}
+
 geometry::SolidMass MjcfMeshes::mass(const std::string& name, const files::XmlElement& user) {
   const Mesh& mesh = loaded(name, user);
   const auto kind = mesh.attributes.choice("inertia", {"legacy", "exact", "convex", "shell"});

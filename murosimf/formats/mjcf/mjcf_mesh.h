@@ -42,6 +42,9 @@ class MjcfMeshes {
   /// warning.
   void check_file(const std::string& name, const files::XmlElement& user);
 
+  /// Of the geoms that name the mesh and no material; empty: none. Throws SetupError for an unknown mesh.
+  [[nodiscard]] std::string material(const std::string& name, const files::XmlElement& user);
+
   /// In alphabetical order.
   [[nodiscard]] std::vector<description::MeshDescription> descriptions() const;
 

@@ -11,7 +11,7 @@ MjcfNames::MjcfNames(const files::XmlElement& base) { walk(base); }
 void MjcfNames::walk(const files::XmlElement& body) {
   add(body, bodies_, fmt::format("body_{}", bodies_.names.size() + 1));
   name_all(body, "joint", joints_);
-  for (const files::XmlElement& joint : body.children("freejoint")) {
+  for (const files::XmlElement& joint : elements_in(body, "freejoint")) {
     if (joint.attribute("name")) add(joint, joints_, {});
   }
   name_all(body, "site", sites_);

@@ -6,8 +6,13 @@
 
 #include "murosimf/description/joint_inertia.h"
 #include "murosimf/formats/mjcf/mjcf_actuator.h"
+#include "murosimf/formats/mjcf/mjcf_attach.h"
 #include "murosimf/formats/mjcf/mjcf_body.h"
+#include "murosimf/formats/mjcf/mjcf_children.h"
+#include "murosimf/formats/mjcf/mjcf_keyframe.h"
+#include "murosimf/formats/mjcf/mjcf_material.h"
 #include "murosimf/formats/mjcf/mjcf_relations.h"
+#include "murosimf/formats/mjcf/mjcf_replicate.h"
 #include "murosimf/formats/mjcf/mjcf_schema.h"
 #include "murosimf/model/error.h"
 
@@ -20,29 +25,32 @@ struct Base {
   std::string child_class;
 };
 
-void note_world(const files::XmlElement& world, std::vector<std::string>& notes) {
+/// One by one: the schema names kinds only.
+void name_world(const files::XmlElement& world, std::vector<description::Unused>& unused) {
   for (const char* tag : {"geom", "site"}) {
-    for (const files::XmlElement& element : world.children(tag)) {
+    for (const files::XmlElement& element : elements_in(world, tag)) {
       const bool plane = element.attribute("type").value_or("") == "plane";
-      notes.push_back(files::one_line(
-          fmt::format("{}: world {} '{}' ignored: {}", element.where(), tag, element.attribute("name").value_or(""),
-                      plane ? "the scene brings its own ground" : "it is no part of the robot")));
+      const std::string what =
+          files::one_line(fmt::format("world {} '{}'", tag, element.attribute("name").value_or("")));
+      unused.push_back({what, fmt::format("{}: {} ignored: {}", element.where(), what,
+                                          plane ? "the scene brings its own ground" : "it is no part of the robot")});
     }
   }
 }
 
-std::vector<Base> top_bodies(const files::XmlElement& root, const MjcfDefaults& defaults) {
+std::vector<Base> top_bodies(const files::XmlElement& root, const MjcfDefaults& defaults,
+                             const MjcfCompiler& compiler) {
   std::vector<Base> bodies;
   for (const files::XmlElement& world : root.children("worldbody")) {
-    for (const files::XmlElement& body : world.children("body"))
-      bodies.push_back({body, defaults.child_class(world, {})});
+    for (const MjcfChild& child : children_in(world, defaults.child_class(world, {}), defaults, compiler)) {
+      if (child.element.tag() == "body") bodies.push_back({child.element, child.child_class});
+    }
   }
   return bodies;
 }
 
-Base find_base(const files::XmlElement& root, const MjcfDefaults& defaults, bool lenient,
-               std::vector<std::string>& warnings) {
-  const auto bodies = top_bodies(root, defaults);
+Base find_base(const files::XmlElement& root, const std::vector<Base>& bodies, const MjcfDefaults& defaults,
+               bool lenient, std::vector<std::string>& warnings) {
   if (bodies.empty()) root.fail("there is no body in worldbody; a robot needs one");
   if (bodies.size() > 1) {
     const auto what = fmt::format("second body in worldbody, '{}'; a robot file has one robot",
@@ -51,10 +59,7 @@ Base find_base(const files::XmlElement& root, const MjcfDefaults& defaults, bool
     warnings.push_back(files::one_line(fmt::format("{}: {}", bodies[1].body.where(), what)));
   }
   for (const Base& base : bodies) {
-    const std::string child_class = defaults.child_class(base.body, base.child_class);
-    const auto joints = base.body.children();
-    if (std::ranges::any_of(joints, [&](const auto& j) { return is_free_joint(j, child_class, defaults); }))
-      return base;
+    if (has_free_joint(base.body, base.child_class, defaults)) return base;
   }
   bodies[0].body.fail(fmt::format("body '{}' has no free joint; add <freejoint/> to it",
                                   bodies[0].body.attribute("name").value_or("")));
@@ -84,21 +89,35 @@ description::RobotDescription read_mjcf(const std::filesystem::path& file, const
   description::RobotDescription description;
   description.file = file;
   description.name = root.attribute("model").value_or(file.stem().string());
-  files::validate(root, mjcf_schema(), options.lenient, description.warnings, description.notes);
-  for (const files::XmlElement& world : root.children("worldbody")) note_world(world, description.notes);
+  for (auto& [word, line] : files::validate(root, mjcf_schema(), options.lenient, description.warnings)) {
+    if (word != "geom" && word != "site") description.unused.push_back({std::move(word), std::move(line)});
+  }
+  MjcfCompiler compiler = read_compiler(root);
+  attach_models(xml, root, compiler, options.lenient, description);
+  expand_replicates(xml, root, compiler);
+  for (const files::XmlElement& world : root.children("worldbody")) name_world(world, description.unused);
 
   const MjcfDefaults defaults(root);
-  const MjcfCompiler compiler = read_compiler(root);
-  const auto [base, child_class] = find_base(root, defaults, options.lenient, description.warnings);
+  const auto tops = top_bodies(root, defaults, compiler);
+  const auto [base, child_class] = find_base(root, tops, defaults, options.lenient, description.warnings);
   const MjcfNames names(base);
   MjcfMeshes meshes(file, root, defaults, compiler, options.part_per_group, description.warnings);
+  const MjcfMaterials materials(root, defaults);
   description.meshes = meshes.descriptions();
-  const auto actuators = read_actuators(root, defaults, compiler, names, options.lenient, description.warnings);
-  const MjcfContext context{defaults, compiler, names, actuators, options.lenient, meshes, description.warnings};
+  const MjcfActuators actuators = read_actuators(root, defaults, compiler, names, options.lenient, description);
+  const MjcfContext context{.defaults = defaults,
+                            .compiler = compiler,
+                            .names = names,
+                            .actuators = actuators.by_joint,
+                            .materials = materials,
+                            .lenient = options.lenient,
+                            .meshes = meshes,
+                            .warnings = description.warnings};
   read_bodies(base, child_class, context, description);
   scale_masses(compiler, description);
   description::resolve_damping_ratios(description);
   read_relations(root, names, defaults, description);
+  read_keyframes(root, actuators, tops.size() == 1, description);
   return description;
 }
 

@@ -12,56 +12,110 @@ files::XmlWords operator+(files::XmlWords a, const files::XmlWords& b) {
   return a;
 }
 
+/// Those that become sensors of the robot, by what they are attached to, and those that do not.
+void add_sensor_rules(files::XmlVocabulary& rules) {
+  const files::XmlWords signal{"name", "noise", "cutoff"};
+  const files::XmlWords at_site{"accelerometer", "gyro", "velocimeter", "force", "torque", "touch", "rangefinder"};
+  const files::XmlWords of_joint{"jointpos", "jointvel", "jointactuatorfrc"};
+  const files::XmlWords of_frame{"framepos", "framequat", "framelinvel", "frameangvel"};
+  rules["sensor"] = {.children = at_site + of_joint + of_frame + files::XmlWords{"actuatorfrc", "subtreecom"},
+                     .unused_children = {"magnetometer",   "jointlimitpos",  "jointlimitvel",
+                                         "jointlimitfrc",  "actuatorpos",    "actuatorvel",
+                                         "subtreelinvel",  "subtreeangmom",  "framexaxis",
+                                         "frameyaxis",     "framezaxis",     "framelinacc",
+                                         "frameangacc",    "clock",          "user",
+                                         "plugin",         "ballquat",       "ballangvel",
+                                         "tendonpos",      "tendonvel",      "tendonactuatorfrc",
+                                         "tendonlimitpos", "tendonlimitvel", "tendonlimitfrc",
+                                         "camprojection",  "distance",       "normal",
+                                         "fromto",         "insidesite",     "contact",
+                                         "e_potential",    "e_kinetic",      "tactile"}};
+  const auto add = [&](const files::XmlWords& kinds, const files::XmlWords& object, const files::XmlWords& unused) {
+    for (const std::string_view kind : kinds) {
+      rules["sensor/" + std::string(kind)] = {.used = signal + object,
+                                              .unused = unused + files::XmlWords{"user", "nsample", "interp", "delay",
+                                                                                 "interval"}};
+    }
+  };
+  add(at_site, {"site"}, {});
+  add(of_joint, {"joint"}, {});
+  add(of_frame, {"objtype", "objname"}, {"reftype", "refname"});
+  add({"actuatorfrc"}, {"actuator"}, {});
+  add({"subtreecom"}, {"body"}, {});
+  files::XmlRule& turn = rules["sensor/framequat"];  // a quaternion is not cut off
+  std::erase(turn.used, "cutoff");
+  turn.unused.push_back("cutoff");
+}
+
 files::XmlVocabulary make_rules() {
-  const files::XmlWords frame{"name", "class", "pos", "quat", "axisangle", "xyaxes", "zaxis", "euler"};
-  const files::XmlWords unsupported_bodies{"composite", "flexcomp", "replicate", "attach", "plugin"};
-  const files::XmlWords look{"group", "material", "user"};
+  const files::XmlWords place{"pos", "quat", "axisangle", "xyaxes", "zaxis", "euler"};
+  const files::XmlWords placed = files::XmlWords{"name", "class"} + place;
+  const files::XmlWords unsupported_bodies{"composite", "flexcomp", "plugin"};
   files::XmlVocabulary rules;
   rules["mujoco"] = {.used = {"model"},
                      .children = {"compiler", "default", "asset", "worldbody", "actuator", "contact", "equality",
-                                  "sensor"},
-                     .unused_children = {"option", "size", "visual", "statistic", "keyframe", "custom"},
+                                  "sensor", "keyframe"},
+                     .unused_children = {"option", "size", "visual", "statistic", "custom"},
                      .unsupported_children = {"tendon", "deformable", "extension"}};
   rules["compiler"] = {.used = {"angle", "eulerseq", "autolimits", "inertiafromgeom", "coordinate", "meshdir",
                                 "assetdir", "strippath", "boundmass", "boundinertia", "settotalmass", "balanceinertia"},
                        .unused = {"texturedir", "discardvisual", "fusestatic", "usethread", "convexhull",
-                                  "exactmeshinertia", "saveinertial", "fitaabb"},
+                                  "exactmeshinertia", "saveinertial", "fitaabb", "savecanonical", "savecompiled",
+                                  "conflict", "passthrough"},
                        .unsupported = {"inertiagrouprange", "alignfree"},
                        .unused_children = {"lengthrange"}};
   rules["default"] = {.used = {"class"},
-                      .children = files::XmlWords{"default", "geom", "joint", "site", "mesh", "camera"} + actuators,
-                      .unused_children = {"material", "light", "pair", "equality", "tendon"}};
-  rules["asset"] = {.children = {"mesh"},
-                    .unused_children = {"texture", "material", "hfield", "skin"},
-                    .unsupported_children = {"model"}};
-  rules["mesh"] = {.used = {"name", "class", "file", "vertex", "face", "scale", "refpos", "refquat", "inertia"},
-                   .unused = {"content_type", "smoothnormal", "maxhullvert", "normal", "texcoord", "material",
-                              "octree"},
+                      .children =
+                          files::XmlWords{"default", "geom", "joint", "site", "mesh", "material", "camera"} + actuators,
+                      .unused_children = {"light", "pair", "equality", "tendon"}};
+  rules["asset"] = {.children = {"mesh", "material", "model"}, .unused_children = {"texture", "hfield", "skin"}};
+  rules["asset/model"] = {.used = {"name", "file"}, .unused = {"content_type"}};
+  rules["attach"] = {.used = {"model", "body", "prefix"}};
+  rules["material"] = {.used = {"name", "class", "rgba"},
+                       .unused = {"texture", "texrepeat", "texuniform", "emission", "specular", "shininess",
+                                  "reflectance", "metallic", "roughness"},
+                       .unused_children = {"layer"}};
+  rules["mesh"] = {.used = {"name", "class", "file", "vertex", "face", "scale", "refpos", "refquat", "inertia",
+                            "material"},
+                   .unused = {"content_type", "smoothnormal", "maxhullvert", "normal", "texcoord", "octree"},
                    .unsupported = {"builtin", "params"},
                    .unsupported_children = {"plugin"}};
   rules["worldbody"] = {.used = {"childclass"},
-                        .children = {"body", "geom", "site", "frame"},
-                        .unused_children = {"light", "camera"},
+                        .children = {"body", "frame", "replicate", "attach"},
+                        .unused_children = {"light", "camera", "geom", "site"},
                         .unsupported_children = unsupported_bodies};
-  rules["body"] = {.used = files::XmlWords{"childclass"} + frame,
+  rules["body"] = {.used = files::XmlWords{"name", "childclass"} + place,
                    .unused = {"user"},
                    .unsupported = {"gravcomp", "mocap", "sleep"},
-                   .children = {"body", "joint", "freejoint", "inertial", "geom", "site", "camera", "frame"},
+                   .children = {"body", "joint", "freejoint", "inertial", "geom", "site", "camera", "frame",
+                                "replicate", "attach"},
                    .unused_children = {"light"},
                    .unsupported_children = unsupported_bodies};
-  rules["frame"] = {.used = files::XmlWords{"childclass"} + frame,
-                    .children = {"body", "geom", "site", "camera", "frame"},
+  rules["frame"] = {.used = files::XmlWords{"childclass"} + place,
+                    .unused = {"name"},
+                    .children = {"body", "joint", "freejoint", "geom", "site", "camera", "frame", "replicate",
+                                 "attach"},
                     .unused_children = {"light"},
                     .unsupported_children = unsupported_bodies};
-  rules["camera"] = {.used = frame + files::XmlWords{"mode", "fovy", "resolution", "focal", "focalpixel", "principal",
-                                                     "principalpixel", "sensorsize", "orthographic", "projection"},
+  rules["replicate"] = {.used = {"count", "offset", "euler", "sep"},
+                        .children = {"body", "geom", "site", "camera", "frame", "replicate", "attach"},
+                        .unused_children = {"light"},
+                        .unsupported_children = unsupported_bodies};
+  rules["keyframe"] = {.children = {"key"}};
+  rules["key"] = {.used = {"name", "qpos", "ctrl"}, .unused = {"time", "qvel", "act", "mpos", "mquat", "plastic"}};
+  add_sensor_rules(rules);
+  rules["camera"] = {.used = placed + files::XmlWords{"mode", "fovy", "resolution", "focal", "focalpixel", "principal",
+                                                      "principalpixel", "sensorsize", "orthographic", "projection"},
                      .unused = {"target", "ipd", "output", "user"}};
   rules["contact"] = {.children = {"exclude", "pair"}};
   rules["exclude"] = {.used = {"body1", "body2"}, .unused = {"name"}};
   rules["pair"] = {.used = {"geom1", "geom2"},
                    .unused = {"name", "class", "condim", "friction", "solref", "solreffriction", "solimp", "gap",
-                              "margin"}};
-  rules["equality"] = {.children = {"joint"}, .unsupported_children = {"connect", "weld", "tendon", "flex", "plugin"}};
+                              "margin"},
+                   .unsupported = {"adhesion"}};
+  rules["equality"] = {.children = {"joint"},
+                       .unsupported_children = {"connect", "weld", "tendon", "flex", "flexvert", "flexstrain",
+                                                "plugin"}};
   rules["equality/joint"] = {.used = {"joint1", "joint2", "polycoef"},
                              .unused = {"name", "class", "solref", "solimp"},
                              .unsupported = {"active"}};
@@ -70,30 +124,39 @@ files::XmlVocabulary make_rules() {
                              "frictionloss", "actuatorfrcrange", "actuatorfrclimited", "ref", "stiffness", "springref"},
                     .unused = {"group", "user", "solreflimit", "solimplimit", "solreffriction", "solimpfriction",
                                "margin"},
-                    .unsupported = {"springdamper", "actuatorgravcomp"},
+                    .unsupported = {"springdamper", "springyield", "actuatorgravcomp"},
                     .unsupported_children = {"plugin"}};
-  rules["inertial"] = {.used = files::XmlWords{"mass", "diaginertia", "fullinertia"} + frame};
+  rules["inertial"] = {.used = files::XmlWords{"mass", "diaginertia", "fullinertia"} + place};
   rules["geom"] = {.used = files::XmlWords{"type", "size", "fromto", "friction", "rgba", "mass", "density", "contype",
-                                           "conaffinity", "mesh"} +
-                           frame,
-                   .unused =
-                       look + files::XmlWords{"condim", "priority", "solmix", "solref", "solimp", "margin", "gap"},
-                   .unsupported = {"hfield", "fitscale", "shellinertia", "fluidshape", "fluidcoef"},
+                                           "conaffinity", "mesh", "material"} +
+                           placed,
+                   .unused = {"group", "user", "condim", "priority", "solmix", "solref", "solimp", "margin", "gap",
+                              "castshadow"},
+                   .unsupported = {"hfield", "fitscale", "shellinertia", "fluidshape", "fluidcoef", "surfacevel",
+                                   "adhesion"},
                    .unsupported_children = {"plugin"}};
-  rules["site"] = {.used = files::XmlWords{"type", "size"} + frame,
-                   .unused = look + files::XmlWords{"rgba"},
+  rules["site"] = {.used = files::XmlWords{"type", "size"} + placed,
+                   .unused = {"group", "material", "user", "rgba"},
                    .unsupported = {"fromto"}};
+  const std::map<std::string_view, files::XmlWords> own{
+      {"position", {"kp", "kv", "dampratio", "timeconst", "inheritrange"}},
+      {"velocity", {"kv"}},
+      {"motor", {}},
+      {"general", {"gainprm", "biasprm", "gaintype", "biastype", "dyntype", "dynprm"}}};
+  // of a control that has several parts, or is called what it is
+  const files::XmlWords labels{"input", "velrange", "ffrange"};
   for (const std::string_view actuator : actuators) {
-    rules[std::string(actuator)] = {
-        .used = {"name", "class", "joint", "kp", "kv", "forcerange", "forcelimited", "ctrlrange", "ctrllimited", "gear",
-                 "dampratio", "gainprm", "biasprm", "gaintype", "biastype"},
-        .unused = {"group", "user", "inheritrange", "lengthrange", "actlimited", "actrange", "actdim", "actearly"},
-        .unsupported = {"timeconst", "dyntype", "dynprm", "tendon", "site", "body", "refsite", "jointinparent",
-                        "slidersite", "cranksite", "cranklength"}};
+    const files::XmlWords common{"name",         "class",     "joint",       "forcerange",
+                                 "forcelimited", "ctrlrange", "ctrllimited", "gear"};
+    const files::XmlWords unused{"group", "user", "lengthrange", "actlimited", "actrange", "actdim", "actearly"};
+    rules[std::string(actuator)] = {.used = common + own.at(actuator),
+                                    .unused = unused + (actuator == "general" ? labels : files::XmlWords{}),
+                                    .unsupported = {"tendon", "site", "body", "refsite", "jointinparent", "slidersite",
+                                                    "cranksite", "cranklength"}};
   }
   rules["actuator"] = {.children = actuators,
                        .unsupported_children = {"intvelocity", "damper", "cylinder", "muscle", "adhesion", "dcmotor",
-                                                "plugin"}};
+                                                "orientation", "pid", "orientation", "pid", "plugin"}};
   return rules;
 }
 

@@ -6,10 +6,13 @@
 
 #include <fmt/format.h>
 
+#include <fmt/format.h>
+
 #include "murosimf/files/xml_text.h"
 #include "murosimf/formats/mjcf/mjcf_camera.h"
 #include "murosimf/formats/mjcf/mjcf_geom_writer.h"
 #include "murosimf/formats/mjcf/mjcf_sensor.h"
+#include "murosimf/math/quaternion.h"
 
 namespace murosimf::formats::mjcf {
 namespace {
@@ -37,6 +40,7 @@ class Writer {
     write_couplings();
     write_actuators();
     write_mjcf_sensors(xml_, description_);
+    write_keyframes();
     xml_.end();
     return xml_.result();
   }
@@ -56,6 +60,7 @@ class Writer {
   }
 
   void write_joint(const description::JointDescription& joint) {
+    joints_.push_back(joint.name);
     xml_.begin("joint").text("name", joint.name);
     if (joint.kind == Kind::prismatic) xml_.text("type", "slide");
     xml_.vector_unless_zero("pos", joint.anchor).vector("axis", joint.axis);
@@ -64,7 +69,11 @@ class Writer {
     xml_.number_unless(0, "armature", joint.armature).number_unless(0, "damping", joint.damping);
     xml_.number_unless(0, "frictionloss", joint.friction);
     xml_.number_unless(0, "stiffness", joint.stiffness).number_unless(0, "springref", joint.spring_reference);
-    if (joint.effort_limit > 0) xml_.numbers("actuatorfrcrange", {-joint.effort_limit, joint.effort_limit});
+    if (joint.effort_range) {
+      xml_.numbers("actuatorfrcrange", {joint.effort_range->x, joint.effort_range->y});
+    } else if (joint.effort_limit > 0) {
+      xml_.numbers("actuatorfrcrange", {-joint.effort_limit, joint.effort_limit});
+    }
     xml_.end();
   }
 
@@ -135,32 +144,70 @@ class Writer {
   }
 
   void write_actuators() {
-    std::vector<const description::JointDescription*> driven;
     for (const description::BodyDescription& body : description_.bodies) {
       for (const description::JointDescription& joint : body.joints) {
-        if (joint.servo) driven.push_back(&joint);
+        if (joint.servo) driven_.push_back(&joint);
       }
     }
-    if (driven.empty()) return;
+    if (driven_.empty()) return;
     xml_.begin("actuator");
-    for (const description::JointDescription* joint : driven) write_actuator(*joint);
+    for (const description::JointDescription* joint : driven_) write_actuator(*joint);
+    xml_.end();
+  }
+
+  void write_keyframes() {
+    if (description_.keyframes.empty()) return;
+    xml_.begin("keyframe");
+    for (const description::KeyframeDescription& key : description_.keyframes) {
+      const auto& [p, R] = key.base;
+      const Quaterniond q = from_matrix(R);
+      std::vector<double> qpos{p.x, p.y, p.z, q.w, q.x, q.y, q.z}, ctrl;
+      for (const std::string& joint : joints_) qpos.push_back(key.positions.at(joint));
+      for (const description::JointDescription* joint : driven_) {
+        const auto target = key.targets.find(joint->name);
+        ctrl.push_back(target == key.targets.end() ? 0 : target->second);
+      }
+      xml_.begin("key").text("name", key.name).text("qpos", fmt::format("{}", fmt::join(qpos, " ")));
+      if (!key.targets.empty()) xml_.text("ctrl", fmt::format("{}", fmt::join(ctrl, " ")));
+      xml_.end();
+    }
     xml_.end();
   }
 
   void write_actuator(const description::JointDescription& joint) {
     const Servo& servo = *joint.servo;
     const bool holds = servo.position_gain > 0, brakes = servo.velocity_gain > 0;
-    xml_.begin(holds ? "position" : brakes ? "velocity" : "motor").text("name", joint.name).text("joint", joint.name);
-    if (holds) xml_.numbers("kp", {servo.position_gain});
-    if (brakes) xml_.numbers("kv", {servo.velocity_gain});
-    if (servo.stall_torque > 0) xml_.numbers("forcerange", {-servo.stall_torque, servo.stall_torque});
+    const bool fixed = joint.target_range && joint.target_range->x == joint.target_range->y;
+    if ((holds || brakes) && (fixed || (!holds && servo.command_filter > 0))) {
+      write_general(joint, fixed);
+    } else {
+      xml_.begin(holds ? "position" : brakes ? "velocity" : "motor").text("name", joint.name).text("joint", joint.name);
+      if (holds) xml_.numbers("kp", {servo.position_gain}).number_unless(0, "timeconst", servo.command_filter);
+      if (brakes) xml_.numbers("kv", {servo.velocity_gain});
+    }
+    if (joint.target_range && !fixed) xml_.numbers("ctrlrange", {joint.target_range->x, joint.target_range->y});
+    if (servo.stall_torque > 0) {
+      xml_.numbers("forcerange", {servo.lowest_share * servo.stall_torque, servo.highest_share * servo.stall_torque});
+    }
     xml_.end();
+  }
+
+  /// What has no shortcut: a filter before a rate, or a control without a say.
+  void write_general(const description::JointDescription& joint, bool fixed) {
+    const Servo& servo = *joint.servo;
+    const double kp = servo.position_gain, kv = servo.velocity_gain, per_target = kp > 0 ? kp : kv;
+    xml_.begin("general").text("name", joint.name).text("joint", joint.name).text("biastype", "affine");
+    xml_.numbers("gainprm", {fixed ? 0 : per_target});
+    xml_.numbers("biasprm", {fixed ? per_target * joint.target_range->x : 0, 0 - kp, 0 - kv});
+    if (servo.command_filter > 0) xml_.text("dyntype", "filterexact").numbers("dynprm", {servo.command_filter});
   }
 
   const description::RobotDescription& description_;
   files::XmlText xml_;
   MjcfGeomWriter geoms_;
   std::vector<std::vector<std::size_t>> children_;
+  std::vector<std::string> joints_;                           // as they are written
+  std::vector<const description::JointDescription*> driven_;  // as their actuators are written
 };
 
 }  // namespace

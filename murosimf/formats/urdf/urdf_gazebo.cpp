@@ -79,7 +79,7 @@ void note_other(const files::XmlElement& element, UrdfLog& log) {
   } else if (contains(injected, tag)) {
     log.refuse(element, fmt::format("<{}> in a gazebo block is not supported; write it as URDF", tag));
   } else if (contains(without_meaning, tag) || is_switch(tag)) {
-    log.note(element, fmt::format("element '{}' in gazebo is not used", tag));
+    log.unused(element, fmt::format("gazebo/{}", tag), fmt::format("element '{}' in gazebo is not used", tag));
   } else {
     log.warn(element, fmt::format("unknown element '{}' in gazebo is not used", tag));
   }

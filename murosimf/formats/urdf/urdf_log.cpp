@@ -15,6 +15,10 @@ void UrdfLog::note(const files::XmlElement& at, const std::string& message) {
   if (said_.insert(message).second) description_.notes.push_back(line(at, message));
 }
 
+void UrdfLog::unused(const files::XmlElement& at, const std::string& word, const std::string& message) {
+  if (said_.insert(message).second) description_.unused.push_back({files::one_line(word), line(at, message)});
+}
+
 void UrdfLog::warn(const files::XmlElement& at, const std::string& message) {
   if (said_.insert(message).second) description_.warnings.push_back(line(at, message));
 }

@@ -13,8 +13,10 @@ class UrdfLog {
  public:
   UrdfLog(description::RobotDescription& description, bool lenient) : description_(description), lenient_(lenient) {}
 
-  /// What means nothing here; the same message is noted once.
+  /// What was taken instead, or guessed; the same message is noted once.
   void note(const files::XmlElement& at, const std::string& message);
+  /// What has no effect here: `check` shows the message, `run` the word, like "transmission"; the same message is told once.
+  void unused(const files::XmlElement& at, const std::string& word, const std::string& message);
   /// What looks wrong; the same message is told once.
   void warn(const files::XmlElement& at, const std::string& message);
   /// What would change the robot: throws SetupError, or is a warning if the reader is lenient.

@@ -100,7 +100,9 @@ description::RobotDescription read_urdf(const std::filesystem::path& file, const
   description::RobotDescription description;
   description.name = robot.attribute("name").value_or(file.stem().string());
   description.file = file;
-  files::validate(robot, urdf_schema(), options.lenient, description.warnings, description.notes);
+  for (auto& [word, line] : files::validate(robot, urdf_schema(), options.lenient, description.warnings)) {
+    description.unused.push_back({std::move(word), std::move(line)});
+  }
   UrdfLog log(description, options.lenient);
   const UrdfTree tree = read_tree(robot, log);
   const Compiler compiler = read_compiler(robot);

@@ -14,7 +14,7 @@ std::optional<Color> own_color(const files::XmlElement& material) {
   const auto color = only_child(material, "color");
   if (!color) return std::nullopt;
   const auto rgba = needed_numbers(*color, needed_text(*color, "rgba"), 4, "rgba of <color>");
-  return Color{rgba[0], rgba[1], rgba[2]};
+  return Color{rgba[0], rgba[1], rgba[2], rgba[3]};
 }
 
 void add_color(const files::XmlElement& material, UrdfColors& colors) {

@@ -19,7 +19,7 @@ void note_reduction(const files::XmlElement& owner, UrdfLog& log) {
 void read_transmissions(const files::XmlElement& robot, const UrdfTree& tree, UrdfLog& log) {
   for (const files::XmlElement& transmission : robot.children("transmission")) {
     const std::string name = transmission.attribute("name").value_or("");
-    log.note(transmission, "element 'transmission' is not used");
+    log.unused(transmission, "transmission", "element 'transmission' is not used");
     for (const files::XmlElement& joint : transmission.children("joint")) {
       const std::string joint_name = joint.attribute("name").value_or("");
       if (tree.find_joint(joint_name) < 0) {

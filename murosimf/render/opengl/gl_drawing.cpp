@@ -184,7 +184,27 @@ void GlDrawing::draw_scene(const Projection& projection, const GlMatrix& clip, c
   glEnable(GL_DEPTH_TEST);
   if (options.ground) draw_ground(projection, layers, light, to);
   objects_->lit->solid.use();
-  objects_->meshes.draw(list_);
+  objects_->meshes.load(list_.instances());
+  objects_->meshes.draw(list_.solid_groups());
+  if (!list_.clear_groups().empty()) draw_clear(layers, to);
+}
+
+/// See-through pieces: laid over the colors that are there; depths and labels are their own.
+void GlDrawing::draw_clear(const sensors::Layers& layers, GlTarget& to) {
+  if (layers.color) {
+    to.draw_layers({true, false, false});
+    glDepthMask(GL_FALSE);
+    glEnablei(GL_BLEND, 0);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    objects_->meshes.draw(list_.clear_groups());
+    glDisablei(GL_BLEND, 0);
+    glDepthMask(GL_TRUE);
+  }
+  if (layers.depth || layers.labels) {
+    to.draw_layers({false, layers.depth, layers.labels});
+    objects_->meshes.draw(list_.clear_groups());
+  }
+  to.draw_layers(layers);
 }
 
 /// What lies on the ground is drawn in its order, not by depth.
@@ -318,7 +338,8 @@ void GlDrawing::draw_shadows(const sensors::Perspective& view, const RendererOpt
   glCullFace(GL_FRONT);  // the far sides throw them: near ones cannot darken themselves
   objects_->shade.use();
   set(objects_->shade, "clip", clip);
-  objects_->meshes.draw(list_);
+  objects_->meshes.load(list_.instances());
+  objects_->meshes.draw(list_.solid_groups());
 }
 
 }  // namespace murosimf::render

@@ -42,6 +42,7 @@ class GlDrawing {
   void draw_earth(const sensors::Perspective& view, const Light& light);
   void draw_rectangle(const std::array<Vec3d, 4>& corners, const Color& color, const Light& light);
   void draw_strokes(const Projection& projection, const sensors::Layers& layers, const Light& light, GlTarget& to);
+  void draw_clear(const sensors::Layers& layers, GlTarget& to);
   void draw_shadows(const sensors::Perspective& view, const RendererOptions& options, double ahead);
   GlTarget& target(int width, int height, int samples);
 

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "murosimf/render/instances.h"
@@ -35,12 +36,16 @@ struct MeshBuffers {
     attribute(1, 3, GL_FLOAT, sizeof(Vertex), offsetof(Vertex, normal), false);
   }
 
-  void draw(const InstanceList& list) {
+  /// What is drawn from now on.
+  void load(std::span<const Instance> instances) {
+    glBindBuffer(GL_ARRAY_BUFFER, *instance_buffer);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(instances.size_bytes()), instances.data(), GL_STREAM_DRAW);
+  }
+
+  void draw(std::span<const InstanceGroup> groups) {
     glBindVertexArray(*array);
     glBindBuffer(GL_ARRAY_BUFFER, *instance_buffer);
-    const auto instances = list.instances();
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(instances.size_bytes()), instances.data(), GL_STREAM_DRAW);
-    for (const InstanceGroup& group : list.groups()) {
+    for (const InstanceGroup& group : groups) {
       const std::size_t base = group.first * sizeof(Instance);
       const auto place = [&](GLuint index, GLint numbers, GLenum type, std::size_t offset, bool normalized = false) {
         attribute(index, numbers, type, sizeof(Instance), base + offset, true, normalized);

@@ -38,6 +38,7 @@ layout(location = 7) in uint label;
 out vec3 seen;
 out vec3 n;
 flat out vec3 base;
+flat out float alpha;
 flat out uint what;
 
 void main() {
@@ -46,6 +47,7 @@ void main() {
   vec3 m = normal * normal_scale;
   n = vec3(dot(row_x.xyz, m), dot(row_y.xyz, m), dot(row_z.xyz, m));
   base = color.rgb * color.rgb;
+  alpha = color.a;
   what = label;
   gl_Position = clip * vec4(seen, 1.0);
 }
@@ -55,6 +57,7 @@ const std::string_view solid_fragment = R"(
 in vec3 seen;
 in vec3 n;
 flat in vec3 base;
+flat in float alpha;
 flat in uint what;
 layout(location = 0) out vec4 color;
 layout(location = 1) out float depth;
@@ -62,7 +65,7 @@ layout(location = 2) out uint label;
 
 void main() {
   vec3 unit = normalize(n);
-  color = vec4(shown(base, unit, lit_at(seen, unit)), 1.0);
+  color = vec4(shown(base, unit, lit_at(seen, unit)), alpha);
   depth = seen.z;
   label = what;
 }

@@ -416,9 +416,9 @@ TEST(MjcfReader, TheForceRangeOfAJointLimitsItsServo) {
 
 TEST(MjcfReader, NegativeGainsAreNamed) {
   const auto complaint = [](const std::string& actuator) { return message_of([&] { (void)actuated(actuator); }); };
-  expect_complaint(complaint("<position joint='j' kp='-1'/>"), 8, "a gain of this actuator is negative");
-  expect_complaint(complaint("<position joint='j' kv='-1'/>"), 8, "a gain of this actuator is negative");
-  expect_complaint(complaint("<general joint='j' biastype='affine' biasprm='0 -1 1'/>"), 8, "is negative");
+  expect_complaint(complaint("<position joint='j' kp='-1'/>"), 8, "kp of position is negative");
+  expect_complaint(complaint("<position joint='j' kv='-1'/>"), 8, "kv of position is negative");
+  expect_complaint(complaint("<general joint='j' biastype='affine' biasprm='0 -2 1'/>"), 8, "is negative");
 }
 
 TEST(MjcfReader, AServoOfTheTableReplacesJointAndActuator) {

@@ -1,0 +1,24 @@
+/// start_posture.h - the posture in which a robot begins: that of its file, or a key of it (model/keyframe.h).
+///
+/// Joints begin where their targets are, so this sets targets. A key's own targets hold from the first step on.
+#pragma once
+
+#include <string_view>
+
+#include "murosimf/model/entity.h"
+#include "murosimf/model/keyframe.h"
+
+namespace murosimf::scene {
+
+/// Null for an empty name. Throws SetupError with all names if the model has no such key.
+[[nodiscard]] const Keyframe* find_keyframe(const Model& model, std::string_view name);
+
+/// [rad | m] Where the joint begins; `keyframe` may be null.
+[[nodiscard]] double start_position(const Model& model, const Keyframe* keyframe, int joint);
+
+/// Before the level starts: of the joints that the file says something of; `keyframe` may be null.
+void take_posture(const Keyframe* keyframe, Entity& robot);
+/// After it has started.
+void take_targets(const Keyframe* keyframe, Entity& robot);
+
+}  // namespace murosimf::scene

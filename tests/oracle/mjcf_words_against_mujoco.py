@@ -1,0 +1,170 @@
+#!/usr/bin/env python3
+"""Compares what words of MJCF files do here with what they do in MuJoCo: control ranges, forces, filters, references and
+keys, by where a joint is after a while; copies and attached models, by masses and places of what `murosimf convert` writes.
+
+Usage: mjcf_words_against_mujoco.py <murosimf>
+Exit: 0 all agree, 1 some differ, 77 MuJoCo is not installed (test is skipped).
+"""
+import csv
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+try:
+    import mujoco
+    import numpy as np
+except ImportError as missing:
+    print(f"skipped: {missing}; pip install mujoco")
+    sys.exit(77)
+
+from comparison import Worst
+
+# [rad] Steps of 1 ms here and of 0.1 ms there; joints swing by 1 rad in 0.1 s, so a millisecond is 10 mrad at the worst.
+TOLERANCES = {"joint position": 0.012, "mass": 1e-9, "place": 1e-9}
+TIMES = [0.05, 0.2, 1.0]  # [s]
+
+ARM = """<mujoco><compiler angle="radian"/>{before}<worldbody><body name="b" pos="0 0 1">{free}<geom size=".1"/>
+<body name="l" pos="0 0 .3"><joint name="j" axis="0 1 0" damping=".05" {joint}/><inertial pos="0 0 -.1" mass="1"
+diaginertia=".02 .02 .02"/></body></body></worldbody>{after}</mujoco>"""
+
+
+def actuator(words):
+    return f"<actuator>{words}</actuator>"
+
+
+WIDE = "range='-2 2'"
+PD = "joint='j' kp='30' kv='3'"
+# name: attributes of the joint, sections, control in MuJoCo, target here (None: none is set)
+CASES = {
+    "ctrlrange": (WIDE, actuator(f"<position {PD} ctrlrange='-.2 .3'/>"), 0.9, 0.9),
+    "ctrlrange below": (WIDE, actuator(f"<position {PD} ctrlrange='-.2 .3'/>"), -0.9, -0.9),
+    "gear": (WIDE, actuator("<position joint='j' kp='10' kv='1' ctrlrange='-.2 .6' gear='-2'/>"), 0.9, -0.45),
+    "inheritrange": ("range='-.5 .3'", actuator(f"<position {PD} inheritrange='.5'/>"), 0.9, 0.9),
+    "affine": (WIDE, actuator("<general joint='j' gainprm='60' biastype='affine' biasprm='3 -30 -3' ctrlrange='-1 .2'/>"),
+               0.9, (60 * 0.9 + 3) / 30),
+    "rate": ("", actuator("<velocity joint='j' kv='5' ctrlrange='-1 .5'/>"), 3, 3),
+    "force": (WIDE, actuator(f"<position {PD} forcerange='-.4 .6'/>"), 1.2, 1.2),
+    "force of joint": (f"{WIDE} actuatorfrcrange='-.4 .6'", actuator(f"<position {PD}/>"), -1.2, -1.2),
+    "filter": (WIDE, actuator(f"<position {PD} timeconst='.2'/>"), 0.8, 0.8),
+    "damping ratio": (WIDE, actuator("<position joint='j' kp='30' dampratio='1'/>"), 0.8, 0.8),
+    "reference": ("range='.2 2' ref='.8'", actuator(f"<position {PD}/>"), 0.8, None),
+    "reference and spring": ("ref='.8' springref='-.3' stiffness='6'", actuator("<motor joint='j'/>"), 0, None),
+    "key": (WIDE, actuator(f"<position {PD}/>") + "<keyframe><key name='k' qpos='{base}.7' ctrl='-.4'/></keyframe>", None, None),
+}
+SCENE = """duration = {end}
+rate = 1000
+[field]
+goals = false
+[[robots]]
+name = "a"
+model = "robot.xml"
+level = "articulated_dynamics"
+controller = "none"
+fixed_base = true
+position = [0, 0, 1]
+"""
+
+
+def expected(text, control):
+    """Positions at TIMES in MuJoCo, whose base is fixed; from the first key, if there is one."""
+    model = mujoco.MjModel.from_xml_string(text)
+    model.opt.timestep = 1e-4
+    data = mujoco.MjData(model)
+    if model.nkey:
+        mujoco.mj_resetDataKeyframe(model, data, 0)
+    elif control is not None:
+        data.ctrl[:] = control
+    rows = []
+    for time in TIMES:
+        while data.time < time - 0.5e-4:
+            mujoco.mj_step(model, data)
+        rows.append(data.qpos[0])
+    return rows
+
+
+def found(program, folder, text, target):
+    """The same here."""
+    scene, log = folder / "scene.toml", folder / "log.csv"
+    (folder / "robot.xml").write_text(text, encoding="utf-8")
+    words = SCENE.format(end=TIMES[-1] + 0.01)
+    if "<key " in text:
+        words += 'keyframe = "k"\n'
+    if target is not None:
+        wanted = "joint_velocity_target" if "<velocity" in text else "joint_target"
+        words += f'[[events]]\ntime = 0\nset = ["a.j.{wanted}=[{target}]"]\n'
+    scene.write_text(words, encoding="utf-8")
+    done = subprocess.run([program, "run", str(scene), "--log", "a.j.joint_position", "--out", str(log)],
+                          capture_output=True, text=True)
+    if done.returncode != 0:
+        sys.exit(done.stderr)
+    rows = list(csv.reader(log.read_text(encoding="utf-8").splitlines()))[1:]
+    times, values = np.array([[float(cell) for cell in row[:2]] for row in rows]).T
+    return np.interp(TIMES, times, values)
+
+
+def compare_motion(program, folder, worst):
+    """Where the joint is."""
+    for case, (joint, sections, control, target) in CASES.items():
+        theirs = ARM.format(before="", free="", joint=joint, after=sections.replace("{base}", ""))
+        ours = ARM.format(before="", free="<freejoint/>", joint=joint, after=sections.replace("{base}", "0 0 1 1 0 0 0 "))
+        here, there = found(program, folder, ours, target), expected(theirs, control)
+        for time, x, y in zip(TIMES, here, there, strict=True):
+            worst.note("joint position", f"{case} at {time} s: {x:.4f}, not {y:.4f}", abs(x - y))
+
+
+COPIES = {
+    "replicate": """<mujoco><worldbody><body name="b"><freejoint/><geom size=".1"/>
+<replicate count="2" offset="0 1 0" euler="40 0 0"><replicate count="3" sep="-" offset="1 0 0" euler="0 50 0">
+<body name="l" pos="0 0 .3"><joint name="j" axis="0 1 0"/><geom type="box" size=".1 .2 .3" pos=".1 0 0"/></body>
+</replicate></replicate></body></worldbody></mujoco>""",
+    "attach": """<mujoco><compiler angle="radian"/><asset><model name="arm" file="arm.xml"/></asset><worldbody><body name="b">
+<freejoint/><geom size=".1"/><frame pos="0 .1 0" euler="0 0 1"><attach model="arm" body="up" prefix="l_"/></frame>
+<attach model="arm" body="up" prefix="r_"/></body></worldbody></mujoco>""",
+    "frame": """<mujoco><worldbody><body name="b"><freejoint/><geom size=".1"/><frame euler="0 0 90"><body name="l">
+<frame pos="1 0 0" euler="0 0 90"><joint name="j" axis="1 0 0" pos="0 0 1"/><geom type="box" size=".1 .2 .3"/></frame>
+</body></frame></body></worldbody></mujoco>""",
+}
+ATTACHED = """<mujoco><compiler angle="degree"/><default><geom density="500"/></default><worldbody>
+<body name="up" pos="0 0 1" euler="0 30 0"><joint name="j" axis="0 1 0" range="-90 90"/><geom size=".1"/>
+<body name="low" pos="0 0 -.2" euler="0 0 45"><joint name="k" axis="1 0 0"/><geom type="box" size=".05 .1 .2" pos=".1 0 0"/>
+</body></body></worldbody></mujoco>"""
+
+
+def joint_names(model):
+    return [model.joint(i).name for i in range(1, model.njnt)]
+
+
+def compare_copies(program, folder, worst):
+    """Masses and places of bodies with turned joints, of the file and of what is made of it."""
+    (folder / "arm.xml").write_text(ATTACHED, encoding="utf-8")
+    for case, text in COPIES.items():
+        source, out = folder / f"{case}.xml", folder / f"{case}_converted.xml"
+        source.write_text(text, encoding="utf-8")
+        subprocess.run([program, "convert", str(source), "--out", str(out), "--force"], check=True, capture_output=True)
+        theirs, ours = (mujoco.MjModel.from_xml_path(str(file)) for file in (source, out))
+        if joint_names(theirs) != joint_names(ours):
+            sys.exit(f"{case}: the joints are others: {joint_names(ours)}, not {joint_names(theirs)}")
+        there, here = mujoco.MjData(theirs), mujoco.MjData(ours)
+        for model, state in ((theirs, there), (ours, here)):
+            state.qpos[7:] = [0.3 * (i + 1) for i in range(model.njnt - 1)]
+            mujoco.mj_forward(model, state)
+        worst.note("mass", case, abs(theirs.body_subtreemass[1] - ours.body_subtreemass[1]))
+        for i in range(1, theirs.nbody):
+            name = theirs.body(i).name
+            k = ours.body(name).id
+            apart = (there.xipos[i] - there.xpos[1]) - (here.xipos[k] - here.xpos[1])
+            worst.note("place", f"{case} {name}", np.max(np.abs(apart)))
+
+
+def main(program):
+    worst = Worst(TOLERANCES)
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        compare_motion(program, folder, worst)
+        compare_copies(program, folder, worst)
+    return worst.report()
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1]))
