@@ -8,6 +8,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include "murosimf/files/input_file.h"
+#include "murosimf/files/text_encoding.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::components {
@@ -51,7 +52,7 @@ class Fields {
 
  private:
   static YAML::Node load(const std::string& file) {
-    const std::string text = files::read_input_file(file, files::most_yaml_bytes);
+    const std::string text = files::read_text_file(file, files::most_yaml_bytes);
     try {
       return YAML::Load(text);
     } catch (const YAML::ParserException& error) {

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/files/input_file.h"
+#include "murosimf/files/text_encoding.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::components {
@@ -36,7 +37,7 @@ std::string_view trimmed(std::string_view text) {
 class MatlabFile {
  public:
   explicit MatlabFile(const std::filesystem::path& file) : file_(file.string()) {
-    const std::string text = files::read_input_file(file_, files::most_yaml_bytes);
+    const std::string text = files::read_text_file(file_, files::most_yaml_bytes);
     Value* open = nullptr;  // a list that goes on
     int number = 0;
     for (std::size_t begin = 0; begin <= text.size(); ++number) {

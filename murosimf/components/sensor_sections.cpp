@@ -57,7 +57,9 @@ std::string section(const SensorSpec& spec) {
   if (const auto all = spec.signals.find(""); all != spec.signals.end()) text += signal_toml(all->second);
   for (const auto& [output, signal] : spec.signals) {
     if (output.empty()) continue;
-    text += fmt::format("[sensors.{}.{}]\n{}", spec.name, output, signal_toml(signal));
+    const bool of_number = output.find('.') != std::string::npos;  // in quotes, so that the dot begins no table
+    text +=
+        fmt::format("[sensors.{}.{}]\n{}", spec.name, of_number ? toml_quoted(output) : output, signal_toml(signal));
   }
   return text;
 }

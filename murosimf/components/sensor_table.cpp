@@ -52,6 +52,9 @@ class Changer {
       if (of_part && !known) spec_.part_outputs.insert(output);
       if (!of_part) spec_.part_outputs.erase(output);
       change_signal(spec_.signals.try_emplace(output, spec_.signal(output)).first->second, values);
+      for (auto& [number, signal] : spec_.signals) {
+        if (number.starts_with(output + ".")) change_signal(signal, values);
+      }
     }
   }
 

@@ -12,6 +12,7 @@
 #include "murosimf/sensors/ground_truth.h"
 #include "murosimf/sensors/inertial.h"
 #include "murosimf/sensors/joint_sensors.h"
+#include "murosimf/sensors/joint_wrench.h"
 #include "murosimf/sensors/laser.h"
 #include "murosimf/sensors/sonar.h"
 
@@ -51,6 +52,8 @@ std::vector<SensorType> built_in_types() {
       SensorType{"imu", "gyroscope, accelerometer and orientation in one part", "", Watch::always, make<sensors::Imu>},
       SensorType{"joint_position", "encoders of joints", "joints", Watch::samples, make<sensors::JointPosition>},
       SensorType{"joint_velocity", "rates of joints", "joints", Watch::samples, make<sensors::JointRate>},
+      SensorType{"joint_wrench", "force and moment through a joint or a weld, in axes of the sensor", "", Watch::always,
+                 make<sensors::JointWrench>, sensors::joint_wrench_options().infos()},
       SensorType{"joint_torque", "torque of servo and gear", "joints", Watch::samples, make<sensors::JointTorque>},
       SensorType{"laser", "distances of what a scan of a plane meets", "", Watch::samples, make<sensors::Laser>,
                  sensors::laser_options().infos()},

@@ -61,7 +61,7 @@ class ColumnReader {
 
   TrajectoryColumns read() {
     for (const CsvCell& cell : *line_) {
-      if (files::number_in_cell(cell.text)) {
+      if (cells_->find_number(cell)) {
         cells_->fail(cell.column, "a number where the first line should have a name");
       }
     }

@@ -105,8 +105,10 @@ struct SensorDescription {
   std::string object_kind{};             ///< of `frame` in MJCF: site, xbody, body, joint, ...
   std::map<std::string, sensors::SignalSpec> signals{};  ///< by output of the sensor that it becomes; "": of all
   std::map<std::string, double> numbers{};               ///< SensorSpec::numbers
-  std::string obstacle{};                                ///< why it is not simulated; empty: nothing known
-  std::string becomes{};                                 ///< SensorSpec::name (robot_sensors.h); empty: none
+  std::map<std::string, std::string> texts{};  ///< SensorSpec::texts; what names objects, by names of the file
+  std::string behind{};    ///< of a sensor of forces inside the robot: the body at which it is cut; empty: none
+  std::string obstacle{};  ///< why it is not simulated; empty: nothing known
+  std::string becomes{};   ///< SensorSpec::name (robot_sensors.h); empty: none
 };
 
 /// A posture that the file names (MJCF key).

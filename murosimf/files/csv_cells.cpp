@@ -1,17 +1,34 @@
 #include "murosimf/files/csv_cells.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "murosimf/files/input_file.h"
+#include "murosimf/files/text_encoding.h"
 #include "murosimf/files/text_lines.h"
 #include "murosimf/files/xml_element.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::files {
 namespace {
+
+/// What stands most often between the names of a header, outside quotes and units in brackets; a comma if in doubt.
+char separator_of(std::string_view header) {
+  std::array<std::pair<char, int>, 3> counts{{{',', 0}, {';', 0}, {'\t', 0}}};
+  bool quoted = false;
+  int brackets = 0;
+  for (const char c : header) {
+    if (c == '"') quoted = !quoted;
+    if (quoted) continue;
+    brackets = std::max(0, brackets + (c == '[') - (c == ']'));
+    for (auto& [separator, count] : counts) count += brackets == 0 && c == separator;
+  }
+  return std::ranges::max_element(counts, {}, &std::pair<char, int>::second)->first;
+}
 
 std::string_view trimmed(std::string_view text) {
   const auto begin = text.find_first_not_of(" \t");
@@ -29,18 +46,36 @@ CsvHeader csv_header(std::string_view cell) {
 
 bool is_blank(const CsvCell& cell) { return trimmed(cell.text).empty(); }
 
-std::optional<double> number_in_cell(std::string_view text) {
-  text = trimmed(text);
-  if (text.starts_with('+')) text.remove_prefix(1);
-  double number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return number;
+CsvCells::CsvCells(const std::filesystem::path& file)
+    : name_(file.string()), text_(read_text_file(file, most_table_bytes)) {
+  find_separator();
 }
 
-CsvCells::CsvCells(const std::filesystem::path& file) : name_(file.string()) {
-  text_ = read_input_file(file, most_table_bytes);
-  if (text_.starts_with("\xef\xbb\xbf")) place_ = 3;  // byte order mark
+void CsvCells::find_separator() {
+  place_ = std::min(text_.find_first_not_of("\r\n"), text_.size());
+  const std::string_view first = std::string_view(text_).substr(place_, text_.find_first_of("\r\n", place_) - place_);
+  line_ =
+      static_cast<std::size_t>(std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(place_), '\n'));
+  if (first.size() == 5 && first.starts_with("sep=")) {
+    separator_ = first.back();
+    place_ = std::min(text_.find('\n', place_), text_.size() - 1) + 1;
+    ++line_;
+    return;
+  }
+  separator_ = separator_of(first);
+}
+
+std::optional<double> CsvCells::find_number(const CsvCell& cell) const {
+  std::string_view text = trimmed(cell.text);
+  if (text.starts_with('+')) text.remove_prefix(1);
+  std::string with_point(text);
+  const bool decimal_comma = separator_ != ',' && text.find('.') == std::string_view::npos;
+  if (const auto comma = with_point.find(','); decimal_comma && comma != std::string::npos) with_point[comma] = '.';
+  double number = 0;
+  const char* last = with_point.data() + with_point.size();
+  const auto [end, error] = std::from_chars(with_point.data(), last, number);
+  if (error != std::errc{} || end != last) return std::nullopt;
+  return number;
 }
 
 bool CsvCells::next(std::vector<CsvCell>& cells) {
@@ -50,7 +85,7 @@ bool CsvCells::next(std::vector<CsvCell>& cells) {
 }
 
 double CsvCells::number(const CsvCell& cell) const {
-  if (const auto number = number_in_cell(cell.text)) return *number;
+  if (const auto number = find_number(cell)) return *number;
   fail(cell.column, fmt::format("{} is no number", files::quoted(cell.text)));
 }
 
@@ -70,7 +105,7 @@ void CsvCells::read_line(std::vector<CsvCell>& cells) {
     cells.push_back({{}, 1 + place_ - line_begin_});
     read_cell(cells.back());
     if (at_end_of_line()) break;
-    ++place_;  // the comma
+    ++place_;  // the separator
   }
   place_ = std::min(text_.size(), text_.find('\n', place_));
   if (place_ < text_.size()) ++place_;
@@ -78,7 +113,7 @@ void CsvCells::read_line(std::vector<CsvCell>& cells) {
 
 void CsvCells::read_cell(CsvCell& cell) {
   if (place_ < text_.size() && text_[place_] == '"') return read_quoted(cell);
-  while (!at_end_of_line() && text_[place_] != ',') cell.text += text_[place_++];
+  while (!at_end_of_line() && text_[place_] != separator_) cell.text += text_[place_++];
 }
 
 void CsvCells::read_quoted(CsvCell& cell) {
@@ -92,7 +127,9 @@ void CsvCells::read_quoted(CsvCell& cell) {
   }
   if (place_ >= text_.size()) fail(cell.column, "this quotation has no end");
   ++place_;
-  if (!at_end_of_line() && text_[place_] != ',') fail(1 + place_ - line_begin_, "a comma is missing behind the quotes");
+  if (at_end_of_line() || text_[place_] == separator_) return;
+  const std::string_view what = separator_ == ',' ? "comma" : separator_ == '\t' ? "tab" : "semicolon";
+  fail(1 + place_ - line_begin_, fmt::format("a {} is missing behind the quotes", what));
 }
 
 }  // namespace murosimf::files

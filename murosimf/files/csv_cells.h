@@ -1,4 +1,8 @@
 /// csv_cells.h - the cells of a file of comma-separated values (RFC 4180), line by line; each knows where it stands.
+///
+/// Semicolons and tabs separate cells, too, as spreadsheets of many countries write them: the separator is what the first line has
+/// most of, outside quotes and brackets, or what a line "sep=;" before it says. Where it is no comma, numbers may have a decimal
+/// comma: 0,5. The file may be in any encoding of Unicode (text_encoding.h).
 #pragma once
 
 #include <cstddef>
@@ -23,9 +27,6 @@ struct CsvHeader {
 
 /// Empty, or nothing but blanks and tabs.
 [[nodiscard]] bool is_blank(const CsvCell& cell);
-/// Nothing if the text is no number; nan and inf are numbers.
-[[nodiscard]] std::optional<double> number_in_cell(std::string_view text);
-
 class CsvCells {
  public:
   /// Throws SetupError if the file cannot be read.
@@ -33,6 +34,8 @@ class CsvCells {
 
   /// Writes the cells of the next line that has any; false at the end of the file. Throws SetupError.
   bool next(std::vector<CsvCell>& cells);
+  /// Nothing if the cell is no number; nan and inf are numbers.
+  [[nodiscard]] std::optional<double> find_number(const CsvCell& cell) const;
   /// Throws SetupError if the cell is no number.
   [[nodiscard]] double number(const CsvCell& cell) const;
 
@@ -40,12 +43,14 @@ class CsvCells {
   [[noreturn]] void fail(std::size_t column, const std::string& message) const;
 
  private:
+  void find_separator();
   [[nodiscard]] bool at_end_of_line() const;
   void read_line(std::vector<CsvCell>& cells);
   void read_cell(CsvCell& cell);
   void read_quoted(CsvCell& cell);
 
   std::string name_, text_;
+  char separator_ = ',';
   std::size_t place_ = 0, line_begin_ = 0, line_ = 0, lines_in_cells_ = 0;
 };
 

@@ -24,7 +24,7 @@ CsvTable read_header(CsvCells& reader, std::vector<Cell>& cells) {
   CsvTable table;
   table.time = cells[0].text;
   for (const Cell& cell : cells) {
-    if (number_in_cell(cell.text)) reader.fail(cell.column, "a number where the first line should have a name");
+    if (reader.find_number(cell)) reader.fail(cell.column, "a number where the first line should have a name");
     if (&cell != &cells[0]) table.columns.push_back(column_named(cell.text));
   }
   if (table.columns.empty()) reader.fail(1, "there must be a column of time and at least one more");

@@ -1,4 +1,4 @@
-/// csv_file.h - reads a table of comma-separated numbers over time, with a header: those of --log, and others.
+/// csv_file.h - reads a table of numbers over time, separated by commas, semicolons or tabs, with a header: those of --log, and others.
 ///
 /// RFC 4180: cells may be in quotes, lines may end with CR LF. The first column is the time. A cell may be empty: that
 /// column has nothing at that time. nan and inf are numbers.

@@ -22,6 +22,18 @@ TextLines::TextLines(const std::filesystem::path& file, bool backslash_joins)
   check_input_file(file, most_mesh_bytes);
   stream_.open(file, std::ios::binary);
   if (!stream_) throw SetupError(one_line(fmt::format("{}: the file cannot be read", name_)));
+  skip_mark();
+}
+
+void TextLines::skip_mark() {
+  std::string mark(3, '\0');
+  stream_.read(mark.data(), static_cast<std::streamsize>(mark.size()));
+  if (mark.starts_with("\xff\xfe") || mark.starts_with("\xfe\xff")) {
+    throw SetupError(one_line(fmt::format("{}: the file is UTF-16; save it as UTF-8", name_)));
+  }
+  if (mark == "\xef\xbb\xbf") return;
+  stream_.clear();
+  stream_.seekg(0);
 }
 
 bool TextLines::next() {

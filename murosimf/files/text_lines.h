@@ -11,7 +11,8 @@ namespace murosimf::files {
 
 class TextLines {
  public:
-  /// `backslash_joins`: a line that ends with a backslash goes on in the next one.
+  /// `backslash_joins`: a line that ends with a backslash goes on in the next one. Throws SetupError if the file cannot be
+  /// read, or is UTF-16; a byte order mark of UTF-8 is skipped.
   explicit TextLines(const std::filesystem::path& file, bool backslash_joins = false);
 
   /// Goes to the next line; false at the end of the file. Throws SetupError for a line of more than 65,535 characters,
@@ -26,6 +27,8 @@ class TextLines {
   [[noreturn]] void fail(std::string_view message) const;
 
  private:
+  void skip_mark();
+
   std::array<char, 1 << 16> buffer_{};
   std::string name_;
   std::ifstream stream_;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/files/input_file.h"
+#include "murosimf/files/text_encoding.h"
 #include "murosimf/files/toml_bounds.h"
 #include "murosimf/files/xml_element.h"
 #include "murosimf/model/error.h"
@@ -29,7 +30,7 @@ double number_of(const toml::node& node) {
 }  // namespace
 
 toml::table parse_toml_file(const std::filesystem::path& file) {
-  const std::string text = read_input_file(file, most_toml_bytes);
+  const std::string text = read_text_file(file, most_toml_bytes);
   check_toml_bounds(text, file.string());
   try {
     return toml::parse(text, file.string());

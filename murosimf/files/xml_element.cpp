@@ -8,7 +8,9 @@
 #include <fmt/format.h>
 #include <tinyxml2.h>
 
+#include "murosimf/files/file_spelling.h"
 #include "murosimf/files/input_file.h"
+#include "murosimf/files/text_encoding.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::files {
@@ -33,7 +35,7 @@ std::unique_ptr<XmlSource> read_source(const std::filesystem::path& file) {
   source->name = file.string();
   const std::string& name = source->name;
   tinyxml2::XMLDocument& document = source->document;
-  const std::string text = read_input_file(file, most_xml_bytes);
+  const std::string text = xml_to_utf8(read_input_file(file, most_xml_bytes), file);
   const auto error = document.Parse(text.data(), text.size());
   if (error != tinyxml2::XML_SUCCESS || !document.RootElement()) {
     const int line = std::max(1, document.ErrorLineNum());
@@ -184,7 +186,7 @@ void XmlFile::follow_includes(XmlSource& source, const XmlElement& element, cons
     }
     const auto name = child.attribute("file");
     if (!name || name->empty()) child.fail("include without a file; add file=\"...\"");
-    const auto path = folder / *name;
+    const auto path = find_spelled(folder, *name).value_or(folder / *name);
     for (const auto& other : sources_) {
       std::error_code none;
       if (std::filesystem::equivalent(other->name, path, none)) {

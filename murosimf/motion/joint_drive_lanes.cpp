@@ -54,7 +54,8 @@ JointDriveLanes::Answer JointDriveLanes::drive(std::size_t link, int object, con
       input.damping = tuning.damping;
       input.limit = tuning.limit;
     }
-    const auto torque = joint.law->torque_in_lanes(input, dt);
+    auto torque = joint.law->torque_in_lanes(input, dt);
+    limit_rate(joint.rate_limit, input.enabled, qd, dt, torque);
     answer.gear = joint.gear;
     answer.motor_torque = torque.now;
     answer.motor = {torque.torque, torque.inertia};

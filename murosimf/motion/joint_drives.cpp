@@ -29,6 +29,8 @@ JointDrives::JointDrives(Setup& setup, const std::string& law)
     joints_[i] = make_joint(setup.model(), i, law);
     const auto& [lowest, highest] = bus_.coupled().range(i);
     joints_[i].end = joint_stop(setup.model(), i, lowest, highest);
+    const Servo* servo = setup.model().find(properties::servo, i);
+    if (servo) joints_[i].rate_limit = rate_limit(*servo, bus_.coupled().rate_limit(i));
     if (backlash_.at(i) || condition_.heats(i)) remembering_.push_back(i);
   }
 }
@@ -67,7 +69,9 @@ void JointDrives::take_over(std::span<const double> qd) noexcept {
 MotorTorque JointDrives::motor(int i, double q, double rate, double dt) const noexcept {
   MotorInput input{.target = bus_.target(i), .q = q, .rate = rate};
   condition_.fill(i, input);
-  return joints_[i].law->torque(input, dt);
+  MotorTorque torque = joints_[i].law->torque(input, dt);
+  limit_rate(joints_[i].rate_limit, input.enabled, rate, dt, torque);
+  return torque;
 }
 
 void JointDrives::drive_servo(int i, double q, double qd, double dt, Answer& answer) const noexcept {

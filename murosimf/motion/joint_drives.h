@@ -1,7 +1,7 @@
 /// joint_drives.h - everything that acts on the joints of a robot from inside: servos, dampers, springs and dry friction,
 /// the ends of their range (joint_stop.h).
 ///
-/// A joint without servo is free. Torques are linearly implicit in the joint's acceleration of this step, tau = torque -
+/// A joint without servo is free. No servo drives its joint faster than the joint's limit (rate_limit.h). Torques are linearly implicit in the joint's acceleration of this step, tau = torque -
 /// inertia qdd: implicit Euler of the linearized drive. With h = 0 the answer is the plain torque of this instant. Dry
 /// friction is a budget that the level spends (multibody/friction_solver.h).
 /// Springs are the exception: implicit Euler would brake what swings, like a damper of h k. They are average
@@ -22,6 +22,7 @@
 #include "murosimf/motion/joint_drive.h"
 #include "murosimf/motion/joint_stop.h"
 #include "murosimf/motion/passive_joint.h"
+#include "murosimf/motion/rate_limit.h"
 #include "murosimf/motion/servo_bus.h"
 #include "murosimf/motion/servo_condition.h"
 #include "murosimf/motion/servo_law.h"
@@ -78,6 +79,7 @@ class JointDrives {
   struct Joint {
     std::unique_ptr<ServoLaw> law;
     double rotor = 0;                    // [kg m^2 | kg]
+    RateLimit rate_limit;                // of its servo
     PassiveJoint passive;                // damper and spring of the joint itself
     double viscous = 0;                  // [N m s/rad] of the servo
     double coulomb = 0;                  // [N m | N] dry friction of the joint itself

@@ -58,6 +58,7 @@ JointReference::JointReference(Setup& setup, const JointReferenceOptions& option
     leader_[pair.follower] = pair.leader;
     ratio_[pair.follower] = pair.ratio;
   }
+  limited_ = std::ranges::any_of(setup.model().joints(), [&](int i) { return std::isfinite(coupled_.rate_limit(i)); });
   if (options_.kind == ReferenceKind::linear) cycle_target_ = setup.write(properties::cycle_target);
 }
 
@@ -87,6 +88,12 @@ MUROSIMF_INLINE double JointReference::limited_target(int joint) const noexcept 
   return std::clamp(target_[joint], lowest, highest);
 }
 
+MUROSIMF_INLINE double JointReference::limited_rate(int joint, double rate) const noexcept {
+  if (!limited_) return rate;
+  const double most = coupled_.rate_limit(joint);
+  return std::clamp(rate, -most, most);
+}
+
 MUROSIMF_INLINE double JointReference::target(int joint) const noexcept {
   return limited_target(joint) + offset_[joint];
 }
@@ -100,6 +107,7 @@ void JointReference::fade_offsets(double dt) noexcept {
 void JointReference::stop_at_limits(PoseColumns& columns) const noexcept {
   for (const int i : columns.model.joints()) {
     const auto& [lowest, highest] = coupled_.range(i);
+    if (limited_) columns.qd[i] = limited_rate(i, columns.qd[i]);
     if (columns.q[i] >= lowest && columns.q[i] <= highest) continue;
     columns.q[i] = std::clamp(columns.q[i], lowest, highest);
     columns.qd[i] = 0;
@@ -137,8 +145,10 @@ double JointReference::acceleration(const PoseColumns& columns, int joint) const
   const double wf = options_.filter_frequency;
   const int leader = leader_[joint];
   if (leader != joint) return ratio_[joint] * acceleration(columns, leader);
-  if (turning_.contains(joint)) return wf * (turning_.target(joint) - columns.qd[joint]);
-  return wf * wf * (target(joint) - columns.q[joint]) - 2 * wf * columns.qd[joint];
+  const double qd = columns.qd[joint];
+  const double qdd = turning_.contains(joint) ? wf * (turning_.target(joint) - qd)
+                                              : wf * wf * (target(joint) - columns.q[joint]) - 2 * wf * qd;
+  return std::abs(qd) >= coupled_.rate_limit(joint) && qd * qdd > 0 ? 0 : qdd;
 }
 
 void JointReference::check(Integrator integrator) const {
@@ -154,6 +164,7 @@ void JointReference::filter(PoseColumns& columns, double dt) const noexcept {
     double& q = columns.q[i];
     double& qd = columns.qd[i];
     qd += dt * (wf * wf * (target(i) - q - dt * qd) - 2 * wf * qd) * inverse;
+    qd = limited_rate(i, qd);
     q += dt * qd;
   }
 }
@@ -161,15 +172,16 @@ void JointReference::filter(PoseColumns& columns, double dt) const noexcept {
 void JointReference::follow_exactly(PoseColumns& columns, double dt) const noexcept {
   for (const int i : turning_.others()) {
     const double goal = target(i);
-    columns.qd[i] = (goal - columns.q[i]) / dt;
-    columns.q[i] = goal;
+    const double rate = (goal - columns.q[i]) / dt, limited = limited_rate(i, rate);
+    columns.qd[i] = limited;
+    columns.q[i] = limited == rate ? goal : columns.q[i] + dt * limited;
   }
 }
 
 void JointReference::turn(PoseColumns& columns, double dt) const noexcept {
   const double gain = dt * options_.filter_frequency / (1 + options_.filter_frequency * dt);
   for (const int i : turning_.joints()) {
-    columns.qd[i] += gain * (turning_.target(i) - columns.qd[i]);
+    columns.qd[i] = limited_rate(i, columns.qd[i] + gain * (turning_.target(i) - columns.qd[i]));
     columns.q[i] += dt * columns.qd[i];
   }
   turning_.wrap(columns.q);
@@ -183,7 +195,7 @@ void JointReference::linear(PoseColumns& columns, double dt) noexcept {
     offset_[i] = faded(offset_[i], dt);
     if (goal != cycle_target_[i]) {
       cycle_target_[i] = goal;
-      qd = (goal - q) / options_.control_period;
+      qd = limited_rate(i, (goal - q) / options_.control_period);
     } else if (std::abs(goal - q) < 1e-12) {
       qd = 0;
     }

@@ -20,6 +20,8 @@
 /// is added to the target (filter, exact) or to the line (linear), and fades: nothing jerks the base. Implicit Euler.
 /// A joint that follows another one (mimic_joints.h) is where that takes it; its own target means nothing.
 /// Targets are held to the joint's range and its joint_target_range.
+/// No joint is faster than its largest rate (joint_rate_limit): the filter's rate is cut off there, a line is as steep as it may be, and
+/// what would follow exactly comes later.
 /// Joints stop at the ends of their range (joint_range), at rest. Same state (q, qd) as a simulated servo, so levels can be
 /// exchanged.
 #pragma once
@@ -75,6 +77,7 @@ class JointReference {
 
  private:
   [[nodiscard]] double limited_target(int joint) const noexcept;
+  [[nodiscard]] double limited_rate(int joint, double rate) const noexcept;
   [[nodiscard]] double target(int joint) const noexcept;
   void filter(PoseColumns& columns, double dt) const noexcept;
   void linear(PoseColumns& columns, double dt) noexcept;
@@ -89,6 +92,7 @@ class JointReference {
   std::vector<MimicJoints::Range> target_range_;  // by object
   std::vector<int> leader_;                       // [objects] whom a joint follows; itself if nobody
   std::vector<double> ratio_;                     // [objects] to that one
+  bool limited_ = false;                          // some joint has a largest rate
   std::span<double> cycle_target_;                // [rad | m] the target that the present cycle runs to (linear only)
 };
 

@@ -8,6 +8,7 @@
 
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
+#include "murosimf/motion/rate_limit.h"
 #include "murosimf/motion/servo_law.h"
 
 namespace murosimf::motion {
@@ -44,7 +45,9 @@ void refuse_wheels(const Model& model, const MimicJoints::Pair& pair) {
 
 }  // namespace
 
-MimicJoints::MimicJoints(const Model& model) : ranges_(static_cast<std::size_t>(model.size()), {-infinity, infinity}) {
+MimicJoints::MimicJoints(const Model& model)
+    : ranges_(static_cast<std::size_t>(model.size()), {-infinity, infinity}), rate_limits_(ranges_.size(), infinity) {
+  for (const int i : model.having(properties::joint_rate_limit)) rate_limits_[i] = joint_rate_limit(model, i);
   for (const int i : model.having(properties::joint_range)) {
     const Vec3d& range = *model.find(properties::joint_range, i);
     ranges_[i] = {range.x, range.y};
@@ -71,6 +74,8 @@ void MimicJoints::narrow(const Model& model) {
     low = (low - pair.offset) / pair.ratio;
     high = (high - pair.offset) / pair.ratio;
     if (low > high) std::swap(low, high);
+    double& rate = rate_limits_[pair.leader];
+    rate = std::min(rate, rate_limit(pair.follower) / std::abs(pair.ratio));
     Range& leader = ranges_[pair.leader];
     leader = {std::max(leader.lowest, low), std::min(leader.highest, high)};
     if (leader.lowest <= leader.highest) continue;

@@ -1,7 +1,7 @@
 /// mimic_joints.h - joints that another joint takes along (joint_coupling): position = offset + ratio * leader's.
 ///
 /// A joint that follows a follower counts as one that follows the first leader. A leader's range is narrowed to what its
-/// followers' ranges let it do, so that no follower has to leave its own.
+/// followers' ranges let it do, so that no follower has to leave its own; and so is its largest rate (rate_limit.h).
 #pragma once
 
 #include <span>
@@ -32,6 +32,8 @@ class MimicJoints {
   [[nodiscard]] bool empty() const { return pairs_.empty(); }
   /// Where a joint (an object of the model) can stand; without a range, anywhere.
   [[nodiscard]] const Range& range(int joint) const { return ranges_[static_cast<std::size_t>(joint)]; }
+  /// [rad/s | m/s] The largest rate of a joint; infinite: none.
+  [[nodiscard]] double rate_limit(int joint) const { return rate_limits_[static_cast<std::size_t>(joint)]; }
   /// Followers go where their leaders are; by object.
   void follow(std::span<double> q, std::span<double> qd) const noexcept;
 
@@ -40,7 +42,8 @@ class MimicJoints {
   void narrow(const Model& model);
 
   std::vector<Pair> pairs_;
-  std::vector<Range> ranges_;  // by object
+  std::vector<Range> ranges_;        // by object
+  std::vector<double> rate_limits_;  // [rad/s | m/s] by object
 };
 
 }  // namespace murosimf::motion

@@ -26,6 +26,7 @@ inline constexpr Property<double>   joint_damping    {{"joint_damping", "N m s/r
 inline constexpr Property<double>   joint_armature   {{"joint_armature", "kg m^2 | kg", "joint", "inertia of the rotor behind the gear"}};
 inline constexpr Property<double>   joint_friction   {{"joint_friction", "N m | N", "joint", "Coulomb friction"}};
 inline constexpr Property<double>   joint_stiffness  {{"joint_stiffness", "N m/rad | N/m", "joint", "of a spring that acts whatever the servo does"}};
+inline constexpr Property<double>   joint_rate_limit {{"joint_rate_limit", "rad/s | m/s", "joint", "largest rate to which it is driven; 0: none"}};
 inline constexpr Property<double>   joint_spring_reference {{"joint_spring_reference", "rad | m", "joint", "position at which that spring is slack"}};
 inline constexpr Property<JointCoupling> joint_coupling {{"joint_coupling", "-", "joint", "the joint that this one follows, and how"}};
 

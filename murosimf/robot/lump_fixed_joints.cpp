@@ -30,7 +30,7 @@ void weld(description::BodyDescription& body, description::BodyDescription& pare
 
 }  // namespace
 
-void weld_fixed_bodies(description::RobotDescription& description) {
+void weld_fixed_bodies(description::RobotDescription& description, const std::set<std::string>& measured) {
   std::vector<description::BodyDescription> kept;
   std::vector<int> index;          // of each body, or of the one that it is welded to, among those kept
   std::vector<Transformd> welded;  // of each body in that one
@@ -39,10 +39,10 @@ void weld_fixed_bodies(description::RobotDescription& description) {
       body.place = welded[body.parent] * body.place;
       body.parent = index[body.parent];
     }
-    const bool moves = body.parent < 0 || !body.joints.empty();
-    index.push_back(moves ? static_cast<int>(kept.size()) : body.parent);
-    welded.push_back(moves ? Transformd{} : body.place);
-    if (moves) {
+    const bool stays = body.parent < 0 || !body.joints.empty() || measured.contains(body.name);
+    index.push_back(stays ? static_cast<int>(kept.size()) : body.parent);
+    welded.push_back(stays ? Transformd{} : body.place);
+    if (stays) {
       kept.push_back(std::move(body));
     } else {
       weld(body, kept[body.parent]);

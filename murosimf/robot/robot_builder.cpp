@@ -123,6 +123,7 @@ class Builder {
   void add_joint_constants(Chain& chain, const description::JointDescription& joint) const {
     if (joint.range) chain.with(properties::joint_range, *joint.range);
     if (joint.reference != 0) chain.with(properties::joint_start, joint.reference);
+    if (joint.rate_limit > 0) chain.with(properties::joint_rate_limit, joint.rate_limit);
     if (joint.stiffness > 0) {
       chain.with(properties::joint_stiffness, joint.stiffness);
       chain.with(properties::joint_spring_reference, joint.spring_reference);
@@ -231,7 +232,7 @@ class Builder {
       chain.with(properties::mass, body.solid.mass);
       chain.with(properties::center_of_mass, body.solid.center);
       chain.with(properties::inertia, body.solid.inertia);
-    } else {
+    } else if (!body.joints.empty() || body.parent < 0) {
       description_.warnings.push_back(
           files::one_line(fmt::format("{}: body '{}' moves but has no mass; add an inertial", body.where, body.name)));
     }

@@ -1,6 +1,7 @@
 #include "murosimf/robot/robot_config.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -24,6 +25,8 @@ class Reader {
         read_other_names(table_of(key, value), table_.frames);
       } else if (key == "joints") {
         read_other_names(table_of(key, value), table_.joints);
+      } else if (key == "rate_limits") {
+        read_rate_limits(table_of(key, value));
       } else if (key == "surfaces") {
         read_surfaces(table_of(key, value));
       } else if (key == "meshes") {
@@ -33,7 +36,7 @@ class Reader {
       } else if (key == "sensors") {
         table_.sensors = components::read_sensor_tables(table_of(key, value));
       } else {
-        unknown("table", key, {"soles", "frames", "joints", "surfaces", "meshes", "servos", "sensors"});
+        unknown("table", key, {"soles", "frames", "joints", "rate_limits", "surfaces", "meshes", "servos", "sensors"});
       }
     }
     return table_;
@@ -65,6 +68,16 @@ class Reader {
 
   void read_other_names(const toml::table& names, std::map<std::string, TableName>& others) {
     for (const auto& [key, value] : names) others[std::string(key.str())] = name_of(key, value);
+  }
+
+  void read_rate_limits(const toml::table& limits) {
+    for (const auto& [key, value] : limits) {
+      const auto numbers = value.is_array() ? std::nullopt : files::numbers_of(value);
+      if (!numbers || !std::isfinite(numbers->front()) || numbers->front() < 0) {
+        files::fail_at(value.source(), fmt::format("the largest rate of '{}' must be a number from 0", key.str()));
+      }
+      table_.rate_limits[std::string(key.str())] = {numbers->front(), files::where(key.source())};
+    }
   }
 
   void read_surfaces(const toml::table& surfaces) {
@@ -144,6 +157,7 @@ void check_names(const RobotConfig& table, const RobotNames& names) {
   std::vector<std::string> objects = places;
   objects.insert(objects.end(), names.joints.begin(), names.joints.end());
   for (const auto& [joint, servo] : table.servos) check_name({joint, servo.where}, "joint", names.joints);
+  for (const auto& [joint, limit] : table.rate_limits) check_name({joint, limit.where}, "joint", names.joints);
   for (const auto& [body, surface] : table.surfaces) check_name({body, surface.where}, "body", names.bodies);
   for (const TableName& mesh : table.part_per_group) check_name(mesh, "mesh", names.meshes);
   for (const TableName& sole : table.soles) check_name(sole, "frame", places);

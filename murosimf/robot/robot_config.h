@@ -11,6 +11,9 @@
 ///     [joints]                     # other names for joints
 ///     LHipYaw = "Left_Hip_Yaw"
 ///
+///     [rate_limits]                # [rad/s | m/s] largest rates of joints (URDF has them itself); 0: none
+///     LHipYaw = 5.5
+///
 ///     [surfaces]                   # materials of the pair table (model/material.h), by body
 ///     default = "plastic"
 ///     l_foot = "rubber"
@@ -48,11 +51,17 @@ struct TableServo {
   std::string where;
 };
 
+struct TableNumber {
+  double number = 0;
+  std::string where;
+};
+
 struct RobotConfig {
   std::vector<TableName> soles;
   std::vector<std::string> sole_frames;          ///< where the soles are, once they are placed (role_inference.h)
   std::map<std::string, TableName> frames;       ///< frame, body or joint by its other name
   std::map<std::string, TableName> joints;       ///< joint by its other name
+  std::map<std::string, TableNumber> rate_limits;  ///< [rad/s | m/s] by joint
   std::string default_surface;                   ///< empty: none
   std::map<std::string, TableName> surfaces;     ///< material by body
   std::map<std::string, TableServo> servos;      ///< by joint

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/components/sensor_sections.h"
+#include "murosimf/components/servo_sections.h"
 #include "murosimf/files/input_file.h"
 #include "murosimf/formats/mjcf/mjcf_sensor.h"
 #include "murosimf/formats/mjcf/mjcf_writer.h"
@@ -57,6 +58,17 @@ void take_gains(const RobotConfig& table, description::RobotDescription& descrip
   }
 }
 
+/// The largest rates of joints, for which MJCF has no word, as a section of the table, which has none.
+std::string rate_limits_toml(const description::RobotDescription& description) {
+  std::string text;
+  for (const description::BodyDescription& body : description.bodies) {
+    for (const description::JointDescription& joint : body.joints) {
+      if (joint.rate_limit > 0) text += fmt::format("{} = {}\n", components::toml_quoted(joint.name), joint.rate_limit);
+    }
+  }
+  return text.empty() ? "" : "\n[rate_limits]  # [rad/s | m/s]\n" + text;
+}
+
 void count(const description::RobotDescription& description, RobotConversion& result) {
   result.bodies = static_cast<int>(description.bodies.size());
   for (const description::BodyDescription& body : description.bodies) {
@@ -82,6 +94,12 @@ RobotConversion convert_robot(const fs::path& file, const ConversionOptions& opt
   result.own_table = fs::exists(table, none);
   result.toml = result.own_table ? files::read_input_file(table, files::most_toml_bytes)
                                  : roles_toml(robot.description, robot.table);
+  if (robot.table.rate_limits.empty()) {
+    result.toml += rate_limits_toml(description);
+  } else if (!rate_limits_toml(description).empty()) {
+    result.warnings.push_back(fmt::format("{}: largest rates of other joints than those of the table are left out",
+                                          description.bodies[0].where));
+  }
   result.toml += components::sensor_sections(sensors_for_table(robot, description, result.warnings));
   return result;
 }

@@ -9,8 +9,8 @@
 #include "murosimf/files/xml_element.h"
 #include "murosimf/formats/mjcf/mjcf_reader.h"
 #include "murosimf/formats/mjcf/mjcf_schema.h"
+#include "murosimf/formats/urdf/gazebo_schema.h"
 #include "murosimf/formats/urdf/urdf_reader.h"
-#include "murosimf/formats/urdf/urdf_schema.h"
 
 namespace murosimf::robot {
 namespace {
@@ -20,7 +20,7 @@ std::vector<RobotFormat> built_in_formats() {
       RobotFormat{"mjcf", "the format of MuJoCo", ".xml", "mujoco", formats::mjcf::read_mjcf,
                   formats::mjcf::mjcf_schema},
       RobotFormat{"urdf", "the format of ROS, with gazebo blocks", ".urdf .xml", "robot", formats::urdf::read_urdf,
-                  formats::urdf::urdf_schema},
+                  formats::urdf::urdf_words},
   };
 }
 

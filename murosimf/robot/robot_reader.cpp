@@ -8,6 +8,7 @@
 #include "murosimf/robot/robot_formats.h"
 #include "murosimf/robot/robot_sensors.h"
 #include "murosimf/robot/role_inference.h"
+#include "murosimf/robot/sensor_cuts.h"
 
 namespace murosimf::robot {
 namespace {
@@ -16,6 +17,15 @@ namespace {
 void apply_surfaces(description::RobotDescription& description, const RobotConfig& table) {
   for (description::BodyDescription& body : description.bodies) {
     for (description::ShapeDescription& shape : body.shapes) shape.placed.surface.material = table.surface(body.name);
+  }
+}
+
+void apply_rate_limits(description::RobotDescription& description, const RobotConfig& table) {
+  for (description::BodyDescription& body : description.bodies) {
+    for (description::JointDescription& joint : body.joints) {
+      const auto found = table.rate_limits.find(joint.name);
+      if (found != table.rate_limits.end()) joint.rate_limit = found->second.number;
+    }
   }
 }
 
@@ -40,7 +50,8 @@ RobotFile read_robot(const std::filesystem::path& file, const description::Reade
   robot.description = format_of(file).read(file, all);
   check_names(table, robot.description);
   apply_surfaces(robot.description, table);
-  weld_fixed_bodies(robot.description);
+  apply_rate_limits(robot.description, table);
+  weld_fixed_bodies(robot.description, find_cuts(robot.description, table));
   if (options.guess) guess_roles(robot.description, table);
   place_soles(robot.description, table);
   robot.model = build_model(robot.description, table);

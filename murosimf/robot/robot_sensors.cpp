@@ -21,15 +21,14 @@ struct Kind {
 
 constexpr double usual_camera_rate = 25;  // [Hz] where the file does not say: steps of 1, 2, 4, 5, 8 ms divide into it
 
-constexpr std::string_view contacts_only = "it shows contact forces of its link, not what its mass adds";
 constexpr std::string_view whole_link = "it shows the contact forces of the whole link";
 
 constexpr std::array kinds{Kind{"accelerometer", "accelerometer", ""},
                            Kind{"actuatorfrc", "joint_torque", ""},
                            Kind{"camera", "camera", ""},
                            Kind{"contact", "contact_force", ""},
-                           Kind{"force", "force_torque", contacts_only},
-                           Kind{"force_torque", "force_torque", contacts_only},
+                           Kind{"force", "joint_wrench", ""},
+                           Kind{"force_torque", "joint_wrench", ""},
                            Kind{"frameangvel", "angular_velocity", ""},
                            Kind{"framelinvel", "linear_velocity", ""},
                            Kind{"framepos", "position", ""},
@@ -45,7 +44,7 @@ constexpr std::array kinds{Kind{"accelerometer", "accelerometer", ""},
                            Kind{"rangefinder", "rangefinder", "nothing found is infinity, not -1"},
                            Kind{"ray", "laser", ""},
                            Kind{"subtreecom", "center_of_mass", ""},
-                           Kind{"torque", "force_torque", contacts_only},
+                           Kind{"torque", "joint_wrench", ""},
                            Kind{"touch", "contact_force", whole_link},
                            Kind{"velocimeter", "velocimeter", ""}};
 
@@ -120,6 +119,19 @@ double camera_rate(description::RobotDescription& description, const description
   return rate;
 }
 
+/// The object of the model that has the axes of a body of the file.
+std::string object_of_body(const std::string& body, const Model& model) {
+  return model.find_object(body + ".body") ? body + ".body" : body;
+}
+
+/// A cut at a body with joints is behind the last of them, which has its mass; those before have none.
+void name_objects(SensorSpec& spec, const description::SensorDescription& sensor, const Model& model) {
+  spec.texts["behind"] = object_of_body(sensor.behind, model);
+  if (const auto axes = spec.texts.find("axes"); axes != spec.texts.end()) {
+    axes->second = object_of_body(axes->second, model);
+  }
+}
+
 SensorSpec spec_of(const description::SensorDescription& sensor, const std::string& type, const Model& model) {
   SensorSpec spec;
   spec.type = type;
@@ -127,6 +139,8 @@ SensorSpec spec_of(const description::SensorDescription& sensor, const std::stri
   spec.rate = sensor.rate;
   spec.numbers = sensor.numbers;
   spec.signals = sensor.signals;
+  spec.texts = sensor.texts;
+  if (type == "joint_wrench") name_objects(spec, sensor, model);
   if (sensor.object_kind == "joint" && type.starts_with("joint_")) {
     spec.objects = {sensor.frame};
     return spec;

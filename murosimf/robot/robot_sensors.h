@@ -5,12 +5,12 @@
 ///     MJCF  gyro, accelerometer, framequat          gyroscope, accelerometer, orientation
 ///           jointpos, jointvel                      joint_position, joint_velocity
 ///           jointactuatorfrc, actuatorfrc           joint_torque
-///           touch; force, torque                    contact_force; force_torque
+///           touch; force, torque                    contact_force; joint_wrench
 ///           framepos, framelinvel, frameangvel      position, linear_velocity, angular_velocity
 ///           velocimeter, subtreecom (of the base)   velocimeter, center_of_mass
 ///           rangefinder                             rangefinder
 ///           camera (of a body)                      camera (mjcf_camera.h)
-///     URDF  imu, contact, force_torque              imu, contact_force, force_torque
+///     URDF  imu, contact, force_torque              imu, contact_force, joint_wrench
 ///           ray, gpu_ray, lidar, gpu_lidar          laser
 ///           camera                                  camera (urdf_sensor.h)
 ///

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "murosimf/collision/contact_parameters.h"
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/motion/mimic_joints.h"
 #include "murosimf/scene/model_constants.h"
 #include "murosimf/scene/property_checks.h"
 #include "murosimf/scene/start_overlaps.h"
@@ -104,11 +106,23 @@ void warn_about_things(SceneParts& parts) {
   }
 }
 
+/// Whether something moves each joint: a servo, its own or that of a joint that follows it, or the joint that it follows.
+std::vector<bool> driven_joints(const Model& model) {
+  std::vector<int> leader(static_cast<std::size_t>(model.size()));
+  std::iota(leader.begin(), leader.end(), 0);
+  const motion::MimicJoints coupled(model);
+  for (const auto& pair : coupled.pairs()) leader[pair.follower] = pair.leader;
+  std::set<int> driven;
+  for (const int i : model.having(properties::servo)) driven.insert(leader[i]);
+  std::vector<bool> result;
+  for (const int i : model.joints()) result.push_back(leader[i] != i || driven.contains(i));
+  return result;
+}
+
 void warn_about_missing_servos(SceneParts& parts, const scene_file::RobotSpec& robot) {
   const Model& model = parts.simulation->world().entity(robot.name).model();
   const auto joints = model.joints();
-  const auto without =
-      std::ranges::count_if(joints, [&](int i) { return model.find(properties::servo, i) == nullptr; });
+  const auto without = std::ranges::count(driven_joints(model), false);
   if (without == 0) return;
   parts.remarks.warn(robot.name,
                      fmt::format("{} of its {} joints have no servo and hang free", without, joints.size()));

@@ -18,7 +18,11 @@ void check_signal_names(const SensorSpec& spec, const std::vector<Output>& outpu
   std::vector<std::string_view> names;
   for (const Output& output : outputs) names.push_back(output.name);
   for (const auto& [name, signal] : spec.signals) {
-    const bool known = std::find(names.begin(), names.end(), name) != names.end();
+    const bool known = std::ranges::any_of(outputs, [&, &name = name](const Output& output) {
+      return output.name == name || std::ranges::any_of(output.labels, [&](const std::string& label) {
+               return name == output.name + "." + label;
+             });
+    });
     if (name.empty() || known || spec.part_outputs.contains(name)) continue;
     throw SetupError(unknown_name("output", name, names));
   }
@@ -58,13 +62,19 @@ Sensor::Sensor(Setup& setup, const SensorSpec& spec, const SensorSurroundings& s
 void Sensor::make_signals(const SensorSpec& spec, std::uint64_t seed, const std::string& robot,
                           const SignalPeriods& periods) {
   for (const Output& output : reading_.info->outputs) {
-    const SignalSpec signal = spec.signal(output.name);
-    filters_ = filters_ || signal.low_pass > 0;
     const std::string stream = fmt::format("{}/{}/{}", robot, spec.name, output.name);
     std::vector<std::string> names;
-    for (const std::string& label : output.labels) names.push_back(fmt::format("{}.{}", stream, label));
-    if (names.empty()) names.push_back(stream);
-    signals_.push_back(with_context(output.name, [&] { return Signal(signal, seed, names, periods); }));
+    std::vector<SignalSpec> signals;
+    for (const std::string& label : output.labels) {
+      names.push_back(fmt::format("{}.{}", stream, label));
+      signals.push_back(spec.signal(fmt::format("{}.{}", output.name, label)));
+    }
+    if (names.empty()) {
+      names.push_back(stream);
+      signals.push_back(spec.signal(output.name));
+    }
+    filters_ = filters_ || std::ranges::any_of(signals, [](const SignalSpec& signal) { return signal.low_pass > 0; });
+    signals_.push_back(with_context(output.name, [&] { return Signal(seed, signals, names, periods); }));
   }
 }
 

@@ -29,18 +29,20 @@ struct SensorSpec {
   double delay = 0;                         ///< [s] from the sample until control software can read it
   std::vector<std::string> objects{};       ///< joints, feet or other entities that it looks at; empty: all
   std::map<std::string, double> numbers{};  ///< what only some types have, by key; missing: the type's default
-  std::map<std::string, std::string> texts{};   ///< the same of words
-  std::map<std::string, SignalSpec> signals{};  ///< what becomes of the true values, by output; "": of all outputs
-  std::string part{};                           ///< name of the ready-made part that it is; empty: none
+  std::map<std::string, std::string> texts{};  ///< the same of words
+  /// What becomes of the true values, by output; "": of all outputs; "accelerometer.x": of one number of an output.
+  std::map<std::string, SignalSpec> signals{};
+  std::string part{};                    ///< name of the ready-made part that it is; empty: none
   std::set<std::string> part_outputs{};  ///< outputs in `signals` that only the part speaks of: it need not have them
 
   [[nodiscard]] double number(const std::string& key, double otherwise) const {
     const auto found = numbers.find(key);
     return found == numbers.end() ? otherwise : found->second;
   }
-  /// Perfect if nothing is said.
+  /// Of an output, or of one of its numbers. Perfect if nothing is said.
   [[nodiscard]] SignalSpec signal(const std::string& output) const {
     if (const auto found = signals.find(output); found != signals.end()) return found->second;
+    if (const auto dot = output.find('.'); dot != std::string::npos) return signal(output.substr(0, dot));
     const auto all = signals.find("");
     return all == signals.end() ? SignalSpec{} : all->second;
   }

@@ -15,8 +15,11 @@ const OptionTable<SignalSpec>& signal_options() {
   static const OptionTable<Spec> table{
       {"scale_error", &Spec::scale_error, "1", "deviation of the factor, drawn once per run", 0},
       {"misalignment", &Spec::misalignment, "rad", "deviation of each axis towards each other, drawn once per run", 0},
+      {"mean", &Spec::mean, "unit", "of the errors: a constant offset, the same in every run"},
       {"bias", &Spec::bias, "unit", "deviation of the constant offset, drawn once per run", 0},
+      {"bias_mean", &Spec::bias_mean, "unit", "of the size of that offset, whose sign is drawn, too"},
       {"bias_random_walk", &Spec::bias_random_walk, "unit/s/sqrt(Hz)", "of the offset, with the root of time", 0},
+      {"bias_correlation_time", &Spec::bias_correlation_time, "s", "after which that walk has forgotten; 0: never", 0},
       {"noise_density", &Spec::noise_density, "unit/sqrt(Hz)", "of white noise; right at any rate", 0},
       {"noise", &Spec::noise, "unit", "deviation of every sample, whatever the rate", 0},
       {"low_pass", &Spec::low_pass, "Hz", "-3 dB frequency of a first-order filter; 0: none", 0},
@@ -41,39 +44,58 @@ void check(const SignalSpec& spec) {
   if (!std::isfinite(spec.highest - spec.lowest)) throw SetupError("bits needs a range: range, or lowest and highest");
 }
 
-Signal::Signal(const SignalSpec& spec, std::uint64_t seed, const std::vector<std::string>& names,
-               const SignalPeriods& periods)
-    : spec_(spec),
-      memory_(spec.low_pass > 0 ? std::exp(-2 * pi * spec.low_pass * periods.sample) : 0),
-      white_((1 - memory_) * spec.noise_density / std::sqrt(periods.sample)),
-      walk_(spec.bias_random_walk * std::sqrt(periods.sample)) {
+Signal::Law::Law(const SignalSpec& of, const SignalPeriods& periods)
+    : spec(of),
+      memory(of.low_pass > 0 ? std::exp(-2 * pi * of.low_pass * periods.sample) : 0),
+      white((1 - memory) * of.noise_density / std::sqrt(periods.sample)),
+      walk(of.bias_random_walk * std::sqrt(periods.sample)) {
   check(spec);
-  if (spec.misalignment > 0 && names.size() != 3) {
-    throw SetupError(fmt::format("misalignment is of three axes; '{}' is one of {} numbers", names[0], names.size()));
+  if (const double time = spec.bias_correlation_time; time > 0) {
+    keep = std::exp(-periods.sample / time);
+    walk = spec.bias_random_walk * std::sqrt(-0.5 * time * std::expm1(-2 * periods.sample / time));
   }
   // above the highest frequency that steps of this length can show, a filter changes nothing
   const double turns = spec.low_pass * periods.execution;
-  if (turns > 0 && turns < 0.5) filter_ = std::tan(pi * turns);
-  step_ = spec.bits > 0 ? std::ldexp(spec.highest - spec.lowest, -spec.bits) : spec.resolution;
-  highest_ = spec.bits > 0 ? spec.highest - step_ : spec.highest;
-  for (const std::string& name : names) {
+  if (turns > 0 && turns < 0.5) filter = std::tan(pi * turns);
+  step = spec.bits > 0 ? std::ldexp(spec.highest - spec.lowest, -spec.bits) : spec.resolution;
+  highest = spec.bits > 0 ? spec.highest - step : spec.highest;
+}
+
+Signal::Signal(const SignalSpec& spec, std::uint64_t seed, const std::vector<std::string>& names,
+               const SignalPeriods& periods)
+    : Signal(seed, std::vector<SignalSpec>(names.size(), spec), names, periods) {}
+
+Signal::Signal(std::uint64_t seed, const std::vector<SignalSpec>& specs, const std::vector<std::string>& names,
+               const SignalPeriods& periods) {
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string& name = names[i];
+    const Law& law = laws_.emplace_back(specs[i], periods);
+    misaligned_ = misaligned_ || law.spec.misalignment > 0;
+    filters_ = filters_ || law.filter > 0;
     numbers_.push_back({{seed, name + "/constants"}, {seed, name + "/noise"}, {seed, name + "/sample"}});
-    draw_constants(numbers_.back());
+    draw_constants(law, numbers_.back());
+  }
+  if (misaligned_ && names.size() != 3) {
+    throw SetupError(fmt::format("misalignment is of three axes; '{}' is one of {} numbers", names[0], names.size()));
   }
 }
 
-void Signal::draw_constants(Number& number) const noexcept {
-  number.scale = 1 + spec_.scale_error * number.constants.normal(0);
-  number.bias = spec_.bias * number.constants.normal(1);
-  number.cross_one = spec_.misalignment * number.constants.normal(2);
-  number.cross_two = spec_.misalignment * number.constants.normal(3);
-  number.first_wander = white_ / std::sqrt(1 - memory_ * memory_) * number.constants.normal(4);
+void Signal::draw_constants(const Law& law, Number& number) noexcept {
+  const SignalSpec& spec = law.spec;
+  number.scale = 1 + spec.scale_error * number.constants.normal(0);
+  const double bias = spec.bias * number.constants.normal(1);
+  const bool other_side = spec.bias_mean != 0 && number.constants.normal(5) < 0;
+  number.bias = spec.mean + (other_side ? -(spec.bias_mean + bias) : spec.bias_mean + bias);
+  number.cross_one = spec.misalignment * number.constants.normal(2);
+  number.cross_two = spec.misalignment * number.constants.normal(3);
+  number.first_wander = law.white / std::sqrt(1 - law.memory * law.memory) * number.constants.normal(4);
 }
 
 void Signal::reseed(std::uint64_t seed) noexcept {
-  for (Number& number : numbers_) {
+  for (std::size_t i = 0; i < numbers_.size(); ++i) {
+    Number& number = numbers_[i];
     for (RandomStream* stream : {&number.constants, &number.noise, &number.sample}) stream->reseed(seed);
-    draw_constants(number);
+    draw_constants(laws_[i], number);
   }
 }
 
@@ -85,11 +107,11 @@ void Signal::start() noexcept {
   }
 }
 
-double Signal::filtered(Number& number, double value) const noexcept {
+double Signal::filtered(const Law& law, Number& number, double value) const noexcept {
   const bool begins = executions_ == 0 || !std::isfinite(number.filter_output);
   if (begins || !std::isfinite(value)) return number.filter_input = number.filter_output = value;
   number.filter_output =
-      (filter_ * (value + number.filter_input) + (1 - filter_) * number.filter_output) / (1 + filter_);
+      (law.filter * (value + number.filter_input) + (1 - law.filter) * number.filter_output) / (1 + law.filter);
   number.filter_input = value;
   return number.filter_output;
 }
@@ -101,13 +123,15 @@ void Signal::state(StateArchive& archive) {
 }
 
 void Signal::disturb(std::span<double> values) noexcept {
-  if (spec_.misalignment > 0) {
+  if (misaligned_) {
     misalign(values.first<3>());
   } else {
     for (std::size_t i = 0; i < numbers_.size(); ++i) values[i] = numbers_[i].scale * values[i] + numbers_[i].bias;
   }
-  if (filter_ > 0) {
-    for (std::size_t i = 0; i < numbers_.size(); ++i) values[i] = filtered(numbers_[i], values[i]);
+  if (filters_) {
+    for (std::size_t i = 0; i < numbers_.size(); ++i) {
+      if (laws_[i].filter > 0) values[i] = filtered(laws_[i], numbers_[i], values[i]);
+    }
   }
   ++executions_;
 }
@@ -123,25 +147,27 @@ void Signal::misalign(std::span<double, 3> values) const noexcept {
   values[2] = axis(numbers_[2], z, x, y);
 }
 
-double Signal::next_noise(Number& number) const noexcept {
+double Signal::next_noise(const Law& law, Number& number) const noexcept {
   const double noise = number.wander + number.drift;
   const auto [white, walk] = number.noise.normals(samples_);
-  number.wander = memory_ * number.wander + white_ * white;
-  number.drift += walk_ * walk;
+  number.wander = law.memory * number.wander + law.white * white;
+  if (law.keep < 1) number.drift *= law.keep;
+  number.drift += law.walk * walk;
   return noise;
 }
 
 void Signal::convert(std::span<double> values) noexcept {
   for (std::size_t i = 0; i < numbers_.size(); ++i) {
-    const double noise = white_ > 0 || walk_ > 0 ? next_noise(numbers_[i]) : 0;
+    const Law& law = laws_[i];
+    const double noise = law.white > 0 || law.walk > 0 ? next_noise(law, numbers_[i]) : 0;
     if (!std::isfinite(values[i])) continue;
     double x = values[i] + noise;
-    if (spec_.noise > 0) x += spec_.noise * numbers_[i].sample.normal(samples_);
-    if (step_ > 0) {
-      const double zero = spec_.bits > 0 ? spec_.lowest : 0;
-      x = zero + step_ * std::round((x - zero) / step_);
+    if (law.spec.noise > 0) x += law.spec.noise * numbers_[i].sample.normal(samples_);
+    if (law.step > 0) {
+      const double zero = law.spec.bits > 0 ? law.spec.lowest : 0;
+      x = zero + law.step * std::round((x - zero) / law.step);
     }
-    values[i] = x < spec_.lowest ? spec_.lowest : x > highest_ ? highest_ : x;
+    values[i] = x < law.spec.lowest ? law.spec.lowest : x > law.highest ? law.highest : x;
   }
   ++samples_;
 }

@@ -3,11 +3,13 @@
 /// With h the time between two executions of the sensor, T that between two samples, and u, n, m, k independent numbers
 /// of the standard normal distribution, drawn from streams of their own (seed, robot, sensor, number):
 ///
-///     x1 = (1 + scale_error u) x + misalignment * (the other two axes, each with its own u) + bias u    in every execution
+///     x1 = (1 + scale_error u) x + misalignment * (the other two axes, each with its own u) + b    in every execution
+///          b = mean + bias u, or with bias_mean, mean +- (bias_mean + bias u), either sign with probability 1/2
 ///     x2 = low-pass of x1, first order, bilinear with |H(low_pass)| = 1/sqrt(2)
 ///     x3 = x2 + w_j + b_j + noise k_j                               at the instants of samples j only, as all that follows
 ///          w_j+1 = a w_j + (1 - a) noise_density / sqrt(T) n_j      a = exp(-2 pi low_pass T); 0 without low-pass
-///          b_j+1 = b_j + bias_random_walk sqrt(T) m_j
+///          b_j+1 = b_j + bias_random_walk sqrt(T) m_j           or, with the correlation time t,
+///          b_j+1 = p b_j + bias_random_walk sqrt(t/2 (1 - p^2)) m_j, p = exp(-T/t): a Gauss-Markov process
 ///     x4 = x3 in whole steps of the converter, between lowest and highest
 ///
 /// So noise goes through the filter too, but is worked out for samples only: a first-order process of the same corner
@@ -46,6 +48,9 @@ class Signal {
   /// impossible (check).
   Signal(const SignalSpec& spec, std::uint64_t seed, const std::vector<std::string>& names,
          const SignalPeriods& periods);
+  /// The same with a spec for each number.
+  Signal(std::uint64_t seed, const std::vector<SignalSpec>& specs, const std::vector<std::string>& names,
+         const SignalPeriods& periods);
 
   /// Constant errors and noise of another seed.
   void reseed(std::uint64_t seed) noexcept;
@@ -58,6 +63,18 @@ class Signal {
   void state(StateArchive& archive);
 
  private:
+  /// What a spec says, worked out.
+  struct Law {
+    Law(const SignalSpec& spec, const SignalPeriods& periods);
+
+    SignalSpec spec;
+    double memory = 0;           // [1] a
+    double white = 0, walk = 0;  // [unit] deviations in one sample
+    double keep = 1;             // [1] p
+    double filter = 0;           // [1] tan(pi fc h); 0: no filter
+    double step = 0;             // [unit] of the converter; 0: none
+    double highest = 0;          // [unit] largest code
+  };
   struct Number {
     RandomStream constants, noise, sample;
     double scale = 1, bias = 0;                  // [1], [unit]
@@ -66,18 +83,14 @@ class Signal {
     double wander = 0, drift = 0;                // [unit] w_j, b_j
     double filter_input = 0, filter_output = 0;  // [unit] of the step before
   };
-  void draw_constants(Number& number) const noexcept;
+  static void draw_constants(const Law& law, Number& number) noexcept;
   void misalign(std::span<double, 3> values) const noexcept;
-  [[nodiscard]] double filtered(Number& number, double value) const noexcept;
-  [[nodiscard]] double next_noise(Number& number) const noexcept;
+  [[nodiscard]] double filtered(const Law& law, Number& number, double value) const noexcept;
+  [[nodiscard]] double next_noise(const Law& law, Number& number) const noexcept;
 
-  SignalSpec spec_;
+  std::vector<Law> laws_;  // of each number
   std::vector<Number> numbers_;
-  double memory_ = 0;            // [1] a
-  double white_ = 0, walk_ = 0;  // [unit] deviations in one sample
-  double filter_ = 0;            // [1] tan(pi fc h); 0: no filter
-  double step_ = 0;              // [unit] of the converter; 0: none
-  double highest_ = 0;           // [unit] largest code
+  bool misaligned_ = false, filters_ = false;
   std::uint64_t executions_ = 0, samples_ = 0;
 };
 

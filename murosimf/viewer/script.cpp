@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/files/input_file.h"
+#include "murosimf/files/text_encoding.h"
 #include "murosimf/model/error.h"
 #include "murosimf/viewer/key_map.h"
 
@@ -123,7 +123,7 @@ std::vector<ScriptStep> parse_script(std::string_view text, const std::string& n
 
 std::vector<ScriptStep> read_script(const std::filesystem::path& file) {
   constexpr std::uintmax_t most_bytes = 1'000'000;
-  return parse_script(files::read_input_file(file, most_bytes), file.string());
+  return parse_script(files::read_text_file(file, most_bytes), file.string());
 }
 
 }  // namespace murosimf::viewer

@@ -42,6 +42,29 @@ class CsvFile : public testing::Test {
   fs::path file_ = fixtures::temp_folder() / ("csv_file_test." + std::to_string(::getpid()) + ".csv");
 };
 
+TEST_F(CsvFile, ReadsSemicolonsTabsAndDecimalCommas) {
+  for (const char* text :
+       {"time [s];a [m, world];b\n0;0,5;-1,25e1\n1;;3\n", "time [s]\ta [m, world]\tb\n0\t0,5\t-12.5\n1\t\t3\n",
+        "sep=;\r\ntime [s];a [m, world];b\r\n0;0.5;-12,5\r\n1;;3\r\n",
+        "\"time [s]\";\"a [m, world]\";\"b\"\n\"0\";\"0,5\";\"-12,5\"\n1;;3\n"}) {
+    const CsvTable table = read(text);
+    ASSERT_EQ(table.columns.size(), 2U) << text;
+    EXPECT_EQ(table.columns[0].unit, "m, world");
+    EXPECT_EQ(table.columns[0].values, std::vector<double>{0.5}) << text;
+    EXPECT_EQ(table.columns[1].values, (std::vector<double>{-12.5, 3})) << text;
+  }
+}
+
+TEST_F(CsvFile, TakesACommaWhereInDoubt) {
+  EXPECT_EQ(read("time [s],a;b\n0,1\n").columns.at(0).name, "a;b");
+  EXPECT_EQ(read("\"t;u;v\",a\n0,1\n").columns.at(0).name, "a");
+  expect("t;a\n0;1.234,5\n", ":2:3: '1.234,5' is no number");
+  expect("t,a\n\"0\";1\n", ":2:4: a comma is missing behind the quotes");
+  expect("t;a\n\"0\",1\n", ":2:4: a semicolon is missing behind the quotes");
+  expect("sep=;\nt;a\n0;x\n", ":3:3: 'x' is no number");
+  expect("\n\nt;a\n0;x\n", ":4:3: 'x' is no number");
+}
+
 TEST_F(CsvFile, GivesBackWhatALogWrote) {
   logging::LogSeries slow{{"a.imu.x [m/s^2]", "plain"}, {}, {}}, fast{{"odd, \"name\"\nof two lines"}, {}, {}};
   RandomStream random(1, "csv");

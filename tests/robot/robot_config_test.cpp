@@ -263,5 +263,10 @@ TEST(RobotConfig, NamesWhatTheRobotDoesNotHave) {
   EXPECT_NO_THROW(check_names(table, {.joints = {"knee_lft"}}));
 }
 
+TEST(RobotConfig, RateLimitsAreThoseOfTheTable) {
+  EXPECT_EQ(complaint("\n[rate_limits]\na = -1\n"), ":3:5: the largest rate of 'a' must be a number from 0");
+  EXPECT_EQ(complaint("\n[rate_limits]\na = 'x'\n"), ":3:5: the largest rate of 'a' must be a number from 0");
+}
+
 }  // namespace
 }  // namespace murosimf::robot

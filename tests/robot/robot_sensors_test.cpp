@@ -46,8 +46,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Element{"<jointactuatorfrc joint='elbow'/>", "joint_torque", ""},
                     Element{"<actuatorfrc actuator='m'/>", "joint_torque", ""},
                     Element{"<touch site='imu'/>", "contact_force", "imu"},
-                    Element{"<force site='imu'/>", "force_torque", "imu"},
-                    Element{"<torque site='imu'/>", "force_torque", "imu"},
+                    Element{"<force site='imu'/>", "joint_wrench", "imu"},
+                    Element{"<torque site='imu'/>", "joint_wrench", "imu"},
                     Element{"<framepos objtype='xbody' objname='arm'/>", "position", "arm"},
                     Element{"<framelinvel objtype='site' objname='imu'/>", "linear_velocity", "imu"},
                     Element{"<frameangvel objtype='xbody' objname='arm'/>", "angular_velocity", "arm"},
@@ -119,10 +119,13 @@ TEST(UrdfSensors, ImusHaveTheNoiseOfTheirAxes) {
   EXPECT_EQ(spec.type, "imu");
   EXPECT_EQ(spec.frame, "foot");
   EXPECT_EQ(spec.rate, 100);
-  EXPECT_EQ(spec.signal("gyroscope").noise, 0.3) << "the largest of the axes";
-  EXPECT_EQ(spec.signal("gyroscope").bias, 0.01);
-  EXPECT_EQ(spec.signal("accelerometer").noise, 0.5);
-  EXPECT_TRUE(any_contains(robot.notes, "<mean> of noise is not simulated"));
+  EXPECT_EQ(spec.signal("gyroscope.x").noise, 0.1);
+  EXPECT_EQ(spec.signal("gyroscope.x").bias, 0.01);
+  EXPECT_EQ(spec.signal("gyroscope.y").noise, 0.3);
+  EXPECT_EQ(spec.signal("gyroscope.z"), sensors::SignalSpec{});
+  EXPECT_EQ(spec.signal("accelerometer.z").noise, 0.5);
+  EXPECT_EQ(spec.signal("accelerometer.z").mean, 2);
+  EXPECT_FALSE(any_contains(robot.notes, "noise"));
   EXPECT_TRUE(check::examine_sensors(robot).empty());
 }
 
@@ -133,7 +136,39 @@ TEST(UrdfSensors, ASensorAtAFixedJointIsOnTheLinkBehindIt) {
   EXPECT_EQ(sensor_of(robot, "a").frame, "eye");
   EXPECT_EQ(sensor_of(robot, "b").frame, "ankle");
   EXPECT_EQ(sensor_of(robot, "contact_force").type, "contact_force");
-  EXPECT_TRUE(any_contains(robot.notes, "contact forces of its link"));
+  EXPECT_EQ(sensor_of(robot, "a").texts.at("behind"), "eye");
+  EXPECT_EQ(sensor_of(robot, "b").texts.at("behind"), "foot");
+  EXPECT_EQ(sensor_of(robot, "b").texts.at("axes"), "foot");
+  const int eye = robot.model->object_index("eye");
+  EXPECT_EQ(robot.model->tree().link_of[eye], robot.model->object_index("foot")) << "fixed to it, but not a part of it";
+  EXPECT_TRUE(check::examine_sensors(robot).empty());
+}
+
+TEST(UrdfSensors, ForcesAreSeenInTheFrameAndDirectionOfTheFile) {
+  const auto texts = [](const std::string& inside) {
+    const RobotFile robot =
+        read_blocks("<gazebo reference='ankle'><sensor name='f' type='force_torque'><force_torque>" + inside +
+                    "</force_torque></sensor></gazebo>");
+    return sensor_of(robot, "f").texts;
+  };
+  using Texts = std::map<std::string, std::string>;
+  EXPECT_EQ(texts(""), (Texts{{"behind", "foot"}, {"axes", "foot"}}));
+  EXPECT_EQ(texts("<frame>parent</frame><measure_direction>parent_to_child</measure_direction>"),
+            (Texts{{"behind", "foot"}, {"axes", "base"}, {"direction", "parent_to_child"}}));
+  EXPECT_EQ(texts("<frame>sensor</frame><measure_direction>child_to_parent</measure_direction>"),
+            (Texts{{"behind", "foot"}}));
+  EXPECT_TRUE(fixtures::says(fixtures::error_of([&] { (void)texts("<frame>children</frame>"); }),
+                             {"robot.urdf:6", "unknown frame of a force_torque sensor 'children'", "'child'"}));
+  EXPECT_TRUE(fixtures::says(fixtures::error_of([&] { (void)texts("<measure_direction>up</measure_direction>"); }),
+                             {"unknown measure_direction 'up'"}));
+}
+
+TEST(UrdfSensors, ForcesHaveTheNoiseOfTheirAxes) {
+  const RobotFile robot = read_blocks(
+      "<gazebo reference='ankle'><sensor name='f' type='force_torque'><force_torque><force><z><noise type='gaussian'>"
+      "<stddev>0.5</stddev></noise></z></force></force_torque></sensor></gazebo>");
+  EXPECT_EQ(sensor_of(robot, "f").signal("force.z").noise, 0.5);
+  EXPECT_EQ(sensor_of(robot, "f").signal("force.x").noise, 0);
   EXPECT_TRUE(check::examine_sensors(robot).empty());
 }
 

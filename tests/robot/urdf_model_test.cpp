@@ -3,6 +3,7 @@
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/robot/robot_reader.h"
 #include "murosimf/scene/scene.h"
+#include "murosimf/scene/scene_report.h"
 #include "tests/formats/urdf/urdf_files.h"
 
 namespace murosimf::robot {
@@ -37,6 +38,7 @@ TEST(UrdfModel, KeepsTheConstantsOfJoints) {
   expect_near(*robot.model->find(properties::joint_range, joint), {-1, 1, 0});
   EXPECT_EQ(*robot.model->find(properties::joint_damping, joint), 0.5);
   EXPECT_EQ(*robot.model->find(properties::joint_friction, joint), 0.25);
+  EXPECT_EQ(*robot.model->find(properties::joint_rate_limit, joint), 3);
 }
 
 TEST(UrdfModel, PlaysInAScene) {
@@ -47,6 +49,34 @@ TEST(UrdfModel, PlaysInAScene) {
   scene::Scene scene(file.string());
   scene.simulation().initialize();
   EXPECT_EQ(scene.simulation().world().entity("one").model().name(), "r");
+}
+
+/// Warnings of a scene with one robot at articulated_dynamics.
+std::vector<std::string> warnings_of(const std::string& urdf) {
+  write("robot.urdf", urdf);
+  const auto file = write("scene.toml",
+                          "[field]\ngoals = false\n[[robots]]\nname = \"one\"\nmodel = \"robot.urdf\"\n"
+                          "level = \"articulated_dynamics\"\ncontroller = \"none\"\nfixed_base = true\n"
+                          "position = [0, 0, 3]\n");
+  return make_report(scene::Scene(file.string())).warnings;
+}
+
+std::string gripper(const std::string& first, const std::string& second, const std::string& third) {
+  const std::string limit = "<limit lower='-1' upper='1' velocity='3' effort='";
+  return robot_xml(link("a", solid()) + link("b", solid()) + link("c", solid()) +
+                   joint("revolute", "base", "a", limit + first, "ja") +
+                   joint("revolute", "base", "b", limit + second, "jb") +
+                   joint("revolute", "base", "c", limit + third, "jc"));
+}
+
+TEST(UrdfModel, JointsThatFollowOthersDoNotHangFree) {
+  const std::string follow_a = "'/><mimic joint='ja' multiplier='-1'/>", follow_b = "'/><mimic joint='jb'/>";
+  EXPECT_FALSE(any_contains(warnings_of(gripper("5'/>", "5" + follow_a, "5" + follow_b)), "hang free"));
+  EXPECT_FALSE(any_contains(warnings_of(gripper("5'/>", "0" + follow_a, "0" + follow_b)), "hang free"));
+  EXPECT_TRUE(any_contains(warnings_of(gripper("0'/>", "0" + follow_a, "0" + follow_b)),
+                           "1 of its 3 joints have no servo and hang free"));
+  EXPECT_TRUE(any_contains(warnings_of(gripper("5'/>", "0'/>", "0" + follow_a)),
+                           "1 of its 3 joints have no servo and hang free"));
 }
 
 TEST(UrdfModel, NamesTheFileWhereAMovingLinkHasNoMass) {

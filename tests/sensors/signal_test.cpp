@@ -28,6 +28,44 @@ TEST(Signal, ChangesNothingIfNothingIsSaid) {
   EXPECT_EQ(values, before);
 }
 
+TEST(Signal, AddsItsMeanAndABiasToOneSideOrTheOther) {
+  int positive = 0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    Signal signal({.mean = 2, .bias_mean = 0.3}, seed, one, {});
+    double value = 10;
+    signal.disturb({&value, 1});
+    EXPECT_NEAR(std::abs(value - 12), 0.3, 1e-12);
+    positive += value > 12;
+  }
+  EXPECT_NEAR(positive, 100, 30) << "four deviations of a fair coin";
+}
+
+TEST(Signal, HasErrorsOfItsOwnForEachNumber) {
+  Signal signal(1, {{.mean = 1}, {}, {.mean = -2, .resolution = 0.5}}, three, {});
+  std::array<double, 3> values{0.2, 0.2, 0.2};
+  signal.disturb(values);
+  signal.convert(values);
+  EXPECT_EQ(values, (std::array<double, 3>{1.2, 0.2, -2}));
+}
+
+// Gauss-Markov: standard deviation s sqrt(t/2) in the long run. Tolerance: 2000 correlation times, so about 1 / sqrt(2000) = 2 %.
+TEST(Signal, ForgetsItsWalkAfterTheCorrelationTime) {
+  const double density = 0.4, time = 0.05;
+  Signal signal({.bias_random_walk = density, .bias_correlation_time = time}, 1, one, {});
+  double sum = 0;
+  const int count = 100000;
+  for (int i = 0; i < count; ++i) {
+    double value = 0;
+    signal.convert({&value, 1});
+    sum += value * value;
+  }
+  const double expected = density * std::sqrt(time / 2);
+  law::expect_near({.law = "bias that wanders and forgets: deviation in the long run",
+                    .level = "signal",
+                    .source = "Gauss-Markov process, s sqrt(t / 2)"},
+                   std::sqrt(sum / count), expected, 0.1 * expected, "unit");
+}
+
 TEST(Signal, SaturatesExactly) {
   const SignalSpec spec{.lowest = -2, .highest = 3};
   EXPECT_EQ(converted(spec, -2.0001), -2);

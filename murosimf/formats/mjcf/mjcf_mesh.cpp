@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/files/file_spelling.h"
 #include "murosimf/formats/mjcf/mjcf_mesh_source.h"
 #include "murosimf/geometry/hull.h"
 #include "murosimf/model/error.h"
@@ -148,7 +149,8 @@ void MjcfMeshes::load(const std::string& name, Mesh& mesh) {
 std::filesystem::path MjcfMeshes::path_of(const MjcfAttributes& attributes) const {
   const std::filesystem::path name = attributes.text("file");
   if (name.empty()) return {};
-  return folder_ / (strip_path_ ? name.filename() : name);
+  const std::filesystem::path wanted = strip_path_ ? name.filename() : name;
+  return files::find_spelled(folder_, wanted.string()).value_or(folder_ / wanted);
 }
 
 const formats::mesh::MeshFile& MjcfMeshes::file_of(const MjcfAttributes& attributes) {

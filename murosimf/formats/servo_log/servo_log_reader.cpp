@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "murosimf/files/input_file.h"
+#include "murosimf/files/text_encoding.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::formats::servo_log {
@@ -136,7 +137,7 @@ std::vector<fs::path> files_of(const fs::path& name) {
 }  // namespace
 
 ServoLog read_servo_log(const fs::path& file) {
-  const std::string text = files::read_input_file(file, files::most_record_bytes);
+  const std::string text = files::read_text_file(file, files::most_record_bytes);
   return with_context(file.string(), [&] {
     const json content = parse(text);
     ServoLog log = log_of(content);

@@ -1,52 +1,20 @@
 #include "murosimf/formats/urdf/urdf_gazebo.h"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 
 #include <fmt/format.h>
 
+#include "murosimf/formats/urdf/gazebo_schema.h"
 #include "murosimf/formats/urdf/urdf_sensor.h"
 #include "murosimf/formats/urdf/urdf_value.h"
 
 namespace murosimf::formats::urdf {
 namespace {
 
-// looks, plugins, and settings of solvers
-constexpr std::array<std::string_view, 29> without_meaning{"material",
-                                                           "kp",
-                                                           "kd",
-                                                           "fdir1",
-                                                           "maxVel",
-                                                           "minDepth",
-                                                           "maxContacts",
-                                                           "soft_cfm",
-                                                           "soft_erp",
-                                                           "laserRetro",
-                                                           "visual",
-                                                           "plugin",
-                                                           "selfCollide",
-                                                           "stopCfm",
-                                                           "self_collide",
-                                                           "stopErp",
-                                                           "stopKp",
-                                                           "stopKd",
-                                                           "fudgeFactor",
-                                                           "cfm",
-                                                           "erp",
-                                                           "cfmDamping",
-                                                           "useParentModelFrame",
-                                                           "provideFeedback",
-                                                           "dampingFactor",
-                                                           "implicitSpringDamper",
-                                                           "disableFixedJointLumping",
-                                                           "preserveFixedJoint",
-                                                           "static"};
-// parts of other formats, put into the robot
-constexpr std::array<std::string_view, 6> injected{"link", "joint", "model", "include", "collision", "inertial"};
+const files::XmlRule& rule() { return gazebo_schema().at("gazebo"); }
 
-template <class Words>
-bool contains(const Words& words, std::string_view word) {
+bool contains(const files::XmlWords& words, std::string_view word) {
   return std::ranges::find(words, word) != words.end();
 }
 
@@ -67,8 +35,6 @@ bool takes_motion(const files::XmlElement& element) {
   return tag == "dampingFactor" && text_number(element) != 0;
 }
 
-bool is_switch(std::string_view tag) { return tag == "gravity" || tag == "turnGravityOff" || tag == "kinematic"; }
-
 /// Elements that mean the same wherever they stand.
 void note_other(const files::XmlElement& element, UrdfLog& log) {
   const std::string tag = element.tag();
@@ -76,10 +42,13 @@ void note_other(const files::XmlElement& element, UrdfLog& log) {
     log.warn(element, "gravity is switched off for parts of the robot in gazebo; here all of it has weight");
   } else if (takes_motion(element)) {
     log.refuse(element, fmt::format("<{}> {} in a gazebo block is not supported; remove it", tag, element.text()));
-  } else if (contains(injected, tag)) {
+  } else if (contains(rule().unsupported_children, tag)) {
     log.refuse(element, fmt::format("<{}> in a gazebo block is not supported; write it as URDF", tag));
-  } else if (contains(without_meaning, tag) || is_switch(tag)) {
+  } else if (contains(rule().unused_children, tag)) {
     log.unused(element, fmt::format("gazebo/{}", tag), fmt::format("element '{}' in gazebo is not used", tag));
+  } else if (contains(rule().children, tag)) {
+    log.unused(element, fmt::format("gazebo/{}", tag),
+               fmt::format("element '{}' has no effect in this gazebo block", tag));
   } else {
     log.warn(element, fmt::format("unknown element '{}' in gazebo is not used", tag));
   }
@@ -108,15 +77,16 @@ void read_link_block(const files::XmlElement& block, description::BodyDescriptio
     const std::string tag = element.tag();
     if (tag == "mu1" || tag == "mu2") continue;
     if (tag == "sensor") {
-      description.sensors.push_back(read_sensor(element, body.name, log));
+      const std::string parent = body.parent < 0 ? "" : description.bodies[body.parent].name;
+      description.sensors.push_back(read_sensor(element, {body.name, parent, body.name}, log));
     } else {
       note_other(element, log);
     }
   }
 }
 
-/// `link`: the one behind the joint, which has the joint's frame; a fixed joint is no object of the model.
-void read_joint_block(const files::XmlElement& block, const std::string& link, description::JointDescription* joint,
+/// A sensor is on the link behind the joint, which has the joint's frame: a fixed joint is no object of the model.
+void read_joint_block(const files::XmlElement& block, const SensorPlace& at, description::JointDescription* joint,
                       description::RobotDescription& description, UrdfLog& log) {
   for (const files::XmlElement& element : block.children()) {
     const std::string tag = element.tag();
@@ -125,7 +95,7 @@ void read_joint_block(const files::XmlElement& block, const std::string& link, d
     } else if (tag == "springReference" && joint) {
       joint->spring_reference = text_number(element);
     } else if (tag == "sensor") {
-      description.sensors.push_back(read_sensor(element, joint ? joint->name : link, log));
+      description.sensors.push_back(read_sensor(element, at, log));
     } else {
       note_other(element, log);
     }
@@ -147,8 +117,11 @@ void read_block(const files::XmlElement& block, const std::string& name, const U
       std::ranges::find_if(description.bodies, [&](const description::BodyDescription& b) { return b.name == name; });
   if (body != description.bodies.end()) return read_link_block(block, *body, description, log);
   if (const int joint = tree.find_joint(name); joint >= 0) {
-    const std::string& link = tree.links[static_cast<std::size_t>(tree.joints[joint].child)].name;
-    return read_joint_block(block, link, moving_joint(description, name), description, log);
+    const std::string& child = tree.links[tree.joints[joint].child].name;
+    const std::string& parent = tree.links[tree.joints[joint].parent].name;
+    description::JointDescription* moving = moving_joint(description, name);
+    const SensorPlace at{moving ? moving->name : child, parent, child};
+    return read_joint_block(block, at, moving, description, log);
   }
   log.warn(block, fmt::format("gazebo block for '{}', which is no link or joint; it is left out", name));
 }

@@ -19,6 +19,15 @@ void UrdfLog::unused(const files::XmlElement& at, const std::string& word, const
   if (said_.insert(message).second) description_.unused.push_back({files::one_line(word), line(at, message)});
 }
 
+void UrdfLog::take(const files::XmlFindings& findings) {
+  for (const auto& [word, text] : findings.unused) {
+    if (said_.insert(word).second) description_.unused.push_back({word, text});
+  }
+  for (const std::string& text : findings.refused) {
+    if (said_.insert(text).second) description_.warnings.push_back(text);
+  }
+}
+
 void UrdfLog::warn(const files::XmlElement& at, const std::string& message) {
   if (said_.insert(message).second) description_.warnings.push_back(line(at, message));
 }

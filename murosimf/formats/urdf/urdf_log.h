@@ -6,6 +6,7 @@
 
 #include "murosimf/description/robot_description.h"
 #include "murosimf/files/xml_element.h"
+#include "murosimf/files/xml_schema.h"
 
 namespace murosimf::formats::urdf {
 
@@ -17,6 +18,8 @@ class UrdfLog {
   void note(const files::XmlElement& at, const std::string& message);
   /// What has no effect here: `check` shows the message, `run` the word, like "transmission"; the same message is told once.
   void unused(const files::XmlElement& at, const std::string& word, const std::string& message);
+  /// What a schema says of a part of the file; what it does not know is a warning.
+  void take(const files::XmlFindings& findings);
   /// What looks wrong; the same message is told once.
   void warn(const files::XmlElement& at, const std::string& message);
   /// What would change the robot: throws SetupError, or is a warning if the reader is lenient.

@@ -8,9 +8,19 @@
 #include "murosimf/model/error.h"
 
 namespace murosimf::formats::urdf {
+namespace {
+
+/// "$(find package)/..." is no macro but means a package, too.
+std::string file_name(const files::XmlElement& mesh) {
+  const auto name = mesh.attribute("filename");
+  const bool of_package = name && (name->starts_with("$(find ") || name->starts_with("$(find-pkg-share "));
+  return of_package ? *name : needed_text(mesh, "filename");
+}
+
+}  // namespace
 
 std::optional<description::MeshDescription> UrdfMeshes::find(const files::XmlElement& mesh) {
-  const auto file = paths_.find(needed_text(mesh, "filename"));
+  const auto file = paths_.find(file_name(mesh));
   if (!file) return std::nullopt;
   const Vec3d scale = vector_or(mesh, "scale", {1, 1, 1});
   const auto same = [&](const description::MeshDescription& known) {
@@ -48,9 +58,9 @@ const std::vector<formats::mesh::ConvexPart>& UrdfMeshes::parts(const descriptio
   return solid.parts;
 }
 
-std::string UrdfMeshes::complaint(const files::XmlElement& mesh) {
-  const std::string name = needed_text(mesh, "filename");
-  return fmt::format("there is no mesh file '{}'; {}", name, UrdfMeshPaths::advice(name));
+std::string UrdfMeshes::complaint(const files::XmlElement& mesh) const {
+  const std::string name = file_name(mesh);
+  return fmt::format("there is no mesh file '{}'; {}", name, paths_.advice(name));
 }
 
 }  // namespace murosimf::formats::urdf

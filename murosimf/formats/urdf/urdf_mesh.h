@@ -28,8 +28,8 @@ class UrdfMeshes {
   [[nodiscard]] const std::vector<formats::mesh::ConvexPart>& parts(const description::MeshDescription& mesh,
                                                                     const files::XmlElement& user);
 
-  /// That there is no such file, and what to do.
-  [[nodiscard]] static std::string complaint(const files::XmlElement& mesh);
+  /// That there is no such file, and what to do. Of the element looked for last.
+  [[nodiscard]] std::string complaint(const files::XmlElement& mesh) const;
 
  private:
   [[nodiscard]] std::string free_name(const std::string& stem) const;

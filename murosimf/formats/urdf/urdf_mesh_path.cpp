@@ -1,66 +1,59 @@
 #include "murosimf/formats/urdf/urdf_mesh_path.h"
 
-#include <cstdlib>
-#include <sstream>
+#include <algorithm>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
-#include "murosimf/files/xml_element.h"
-#include "murosimf/model/error.h"
+#include "murosimf/files/file_spelling.h"
 
 namespace murosimf::formats::urdf {
 namespace {
 
 namespace fs = std::filesystem;
 
-bool is_file(const fs::path& path) {
-  std::error_code error;
-  return fs::is_regular_file(path, error);
+/// A name by package: "pkg" and "meshes/a.stl" of package://pkg/meshes/a.stl.
+struct PackageName {
+  std::string package, rest;
+};
+
+PackageName split(std::string name) {
+  const std::size_t first = std::min(name.find_first_not_of("/\\"), name.size());
+  name.erase(0, first);
+  const std::size_t slash = std::min(name.find_first_of("/\\"), name.size());
+  return {name.substr(0, slash), slash < name.size() ? name.substr(slash + 1) : ""};
 }
 
-bool is_folder(const fs::path& path) {
-  std::error_code error;
-  return fs::is_directory(path, error);
-}
-
-/// The name that a folder's package.xml gives; empty without one.
-std::string package_name(const fs::path& folder) {
-  const fs::path file = folder / "package.xml";
-  if (!is_file(file)) return {};
-  try {
-    const files::XmlFile xml(file);
-    const auto names = xml.root().children("name");
-    return names.empty() ? "" : names[0].text();
-  } catch (const SetupError&) {
-    return {};  // a broken file names no package
+/// "$(find pkg)/a.stl", as macros of launch files write it.
+std::optional<PackageName> of_find(std::string_view name) {
+  for (const std::string_view begin : {"$(find ", "$(find-pkg-share "}) {
+    const std::size_t end = name.find(')');
+    if (!name.starts_with(begin) || end == std::string_view::npos) continue;
+    return split(fmt::format("{}{}", name.substr(begin.size(), end - begin.size()), name.substr(end + 1)));
   }
+  return std::nullopt;
 }
 
-void add_if_package(const fs::path& folder, const std::string& name, std::vector<fs::path>& folders) {
-  if (folder.filename() == name || package_name(folder) == name) folders.push_back(folder);
-  if (is_folder(folder / name)) folders.push_back(folder / name);
-}
-
-std::vector<fs::path> folders_of_environment() {
-  std::vector<fs::path> folders;
-  const char* variable = std::getenv("MUROSIMF_PACKAGE_PATH");
-  std::istringstream stream(variable ? variable : "");
-  for (std::string folder; std::getline(stream, folder, ':');) {
-    if (!folder.empty()) folders.emplace_back(folder);
+std::optional<PackageName> package_name(const std::string& name) {
+  for (const std::string_view scheme : {"package", "model"}) {
+    if (auto rest = files::after_scheme(name, scheme)) return split(*std::move(rest));
   }
-  return folders;
+  return of_find(name);
 }
 
-/// What follows `prefix` in `name`.
-std::optional<std::string> after(std::string_view name, std::string_view prefix) {
-  if (!name.starts_with(prefix)) return std::nullopt;
-  return std::string(name.substr(prefix.size()));
+bool is_web_address(const std::string& name) {
+  return files::after_scheme(name, "http") || files::after_scheme(name, "https");
 }
 
-std::optional<std::string> package_part(const std::string& name) {
-  const auto rest = after(name, "package://");
-  return rest ? rest : after(name, "model://");
+/// At most three of them.
+std::string list_of(const std::vector<fs::path>& paths) {
+  constexpr std::size_t most = 3;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(paths.size(), most); ++i) {
+    text += fmt::format("{}{}", i > 0 ? ", " : "", paths[i].lexically_normal().string());
+  }
+  return paths.size() > most ? fmt::format("{} and {} more", text, paths.size() - most) : text;
 }
 
 }  // namespace
@@ -68,10 +61,7 @@ std::optional<std::string> package_part(const std::string& name) {
 UrdfMeshPaths::UrdfMeshPaths(const fs::path& file, std::map<std::string, fs::path> packages,
                              std::vector<fs::path> search_paths)
     : folder_(fs::absolute(file).lexically_normal().parent_path()),
-      packages_(std::move(packages)),
-      search_paths_(std::move(search_paths)) {
-  for (fs::path& folder : folders_of_environment()) search_paths_.push_back(std::move(folder));
-}
+      packages_(folder_, std::move(packages), std::move(search_paths)) {}
 
 void UrdfMeshPaths::also_look_in(const fs::path& folder, bool strip) {
   mesh_folder_ = folder_ / folder;
@@ -79,57 +69,49 @@ void UrdfMeshPaths::also_look_in(const fs::path& folder, bool strip) {
 }
 
 std::optional<fs::path> UrdfMeshPaths::find(const std::string& name) {
-  if (const auto known = files_.find(name); known != files_.end()) return known->second;
+  if (const auto known = files_.find(name); known != files_.end() && known->second) return known->second;
+  looked_at_.clear();
   auto file = find_anew(name);
   if (!file && mesh_folder_) {
-    const fs::path part = package_part(name).value_or(name);
-    const fs::path candidate = *mesh_folder_ / (strip_ ? part.filename() : part);
-    if (is_file(candidate)) file = candidate;
+    const auto of_package = package_name(name);
+    const fs::path part = of_package ? fs::path(of_package->package) / of_package->rest : fs::path(name);
+    file = look(*mesh_folder_, (strip_ ? part.filename() : part).string());
   }
   if (file) file = file->lexically_normal();
-  return files_.emplace(name, file).first->second;
+  return files_.insert_or_assign(name, file).first->second;
+}
+
+std::optional<fs::path> UrdfMeshPaths::look(const fs::path& folder, const std::string& name) {
+  looked_at_.push_back(folder / name);
+  return files::find_spelled(folder, name);
 }
 
 std::optional<fs::path> UrdfMeshPaths::find_anew(const std::string& name) {
-  if (const auto rest = package_part(name)) {
-    const std::size_t slash = rest->find('/');
-    if (slash == std::string::npos) return std::nullopt;
-    return find_in_package(rest->substr(0, slash), rest->substr(slash + 1));
-  }
-  const fs::path path = folder_ / after(name, "file://").value_or(name);
-  if (is_file(path)) return path;
-  for (const fs::path& folder : search_paths_) {
-    if (is_file(folder / name)) return folder / name;
+  if (const auto by_package = package_name(name)) return find_in_package(by_package->package, by_package->rest);
+  const std::string path = files::path_of_address(name).value_or(name);
+  if (auto file = look(folder_, path)) return file;
+  for (const fs::path& folder : packages_.search_paths()) {
+    if (auto file = look(folder, path)) return file;
   }
   return std::nullopt;
 }
 
-std::optional<fs::path> UrdfMeshPaths::find_in_package(const std::string& package, const fs::path& rest) {
-  for (const fs::path& folder : folders_of(package)) {
-    if (is_file(folder / rest)) return folder / rest;
+std::optional<fs::path> UrdfMeshPaths::find_in_package(const std::string& package, const std::string& rest) {
+  for (const fs::path& folder : packages_.folders_of(package)) {
+    if (auto file = look(folder, rest)) return file;
   }
-  return std::nullopt;
+  const std::string decoded = files::percent_decoded(package);
+  return decoded == package ? std::nullopt : find_in_package(decoded, rest);
 }
 
-const std::vector<fs::path>& UrdfMeshPaths::folders_of(const std::string& package) {
-  const auto [entry, is_new] = package_folders_.try_emplace(package);
-  auto& folders = entry->second;
-  if (!is_new) return folders;
-  if (const auto mapped = packages_.find(package); mapped != packages_.end()) folders.push_back(mapped->second);
-  for (fs::path folder = folder_;; folder = folder.parent_path()) {
-    add_if_package(folder, package, folders);
-    if (folder == folder.parent_path()) break;
+std::string UrdfMeshPaths::advice(const std::string& name) const {
+  if (is_web_address(name)) return "it is an address in the web; download it, and write the name of the file";
+  const std::string looked = looked_at_.empty() ? "" : fmt::format(" (not there: {})", list_of(looked_at_));
+  if (const auto by_package = package_name(name)) {
+    return fmt::format("put the folder of package '{}' above the file or into MUROSIMF_PACKAGE_PATH{}",
+                       by_package->package, looked);
   }
-  for (const fs::path& folder : search_paths_) add_if_package(folder, package, folders);
-  return folders;
-}
-
-std::string UrdfMeshPaths::advice(const std::string& name) {
-  if (const auto rest = package_part(name)) {
-    return fmt::format("put the folder of package '{}' above the file or into MUROSIMF_PACKAGE_PATH",
-                       rest->substr(0, rest->find('/')));
-  }
-  return "names are relative to the URDF file; correct the name, or put its folder into MUROSIMF_PACKAGE_PATH";
+  return "names are relative to the URDF file; correct the name, or put its folder into MUROSIMF_PACKAGE_PATH" + looked;
 }
 
 }  // namespace murosimf::formats::urdf

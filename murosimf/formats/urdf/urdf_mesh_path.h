@@ -1,9 +1,8 @@
 /// urdf_mesh_path.h - finding the mesh files that a URDF file names.
 ///
-/// Names are relative to the URDF file, absolute, file://..., or package://name/path (model:// means the same). A package
-/// is looked for in this order: the package map; from the URDF file's folder upwards, a folder that is called so or
-/// whose package.xml says so, or that has one called so; below the search paths in the same way; below the folders in
-/// the environment variable MUROSIMF_PACKAGE_PATH (separated by colons).
+/// Names are relative to the URDF file, absolute, file: addresses, or package://name/path; model://name/path and $(find name)/path
+/// mean the same. They may have percent escapes, backslashes and other capital letters than the file (files/file_spelling.h).
+/// A package is looked for where package_folders.h says.
 #pragma once
 
 #include <filesystem>
@@ -11,6 +10,8 @@
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "murosimf/formats/urdf/package_folders.h"
 
 namespace murosimf::formats::urdf {
 
@@ -27,23 +28,21 @@ class UrdfMeshPaths {
   /// The file; nothing if there is no such file.
   [[nodiscard]] std::optional<std::filesystem::path> find(const std::string& name);
 
-  /// What to do about a name that was not found.
-  [[nodiscard]] static std::string advice(const std::string& name);
+  /// What to do about a name that was not found, and where it was looked for.
+  [[nodiscard]] std::string advice(const std::string& name) const;
 
  private:
   [[nodiscard]] std::optional<std::filesystem::path> find_anew(const std::string& name);
   [[nodiscard]] std::optional<std::filesystem::path> find_in_package(const std::string& package,
-                                                                     const std::filesystem::path& rest);
-  /// Folders that may be the package, best first.
-  [[nodiscard]] const std::vector<std::filesystem::path>& folders_of(const std::string& package);
+                                                                     const std::string& rest);
+  [[nodiscard]] std::optional<std::filesystem::path> look(const std::filesystem::path& folder, const std::string& name);
 
   std::filesystem::path folder_;  ///< of the URDF file, absolute
-  std::map<std::string, std::filesystem::path> packages_;
-  std::vector<std::filesystem::path> search_paths_;
+  PackageFolders packages_;
   std::optional<std::filesystem::path> mesh_folder_;
   bool strip_ = false;
-  std::map<std::string, std::vector<std::filesystem::path>> package_folders_;  ///< found so far
-  std::map<std::string, std::optional<std::filesystem::path>> files_;          ///< found so far
+  std::vector<std::filesystem::path> looked_at_;                       ///< of the name looked for last
+  std::map<std::string, std::optional<std::filesystem::path>> files_;  ///< found so far
 };
 
 }  // namespace murosimf::formats::urdf

@@ -6,7 +6,10 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/formats/urdf/gazebo_schema.h"
+#include "murosimf/formats/urdf/urdf_noise.h"
 #include "murosimf/formats/urdf/urdf_value.h"
+#include "murosimf/model/error.h"
 
 namespace murosimf::formats::urdf {
 namespace {
@@ -15,6 +18,12 @@ namespace {
 double child_number(const files::XmlElement& parent, const char* tag, double fallback = 0) {
   const auto child = only_child(parent, tag);
   return child ? text_number(*child) : fallback;
+}
+
+/// The text of an element inside; empty if there is none.
+std::string child_text(const files::XmlElement& parent, const char* tag) {
+  const auto child = only_child(parent, tag);
+  return child ? child->text() : "";
 }
 
 struct Distortion {
@@ -85,42 +94,21 @@ Transformd read_pose(const files::XmlElement& sensor) {
   return {{p[0], p[1], p[2]}, from_roll_pitch_yaw({p[3], p[4], p[5]})};
 }
 
-/// The larger error of each kind.
-void widen(sensors::SignalSpec& signal, const files::XmlElement& noise, UrdfLog& log) {
-  const double deviation = child_number(noise, "stddev"), bias = child_number(noise, "bias_stddev");
-  if (deviation < 0 || bias < 0) noise.fail("a deviation of noise is negative; it must be at least 0");
-  signal.noise = std::max(signal.noise, deviation);
-  signal.bias = std::max(signal.bias, bias);
-  for (const char* tag : {"mean", "bias_mean", "dynamic_bias_stddev"}) {
-    if (child_number(noise, tag) != 0) log.note(noise, fmt::format("<{}> of noise is not simulated", tag));
-  }
-}
-
-/// Noise of the axes x, y, z inside `quantity`.
-void read_axes(const files::XmlElement& imu, const char* quantity, const char* output,
-               description::SensorDescription& description, UrdfLog& log) {
-  const auto inside = only_child(imu, quantity);
-  if (!inside) return;
-  for (const char* tag : {"x", "y", "z"}) {
-    const auto axis = only_child(*inside, tag);
-    if (!axis) continue;
-    if (const auto noise = only_child(*axis, "noise")) widen(description.signals[output], *noise, log);
-  }
-}
-
 void read_imu(const files::XmlElement& imu, description::SensorDescription& description, UrdfLog& log) {
   read_axes(imu, "angular_velocity", "gyroscope", description, log);
   read_axes(imu, "linear_acceleration", "accelerometer", description, log);
   const auto noise = only_child(imu, "noise");  // older than SDFormat 1.5
   if (!noise) return;
-  if (const auto rate = only_child(*noise, "rate")) widen(description.signals["gyroscope"], *rate, log);
-  if (const auto accel = only_child(*noise, "accel")) widen(description.signals["accelerometer"], *accel, log);
+  const auto type = noise->attribute("type").value_or(child_text(*noise, "type"));
+  if (type == "none") return;
+  if (const auto rate = only_child(*noise, "rate")) description.signals["gyroscope"] = read_noise(*rate, log);
+  if (const auto accel = only_child(*noise, "accel")) description.signals["accelerometer"] = read_noise(*accel, log);
 }
 
 void read_scan(const files::XmlElement& scan, description::SensorDescription& description, UrdfLog& log) {
   const auto horizontal = only_child(scan, "horizontal");
   if (const auto vertical = only_child(scan, "vertical"); vertical && child_number(*vertical, "samples", 1) > 1) {
-    log.note(*vertical, "a laser scans one plane only; <vertical> is not used");
+    log.unused(*vertical, "scan/vertical", "a laser scans one plane only; <vertical> is not used");
   }
   if (!horizontal) return;
   const double first = child_number(*horizontal, "min_angle"), last = child_number(*horizontal, "max_angle");
@@ -132,13 +120,59 @@ void read_scan(const files::XmlElement& scan, description::SensorDescription& de
 
 /// A scanner's element is called as its kind, without the GPU.
 void read_laser(const files::XmlElement& laser, description::SensorDescription& description, UrdfLog& log) {
+  double step = 0;  // [m]
   if (const auto scan = only_child(laser, "scan")) read_scan(*scan, description, log);
   if (const auto range = only_child(laser, "range")) {
     description.numbers["range_min"] = child_number(*range, "min");
     description.numbers["range_max"] = child_number(*range, "max");
-    if (const double step = child_number(*range, "resolution"); step > 0) description.signals[""].resolution = step;
+    step = child_number(*range, "resolution");
   }
-  if (const auto noise = only_child(laser, "noise")) widen(description.signals[""], *noise, log);
+  const auto noise = only_child(laser, "noise");
+  if (noise) description.signals[""] = read_noise(*noise, log);
+  if (step > 0) description.signals[""].resolution = step;
+}
+
+/// Of every pixel; a mean would be a brighter picture.
+void read_pixel_noise(const files::XmlElement& camera, description::SensorDescription& description, UrdfLog& log) {
+  const auto element = only_child(camera, "noise");
+  if (!element) return;
+  const sensors::SignalSpec noise = read_noise(*element, log);
+  if (noise.noise > 0) description.numbers["read_noise"] = noise.noise;
+  sensors::SignalSpec rest = noise;
+  rest.noise = 0;
+  if (rest != sensors::SignalSpec{}) {
+    log.unused(*element, "camera/noise", "of the noise of a camera only stddev is used");
+  }
+}
+
+/// What a sensor at a joint measures, and how it shows it.
+void read_force_torque(const files::XmlElement& sensor, const SensorPlace& at,
+                       description::SensorDescription& description, UrdfLog& log) {
+  const auto element = only_child(sensor, "force_torque");
+  const std::string frame = element ? child_text(*element, "frame") : "";
+  const std::string direction = element ? child_text(*element, "measure_direction") : "";
+  if (frame.empty() || frame == "child") {
+    description.texts["axes"] = at.child;
+  } else if (frame == "parent") {
+    description.texts["axes"] = at.parent;
+  } else if (frame != "sensor") {
+    element->fail(unknown_name("frame of a force_torque sensor", frame, {"child", "parent", "sensor"}));
+  }
+  if (direction == "parent_to_child") {
+    description.texts["direction"] = direction;
+  } else if (!direction.empty() && direction != "child_to_parent") {
+    element->fail(unknown_name("measure_direction", direction, {"child_to_parent", "parent_to_child"}));
+  }
+  if (!element) return;
+  for (const char* quantity : {"force", "torque"}) read_axes(*element, quantity, quantity, description, log);
+}
+
+/// What has no effect, and what nobody knows.
+void name_the_rest(const files::XmlElement& sensor, UrdfLog& log) {
+  log.take(files::validate(sensor, gazebo_schema()));
+  for (const files::XmlElement& plugin : sensor.children("plugin")) {
+    log.unused(plugin, "sensor/plugin", "plugins of sensors are not used, but for the distortion of cameras");
+  }
 }
 
 }  // namespace
@@ -149,15 +183,21 @@ double text_number(const files::XmlElement& element) {
   return needed_numbers(element, value, 1, fmt::format("<{}>", element.tag()))[0];
 }
 
-description::SensorDescription read_sensor(const files::XmlElement& sensor, const std::string& frame, UrdfLog& log) {
+description::SensorDescription read_sensor(const files::XmlElement& sensor, const SensorPlace& at, UrdfLog& log) {
+  name_the_rest(sensor, log);
   description::SensorDescription description{sensor.attribute("type").value_or(""),
                                              sensor.attribute("name").value_or(""),
-                                             frame,
+                                             at.frame,
                                              sensor.where(),
                                              read_pose(sensor),
                                              child_number(sensor, "update_rate")};
   const auto cameras = sensor.children("camera");
-  if (!cameras.empty()) description.numbers = read_camera(sensor, cameras[0]);
+  if (!cameras.empty()) {
+    description.numbers = read_camera(sensor, cameras[0]);
+    description.place = description.place * read_pose(cameras[0]);
+    read_pixel_noise(cameras[0], description, log);
+  }
+  if (description.kind == "force_torque") read_force_torque(sensor, at, description, log);
   if (description.rate != 0 && !(description.rate >= 1e-3 && description.rate <= 1e6)) {
     sensor.fail(fmt::format("update_rate of the sensor is {}; write 0 or from 0.001 to 1000000 Hz", description.rate));
   }

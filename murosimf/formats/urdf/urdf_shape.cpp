@@ -110,7 +110,7 @@ void UrdfShapes::add_mesh(const Part& part, const files::XmlElement& mesh, descr
 
 void UrdfShapes::add_visual_mesh(const Part& part, const files::XmlElement& mesh, description::BodyDescription& body) {
   const auto found = meshes_.find(mesh);
-  if (!found) return log_.warn(mesh, fmt::format("for the eye, {}; it is left out", UrdfMeshes::complaint(mesh)));
+  if (!found) return log_.warn(mesh, fmt::format("for the eye, {}; it is left out", meshes_.complaint(mesh)));
   body.visuals.push_back({part.element.attribute("name").value_or(""), part.element.where(), found->name,
                           read_origin(part.element), part.color});
 }
@@ -118,7 +118,7 @@ void UrdfShapes::add_visual_mesh(const Part& part, const files::XmlElement& mesh
 void UrdfShapes::add_collision_mesh(const Part& part, const files::XmlElement& mesh,
                                     description::BodyDescription& body) {
   const auto found = meshes_.find(mesh);
-  if (!found) mesh.fail(UrdfMeshes::complaint(mesh));
+  if (!found) mesh.fail(meshes_.complaint(mesh));
   const Transformd place = read_origin(part.element);
   for (const formats::mesh::ConvexPart& convex : meshes_.parts(*found, mesh)) {
     const Transformd at_middle = place * Transformd{convex.middle, {}};

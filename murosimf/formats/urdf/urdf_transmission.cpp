@@ -7,10 +7,11 @@
 namespace murosimf::formats::urdf {
 namespace {
 
-void note_reduction(const files::XmlElement& owner, UrdfLog& log) {
+void name_reduction(const files::XmlElement& owner, UrdfLog& log) {
   for (const files::XmlElement& element : owner.children("mechanicalReduction")) {
     if (text_number(element) == 1) continue;
-    log.note(element, "gear ratios are not used: servos are described on the output side of their gears");
+    log.unused(element, "transmission/mechanicalReduction",
+               "gear ratios are not used: servos are described on the output side of their gears");
   }
 }
 
@@ -25,9 +26,9 @@ void read_transmissions(const files::XmlElement& robot, const UrdfTree& tree, Ur
       if (tree.find_joint(joint_name) < 0) {
         log.warn(joint, fmt::format("transmission '{}' speaks of joint '{}', which is not there", name, joint_name));
       }
-      note_reduction(joint, log);
+      name_reduction(joint, log);
     }
-    for (const files::XmlElement& actuator : transmission.children("actuator")) note_reduction(actuator, log);
+    for (const files::XmlElement& actuator : transmission.children("actuator")) name_reduction(actuator, log);
   }
 }
 

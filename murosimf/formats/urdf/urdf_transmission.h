@@ -6,7 +6,7 @@
 
 namespace murosimf::formats::urdf {
 
-/// Notes gear ratios that are not 1, warns about joints that do not exist.
+/// Names gear ratios that are not 1, warns about joints that do not exist.
 void read_transmissions(const files::XmlElement& robot, const UrdfTree& tree, UrdfLog& log);
 
 }  // namespace murosimf::formats::urdf

@@ -68,7 +68,7 @@ TEST(UrdfGazebo, NotesPluginsAndWarnsAboutBlocksForNothing) {
   const auto description =
       read(foot_and("<gazebo><plugin><robotNamespace>$(arg ns)</robotNamespace></plugin></gazebo>\n"
                     "<gazebo reference='fot'><mu1>0</mu1></gazebo>"));
-  EXPECT_TRUE(any_contains(description.notes, "robot.urdf:4: element 'plugin' in gazebo is not used"));
+  EXPECT_TRUE(names_unused(description, "robot.urdf:4: element 'plugin' in gazebo is not used"));
   EXPECT_TRUE(any_contains(description.warnings, "robot.urdf:5: gazebo block for 'fot'"));
 }
 
@@ -82,7 +82,7 @@ TEST(UrdfGazebo, WarnsOnceThatEverythingHasWeight) {
 
 TEST(UrdfGazebo, TellsWhatItDoesNotKnow) {
   const auto description = read(foot_and("<gazebo reference='foot'><gravity>true</gravity><wings>2</wings></gazebo>"));
-  EXPECT_TRUE(any_contains(description.notes, "element 'gravity'"));
+  EXPECT_TRUE(names_unused(description, "element 'gravity'"));
   EXPECT_TRUE(any_contains(description.warnings, "unknown element 'wings'"));
 }
 

@@ -154,6 +154,73 @@ TEST(UrdfMesh, IsFoundOnThePathOfTheEnvironment) {
   EXPECT_EQ(description.meshes.at(0).file, file);
 }
 
+/// Sets a variable of the environment for a while.
+class Variable {
+ public:
+  Variable(const char* name, const std::string& value) : name_(name) { setenv(name, value.c_str(), 1); }
+  ~Variable() { unsetenv(name_); }
+  Variable(const Variable&) = delete;
+  Variable& operator=(const Variable&) = delete;
+
+ private:
+  const char* name_;
+};
+
+TEST(UrdfMesh, IsFoundWhereOtherProgramsLookForPackages) {
+  const std::string folder = test_folder().string();
+  const auto file_of = [](const std::string& name) { return read_package_robot(name).meshes.at(0).file; };
+  const auto ament = write("prefix/share/arm/t.obj", tetrahedron());
+  const auto colcon = write("install/leg/share/leg/t.obj", tetrahedron());
+  const auto ros = write("ws/src/robots/head_1/t.obj", tetrahedron());
+  write("ws/src/robots/head_1/package.xml", "<package><name>head</name></package>");
+  const auto model = write("models/ball/t.obj", tetrahedron());
+  EXPECT_TRUE(contains(message(with_link(collision_xml(mesh("package://arm/t.obj")))), "package 'arm'"));
+  {
+    const Variable path("AMENT_PREFIX_PATH", "/nowhere:" + folder + "/prefix");
+    EXPECT_EQ(file_of("package://arm/t.obj"), ament);
+    EXPECT_EQ(file_of("$(find arm)/t.obj"), ament);
+    EXPECT_EQ(file_of("$(find-pkg-share arm)/t.obj"), ament);
+  }
+  {
+    const Variable path("COLCON_PREFIX_PATH", folder + "/install");
+    EXPECT_EQ(file_of("package://leg/t.obj"), colcon);
+  }
+  {
+    const Variable path("ROS_PACKAGE_PATH", folder + "/ws/src:/nowhere");
+    EXPECT_EQ(file_of("package://head/t.obj"), ros);
+  }
+  {
+    const Variable path("GZ_SIM_RESOURCE_PATH", folder + "/models");
+    EXPECT_EQ(file_of("model://ball/t.obj"), model);
+  }
+}
+
+TEST(UrdfMesh, IsFoundByTheSpellingsOfOtherSystems) {
+  const auto file = write("pkg/my meshes/Tip.obj", tetrahedron());
+  const std::string absolute = file.parent_path().string();
+  for (const std::string& name :
+       {std::string("package://pkg/my%20meshes/Tip.obj"), std::string("package://my%20meshes/Tip.obj"),
+        std::string("..\\my meshes\\Tip.obj"), std::string("package://pkg\\my%20meshes\\Tip.obj"),
+        std::string("../My Meshes/tip.OBJ"), "file:" + absolute + "/Tip.obj",
+        "file://localhost" + absolute + "/Tip.obj", std::string("PACKAGE://pkg/my meshes/Tip.obj")}) {
+    EXPECT_EQ(read_package_robot(name).meshes.at(0).file, file) << name;
+  }
+}
+
+TEST(UrdfMesh, ThatIsMissingSaysWhereItWasLookedFor) {
+  const auto what = [](const std::string& name) { return message(with_link(collision_xml(mesh(name)))); };
+  const std::string folder = test_folder().string();
+  EXPECT_TRUE(contains(what("meshes/gone.stl"), "(not there: " + folder + "/meshes/gone.stl)"))
+      << what("meshes/gone.stl");
+  EXPECT_TRUE(contains(what("https://a.org/t.stl"), "it is an address in the web; download it"));
+  for (const char* name : {"a", "b", "c", "d", "e"}) std::filesystem::create_directories(test_folder() / name / "pkg");
+  std::string path;
+  for (const char* name : {"a", "b", "c", "d", "e"}) path += folder + "/" + name + ":";
+  const Variable variable("MUROSIMF_PACKAGE_PATH", path);
+  EXPECT_TRUE(contains(what("package://pkg/t.stl"), folder + "/c/pkg/t.stl and 2 more)"))
+      << what("package://pkg/t.stl");
+}
+
 TEST(UrdfMesh, IsFoundInTheFolderThatAMujocoBlockNames) {
   const auto file = write("assets/t.obj", tetrahedron());
   const auto text = [](const std::string& compiler) {

@@ -113,7 +113,7 @@ std::vector<Mistake> mistakes() {
       {"MacroElement", "<robot name='r' xmlns:xacro='x'>\n<xacro:property name='a' value='1'/></robot>", 2,
        "expand the file first"},
       {"MacroInANumber", inertial("${m}", unit), 2, "expand the file first"},
-      {"MacroInAName", with_link(collision_xml("<mesh filename='$(find a)/b.stl'/>")), 2, "expand the file first"},
+      {"MacroInAName", with_link(collision_xml("<mesh filename='$(arg a)/b.stl'/>")), 2, "expand the file first"},
       {"Kinematic", robot_xml("<gazebo reference='base'><kinematic>true</kinematic></gazebo>"), 2,
        "<kinematic> true in a gazebo block"},
       {"InjectedLink", robot_xml("<gazebo><link/></gazebo>"), 2, "write it as URDF"},

@@ -205,12 +205,10 @@ TEST(UrdfReader, NotesWhatMeansNothingOncePerKind) {
       "<transmission name='t'><joint name='j'/><actuator "
       "name='m'><mechanicalReduction>200</mechanicalReduction></actuator></transmission>"
       "<transmission name='u'><joint name='k'/></transmission>"));
-  EXPECT_TRUE(any_contains(description.notes, "robot.urdf:3: element 'safety_controller' is not used"));
-  EXPECT_TRUE(any_contains(description.notes, "robot.urdf:4: gear ratios are not used"));
+  EXPECT_TRUE(names_unused(description, "robot.urdf:3: element 'safety_controller' is not used"));
+  EXPECT_TRUE(names_unused(description, "robot.urdf:4: gear ratios are not used"));
   EXPECT_TRUE(any_contains(description.warnings, "robot.urdf:4: transmission 'u' speaks of joint 'k'"));
-  EXPECT_EQ(std::ranges::count_if(description.notes,
-                                  [](const auto& note) { return contains(note, "element 'transmission'"); }),
-            1);
+  EXPECT_EQ(std::ranges::count(description.unused, "transmission", &description::Unused::word), 1);
 }
 
 TEST(UrdfReader, DropsWhatItDoesNotKnowIfLenient) {

@@ -1,0 +1,68 @@
+/// rate_limit.h - the largest rate to which a joint is driven (joint_rate_limit): what URDF calls its velocity.
+///
+/// A servo drives its joint up to the rate w with all the torque that it has, and not beyond it; where something else drives the joint
+/// beyond w, the servo brakes with up to its stall torque T. In a step of h, with tau the torque that the servo law makes, s its
+/// direction and m = w - s qd what is left of the rate,
+///
+///     m > 0:   b = min(s tau / m, B)    tau' = s b m - h b qdd       tau, and less for what the joint gets faster in the step
+///     m <= 0:  b = min(T / -m, B)       tau' = s b m - h b qdd       if tau was more than that
+///
+/// with B = T / (w / 50): so at the end of a step a joint that its servo alone accelerates is never faster than w, whatever its
+/// inertia. Explicitly (h = 0), where a stiff line does not hold, B = T / (w / 5).
+/// Source: URDF XML specification, "joint", limit velocity; the line is the project's own.
+#pragma once
+
+#include <limits>
+
+#include "murosimf/model/model.h"
+#include "murosimf/model/servo.h"
+#include "murosimf/multibody/servo_motor.h"
+
+namespace murosimf::motion {
+
+struct RateLimit {
+  double rate = std::numeric_limits<double>::infinity();  ///< [rad/s | m/s] w; infinite: none
+  double most = std::numeric_limits<double>::infinity();  ///< [N m | N] T
+  double line = 0;                                        ///< [N m s/rad | N s/m] B
+
+  [[nodiscard]] bool limits() const { return rate < std::numeric_limits<double>::infinity(); }
+};
+
+/// Of a joint with a servo. Of one of unlimited torque, the line is ten times as steep as its damping.
+[[nodiscard]] RateLimit rate_limit(const Servo& servo, double rate);
+
+/// [rad/s | m/s] of a joint (an object of the model); infinite: none, as is a limit of 0. Throws SetupError for a negative one.
+[[nodiscard]] double joint_rate_limit(const Model& model, int joint);
+
+/// In one direction; a torque of the other one stays.
+template <class S>
+void limit_rate_towards(double direction, const RateLimit& limit, const S& qd, double dt,
+                        multibody::MotorTorque<S>& torque) {
+  const S line = dt > 0 ? limit.line : 0.1 * limit.line;
+  const S margin = limit.rate - direction * qd, driving = direction * torque.torque;
+  const auto slower = margin > S(0.0);
+  const S tiny = 1e-9, away = select(slower, margin, -1.0 * margin);
+  const S secant = select(slower, driving, S(limit.most)) / select(away < tiny, tiny, away);
+  const S slope = select(secant < line, secant, line);
+  const S now = slope * margin, inertia = dt * slope;
+  const auto acts = driving > select(slower, S(0.0), now);
+  const S larger = select(torque.inertia < inertia, inertia, torque.inertia);
+  const S present = direction * torque.now, most_now = select(slower, line * margin, now);
+  torque.now = select(acts, direction * select(present < most_now, present, most_now), torque.now);
+  torque.torque = select(acts, direction * now, torque.torque);
+  torque.inertia = select(acts, larger, torque.inertia);
+}
+
+/// What is left of the torque of a servo that is switched on.
+template <class S>
+void limit_rate(const RateLimit& limit, const S& enabled, const S& qd, double dt, multibody::MotorTorque<S>& torque) {
+  if (!limit.limits()) return;
+  const multibody::MotorTorque<S> off = torque;
+  limit_rate_towards(1.0, limit, qd, dt, torque);
+  limit_rate_towards(-1.0, limit, qd, dt, torque);
+  const auto is_off = enabled == S(0.0);
+  torque = {select(is_off, off.now, torque.now), select(is_off, off.torque, torque.torque),
+            select(is_off, off.inertia, torque.inertia)};
+}
+
+}  // namespace murosimf::motion

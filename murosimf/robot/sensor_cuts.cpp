@@ -1,0 +1,50 @@
+#include "murosimf/robot/sensor_cuts.h"
+
+#include <algorithm>
+
+namespace murosimf::robot {
+namespace {
+
+bool is_cut(const description::SensorDescription& sensor) {
+  return sensor.kind == "force_torque" || sensor.kind == "force" || sensor.kind == "torque";
+}
+
+/// The body that is called so, that has a joint or a frame of this name.
+const description::BodyDescription* body_with(const description::RobotDescription& description,
+                                              const std::string& name) {
+  const auto has = [&](const description::BodyDescription& body) {
+    return std::ranges::find(body.joints, name, &description::JointDescription::name) != body.joints.end() ||
+           std::ranges::find(body.frames, name, &description::FrameDescription::name) != body.frames.end();
+  };
+  const auto& bodies = description.bodies;
+  auto found = std::ranges::find_if(bodies, has);
+  if (found == bodies.end()) found = std::ranges::find(bodies, name, &description::BodyDescription::name);
+  return found == bodies.end() ? nullptr : &*found;
+}
+
+/// What a table says of a key that is a name; empty: nothing.
+std::string word(const components::SensorTable& table, const std::string& key) {
+  const auto found = table.values.find(key);
+  const auto* text = found == table.values.end() ? nullptr : std::get_if<std::string>(&found->second.is);
+  return text ? *text : "";
+}
+
+}  // namespace
+
+std::set<std::string> find_cuts(description::RobotDescription& description, const RobotConfig& table) {
+  std::set<std::string> bodies;
+  for (description::SensorDescription& sensor : description.sensors) {
+    if (!is_cut(sensor)) continue;
+    const description::BodyDescription* body = body_with(description, sensor.frame);
+    if (body) bodies.insert(sensor.behind = body->name);
+  }
+  for (const components::SensorTable& sensor : table.sensors) {
+    const std::string behind = word(sensor, "behind");
+    if (behind.empty() && word(sensor, "type") != "joint_wrench") continue;
+    const description::BodyDescription* body = body_with(description, behind.empty() ? word(sensor, "frame") : behind);
+    if (body) bodies.insert(body->name);
+  }
+  return bodies;
+}
+
+}  // namespace murosimf::robot
