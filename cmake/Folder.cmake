@@ -4,7 +4,7 @@
 set(murosimf_folders_alone geometry ${MUROSIMF_FOLDERS_ALONE})
 set_source_files_properties(behavior/localize.cpp components/sensor_keys.cpp components/sensor_toml.cpp
   components/servo_description.cpp files/data_path.cpp formats/mesh/obj_file.cpp formats/urdf/urdf_joint.cpp
-  locomotion/gait_clock.cpp motion/joint_stop.cpp robot/role_inference.cpp render/image_png.cpp render/opengl/gl_drawing.cpp web/server.cpp
+  connect/serial/line_rate.cpp locomotion/gait_clock.cpp motion/joint_stop.cpp robot/role_inference.cpp render/image_png.cpp render/opengl/gl_drawing.cpp web/server.cpp
   PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 
 # They read, check and write, and no step of a simulation runs through them: optimizing them fully is a fifth of their time.

@@ -21,7 +21,7 @@ commands of the block that begin so.
     <!-- then: murosimf run mine.toml -->                        what proves that file right
     <!-- output of: murosimf list levels -->                      the block is what this prints
     <!-- output of (exit 2): murosimf run nosuch -->              the same of a command that fails
-    <!-- code of: murosimf/runtime/simulation.cpp -->             C++: the block stands in this source, apart from comments and spaces
+    <!-- code of: murosimf/runtime/simulation.cpp -->             C++ of this source, apart from comments and spaces
     <!-- code of no source: how users begin one -->               C++ that is nowhere, and why
     <!-- figures vary: they depend on the driver -->              numbers in the quotes of this block are not compared
 """
@@ -40,7 +40,8 @@ DATA = ["docs", "examples", "lenses", "models", "motions", "murosimf/connect", "
         "tests/data", "tests/fuzz/seeds"]
 COMMAND = re.compile(r"(murosimf\w*|example_\w+|build/release/\S+|scripts/\S+|"
                      r"cmake|ctest|python3|pip|pre-commit|export|xacro)(?= |$)")
-MARK = re.compile(r"\s*<!-- (not run|run with|each after|needs|before|append to|then|output of|code of no source|code of|figures vary)"
+MARK = re.compile(r"\s*<!-- (not run|run with|each after|needs|before|append to|then|output of|code of no source|code of|"
+                  r"figures vary)"
                   r"(?: \((.*?)\))?: (.*) -->$")
 OPTIONS = re.compile(r"(--\S+ (?:'[^']*'|\S+) ?)+")
 # What a machine may lack: such a command counts as not run.

@@ -139,8 +139,8 @@ class RobotPort {
     murosimf_signal now{};                      // but where its values stand
     const GuardedRow* row = nullptr;            // what software sees of it; null: it has not asked
     [[nodiscard]] std::span<const double> numbers() const { return values.empty() ? measured : values; }
-    bool asked = false;                         // for, by the software that is there
-    bool wanted = false;                        // refreshed and sent over the link, as the state has it
+    bool asked = false;   // for, by the software that is there
+    bool wanted = false;  // refreshed and sent over the link, as the state has it
   };
   void add_sensor(Setup& setup, const sensors::Reading& reading);
   void add_joints(std::string name, std::span<const double> column, bool in_steps);

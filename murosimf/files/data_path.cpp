@@ -72,7 +72,7 @@ std::optional<std::filesystem::path> look_for_data_file(std::string_view name, s
 std::vector<std::filesystem::path> program_folders() {
   constexpr std::array kinds{"buses", "examples", "lenses", "models", "motions", "parts", "scenes", "servos"};
   std::vector<fs::path> folders;
-  for (const fs::path& root : data_roots()) {
+  for (const fs::path& root : data_folders()) {
     for (const char* kind : kinds) folders.push_back(root / kind);
   }
   return folders;

@@ -58,15 +58,15 @@ struct TableNumber {
 
 struct RobotConfig {
   std::vector<TableName> soles;
-  std::vector<std::string> sole_frames;          ///< where the soles are, once they are placed (role_inference.h)
-  std::map<std::string, TableName> frames;       ///< frame, body or joint by its other name
-  std::map<std::string, TableName> joints;       ///< joint by its other name
+  std::vector<std::string> sole_frames;            ///< where the soles are, once they are placed (role_inference.h)
+  std::map<std::string, TableName> frames;         ///< frame, body or joint by its other name
+  std::map<std::string, TableName> joints;         ///< joint by its other name
   std::map<std::string, TableNumber> rate_limits;  ///< [rad/s | m/s] by joint
-  std::string default_surface;                   ///< empty: none
-  std::map<std::string, TableName> surfaces;     ///< material by body
-  std::map<std::string, TableServo> servos;      ///< by joint
-  std::vector<TableName> part_per_group;         ///< meshes of several convex parts
-  std::vector<components::SensorTable> sensors;  ///< that it makes, changes or removes
+  std::string default_surface;                     ///< empty: none
+  std::map<std::string, TableName> surfaces;       ///< material by body
+  std::map<std::string, TableServo> servos;        ///< by joint
+  std::vector<TableName> part_per_group;           ///< meshes of several convex parts
+  std::vector<components::SensorTable> sensors;    ///< that it makes, changes or removes
 
   /// Material of a body: its own or the default.
   [[nodiscard]] const std::string& surface(const std::string& body) const;

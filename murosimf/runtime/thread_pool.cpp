@@ -13,8 +13,9 @@ namespace murosimf {
 namespace {
 
 constexpr std::uint64_t items = 0xffffffff;
-constexpr int spins = 2000;    // some ten to hundred microseconds: the time between two waves
-constexpr int patience = 200;  // a microsecond: less is not worth having another thread fetch an entity into its caches
+constexpr int spins = 2000;  // some ten to hundred microseconds: the time between two waves
+constexpr int spins_per_look =
+    200;  // a microsecond: less is not worth having another thread fetch an entity into its caches
 
 void relax() {
 #if defined(__x86_64__)
@@ -70,7 +71,7 @@ void ThreadPool::share_out(std::span<const std::size_t> ends, Call call, void* c
   waves_.notify_all();
   run_share(shares_.front());
   for (int spin = 1; unfinished_.load(std::memory_order_acquire) != 0; ++spin) {
-    if (spin % patience == 0) help();
+    if (spin % spins_per_look == 0) help();
     if (spin > spins) std::this_thread::yield();
     relax();
   }
@@ -102,7 +103,7 @@ void ThreadPool::work(Share& own) {
     const std::uint32_t waves = waves_.load(std::memory_order_acquire);
     for (int spin = 1; spin < spins; ++spin) {
       if (run_share(own)) spin = 1;
-      if (spin % patience == 0 && unfinished_.load(std::memory_order_relaxed) != 0) help();
+      if (spin % spins_per_look == 0 && unfinished_.load(std::memory_order_relaxed) != 0) help();
       relax();
     }
     if (!stop_.load()) waves_.wait(waves, std::memory_order_acquire);

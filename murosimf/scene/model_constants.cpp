@@ -16,8 +16,9 @@ namespace {
 
 constexpr std::string_view servo_word = "servo";
 
-const std::array joint_numbers{properties::joint_damping, properties::joint_armature, properties::joint_friction,
-                               properties::joint_stiffness, properties::joint_spring_reference, properties::joint_rate_limit};
+const std::array joint_numbers{properties::joint_damping,          properties::joint_armature,
+                               properties::joint_friction,         properties::joint_stiffness,
+                               properties::joint_spring_reference, properties::joint_rate_limit};
 
 bool is_of_servo(const scene_file::PropertySetting& setting) {
   return setting.object == servo_word || setting.object.ends_with(".servo");

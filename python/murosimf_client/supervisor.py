@@ -95,8 +95,8 @@ class Supervisor:
         return self._status_after(supervision.reset(seed))
 
     def seek(self, time, branch=None):
-        """Back, or on, to an instant that was there before, and pauses there. What goes on from there is a new branch. `remark` of the
-        answer says who outside has not gone back with it, "" if nobody."""
+        """Back, or on, to an instant that was there before, and pauses there. What goes on from there is a new branch.
+        `remark` of the answer says who outside has not gone back with it, "" if nobody."""
         return self._status_after(supervision.seek(_ns(time), branch))
 
     def branches(self):

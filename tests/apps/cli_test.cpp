@@ -120,7 +120,8 @@ TEST(Cli, ConvertsAModelOnceUnlessForced) {
   EXPECT_NE(murosimf("check " + out.string()).output.find("4.3"), std::string::npos);
 
   expect_mistake("convert kid21 --out " + out.string(), {"robot.xml", "--force"});
-  expect_mistake("convert " + out.string() + " --force --out " + out.string(), {"this file is read by the same command"});
+  expect_mistake("convert " + out.string() + " --force --out " + out.string(),
+                 {"this file is read by the same command"});
   const Result again = murosimf("convert kid21 --force --out " + out.string());
   EXPECT_EQ(again.exit_code, 0) << again.errors;
   EXPECT_NE(again.output.find("kept as it is"), std::string::npos) << again.output;

@@ -137,8 +137,9 @@ TEST(RateLimit, OfAFollowerIsThatOfItsLeader) {
 
 TEST(RateLimit, MustNotBeNegative) {
   const auto of = [](double rate) {
-    return joint_rate_limit(
-        Model("m", Chain{}.base("b").revolute("j", {0, 0, 1}).with(properties::joint_rate_limit, rate)), 1);
+    return joint_rate_limit(Model("m",
+                                  Chain{}.base("b").revolute("j", {0, 0, 1}).with(properties::joint_rate_limit, rate)),
+                            1);
   };
   EXPECT_EQ(of(3), 3);
   EXPECT_TRUE(std::isinf(of(0))) << "none";

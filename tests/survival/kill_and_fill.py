@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Nothing that was there is lost: commands are killed (kill -9) at random instants, and run out of space at random sizes.
 
-Every result of a command has an older file of its name first. After a kill each of them is as it was, or the whole new one; what a
-run had recorded is found, repaired, and lacks a second of simulated time at most. Without space (a limit of file sizes, and a small file
-system of its own where root may mount one) the program is not killed, says its report, and ends with the exit code 2.
+Every result of a command has an older file of its name first. After a kill each of them is as it was, or the whole new
+one; what a run had recorded is found, repaired, and lacks a second of simulated time at most. Without space (a limit of file
+sizes, and a small file system of its own where root may mount one) the program is not killed, says its report, and ends with the exit code 2.
 
     tests/survival/kill_and_fill.py --program build/release/murosimf --kills 200 --fills 50 --seed 2
 """
@@ -42,7 +42,8 @@ def words(folder, text):
 COMMANDS = [
     "run nudge --duration 30 --speed 4 --record @game.mcap",
     "run nudge --duration 60 --record @game.mcap --record-what poses,states,hashes --record-states 2",
-    "run three_on_three --no-cameras --duration 20 --record @game.mcap --json @report.json --out @log.csv --log ball.ball.position",
+    "run three_on_three --no-cameras --duration 20 --record @game.mcap --json @report.json --out @log.csv"
+    " --log ball.ball.position",
     "run nudge --duration 3 --json @report.json --log robot.* --out @log.npy --save-state @end.state --save-at 1:@one.state",
     "run walk --duration 2 --picture @field.png --html @game.html --json @report.json",
     "rerun @in.mcap --record @game.mcap --json @report.json",
@@ -268,7 +269,8 @@ def main():
                     (draws or "render" not in one) and (video or "--video" not in one) and
                     (shutil.which("gnuplot") or not one.startswith("plot"))]
         for kind, count in (("kill", arguments.kills), ("fill", arguments.fills)):
-            statistics = {"ended before": 0, "new files": 0, "recordings": 0, "most lost [s]": 0.0, "exit code 2": 0, "on a small disk": 0}
+            statistics = {"ended before": 0, "new files": 0, "recordings": 0, "most lost [s]": 0.0, "exit code 2": 0,
+                          "on a small disk": 0}
             for number in range(count):
                 seed = int(hashlib.sha256(f"{arguments.seed} {kind} {number}".encode()).hexdigest()[:8], 16)
                 choose = random.Random(seed)

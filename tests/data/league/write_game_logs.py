@@ -6,8 +6,8 @@
 game.gamelog: twelve seconds of a game, two packets per second, teams 21 and 4;
 player 2 of team 4 has a penalty from 5.2 s to 10.2 s.
 fields.gamelog: one packet, in which every field has another value.
-soccer.gamelog: the same of the Humanoid Soccer League's GameController, versions 18, 19 and 20, and a game of version 20: ready, set, playing, stopped,
-playing. The test league.logs compares all with what this prints.
+soccer.gamelog: the same of the Humanoid Soccer League's GameController, versions 18, 19 and 20, and a game of
+version 20: ready, set, playing, stopped, playing. The test league.logs compares all with what this prints.
 """
 import pathlib
 import struct
@@ -62,9 +62,10 @@ def soccer_team(version, number, score, robots=(), goalkeeper=1, budget=12000):
     return struct.pack("<6B2H", number, 0, 1, goalkeeper, score, 0, 0, budget) + b"".join(players)
 
 
-def soccer_packet(version, count, state, teams, stopped=0, phase=0, set_play=0, first_half=1, kicking=255, seconds=600, secondary=0):
-    head = struct.pack("<4s10B2h", b"RGme", version, count % 256, 4, 0, stopped, phase, state, set_play, first_half, kicking, seconds,
-                       secondary)
+def soccer_packet(version, count, state, teams, stopped=0, phase=0, set_play=0, first_half=1, kicking=255, seconds=600,
+                  secondary=0):
+    head = struct.pack("<4s10B2h", b"RGme", version, count % 256, 4, 0, stopped, phase, state, set_play, first_half,
+                       kicking, seconds, secondary)
     return head + teams[0] + teams[1]
 
 

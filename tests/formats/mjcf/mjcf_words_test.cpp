@@ -200,8 +200,7 @@ TEST(MjcfWords, ModelsAreAttachedWithAllThatBelongsToThem) {
   ASSERT_EQ(robot.sensors.size(), 2U);
   EXPECT_EQ(robot.sensors[1].name, "r_gy");
   EXPECT_EQ(robot.description.exclusions[1].body1, "r_up");
-  EXPECT_TRUE(
-      std::ranges::any_of(robot.notes, [](const auto& note) { return contains(note, "arm.xml:8: keyframe"); }));
+  EXPECT_TRUE(std::ranges::any_of(robot.notes, [](const auto& note) { return contains(note, "arm.xml:8: keyframe"); }));
 
   const auto attached = [](const std::string& words) {
     return "<mujoco><asset><model name='arm' file='arm.xml'/><model name='none' "
