@@ -3,7 +3,8 @@
 
 Every result of a command has an older file of its name first. After a kill each of them is as it was, or the whole new
 one; what a run had recorded is found, repaired, and lacks a second of simulated time at most. Without space (a limit of file
-sizes, and a small file system of its own where root may mount one) the program is not killed, says its report, and ends with the exit code 2.
+sizes, and a small file system of its own where root may mount one) the program is not killed, says its report, and ends with
+the exit code 2.
 
     tests/survival/kill_and_fill.py --program build/release/murosimf --kills 200 --fills 50 --seed 2
 """
