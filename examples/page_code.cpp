@@ -48,6 +48,7 @@ void look_at(const imaging::ColorImage&, const imaging::Lens&, Duration) { ++loo
 class BallFinder final : public Algorithm {
  public:
   explicit BallFinder(Setup& setup) : frame_(sensors::read_frame(setup, "camera")) {}
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::control; }
   void step(const Instant&) noexcept override {
     if (frame_.number == last_) return;
     last_ = frame_.number;
@@ -73,6 +74,7 @@ void cameras() {
 class BalanceController final : public Algorithm {
  public:
   BalanceController(Setup& setup) : gyro_(sensors::read_output(setup, "imu.gyroscope")) {}
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::control; }
   void step(const Instant&) noexcept override { lean_ += period_ * gyro_[1]; }
   [[nodiscard]] double lean() const { return lean_; }
 
@@ -95,7 +97,7 @@ void questions() {
   scene::Scene duel("duel");
   Simulation& simulation = duel.simulation();
   simulation.run(10ms);
-  const Entity& robot = simulation.world().entity("blue1");
+  Entity& robot = simulation.world().entity("blue1");
   const Entity& ball = simulation.world().entity("ball");
   const Vec3d eye = robot.object("head").get(properties::position), forward{1, 0, -0.5}, place = eye;
   std::size_t touched = 0;

@@ -46,7 +46,7 @@ struct XmlFindings {
 [[nodiscard]] std::vector<XmlUnused> validate(const XmlElement& root, const XmlVocabulary& schema, bool lenient,
                                               std::vector<std::string>& warnings);
 
-/// Three lines per element, of attributes and of <elements> inside: which act, which are named without effect, which are refused. Lines
+/// Three lines per element, of attributes and of `<elements>` inside: which act, which are named without effect, which are refused. Lines
 /// without a word are left out.
 [[nodiscard]] std::string to_text(const XmlVocabulary& schema);
 
