@@ -42,8 +42,8 @@ int plot(const PlotOptions& options) {
   namespace fs = std::filesystem;
   const fs::path file = options.file;
   const fs::path picture = options.out.empty() ? fs::path(file).replace_extension(".png") : fs::path(options.out);
-  claim_picture("--out", picture.string());
   const files::CsvTable table = table_in(file, options.patterns);
+  claim_picture("--out", picture.string());
   logging::write_plot(picture, with_context(options.file, [&] {
                         return logging::plot_of(table, file.filename().string(), options.patterns);
                       }));

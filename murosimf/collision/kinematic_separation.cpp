@@ -126,8 +126,10 @@ void kinematic_separation(std::vector<MovingEntity>& moving_entities, const Stat
       for (const PairContact& c : contacts_of(a, b, set.blocked)) deepest.see(c.normal, c.depth);
     } else {
       const auto contacts = contacts_of(a, b, set.points);
-      const double strain = contacts.empty() ? 0 : strain_of(a_fast ? b : a, moving_entities, set);
-      for (const PairContact& c : contacts) deepest.see(c.normal, std::max(strain, excess_of(c, moving_entities)));
+      const auto excess = [&](const PairContact& c) { return excess_of(c, moving_entities); };
+      if (const auto worst = std::ranges::max_element(contacts, {}, excess); worst != contacts.end()) {
+        deepest.see(worst->normal, std::max(excess(*worst), strain_of(a_fast ? b : a, moving_entities, set)));
+      }
     }
     if (a_fast) first.separation[0] += deepest.way_out(both ? 0.5 : 1, dt);
     if (b_fast) second.separation[0] -= deepest.way_out(both ? 0.5 : 1, dt);

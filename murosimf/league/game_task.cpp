@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/behavior/behavior_properties.h"
-#include "murosimf/connect/controller_task.h"
+#include "murosimf/connect/software_report.h"
 #include "murosimf/league/robot_status.h"
 #include "murosimf/league/rule_names.h"
 #include "murosimf/league/soccer_packet.h"
@@ -47,7 +47,7 @@ GameTask::Member GameTask::member(Setup setup, const Player& player) const {
   if (robot.find(connect::game_view)) member.view = &setup.write(connect::game_view)[0];
   if (robot.find(connect::game_answer)) member.answer = &setup.read(connect::game_answer)[0];
   if (robot.find(properties::pose_estimate)) member.estimate = &setup.read(properties::pose_estimate)[0];
-  if (robot.find(properties::halted) && !connect::software_report(robot)) {
+  if (robot.find(properties::halted) && !robot.find(connect::software_seam)) {
     member.halted = &setup.write(properties::halted)[0];
   }
   return member;

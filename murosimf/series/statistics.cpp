@@ -28,8 +28,8 @@ void set_wilson(MeanInterval& result) {
   const double n = static_cast<double>(result.count), p = result.mean, scale = 1 / (1 + z2 / n);
   const double middle = scale * (p + z2 / (2 * n));
   const double half = scale * z * std::sqrt(p * (1 - p) / n + z2 / (4 * n * n));
-  result.low = std::max(0.0, middle - half);  // rounding, where no case or every case was 1
-  result.high = std::min(1.0, middle + half);
+  result.low = p > 0 ? middle - half : 0;  // without rounding, where no case or every case was 1
+  result.high = p < 1 ? middle + half : 1;
 }
 
 }  // namespace

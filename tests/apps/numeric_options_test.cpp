@@ -12,6 +12,9 @@ struct NumericOption {
 
 constexpr NumericOption numeric_options[]{
     {"run walk", "--threads"},
+    {"doctor walk", "--duration"},
+    {"doctor walk", "--threads"},
+    {"doctor walk", "--seed"},
     {"run walk", "--seed"},
     {"run walk", "--duration"},
     {"run walk", "--speed"},

@@ -296,7 +296,7 @@ TEST_F(Drawing, RefusesOutputsThatCannotBe) {
   expect_refused("--time 1e9 --out /no/such/folder/a.png",
                  {"cannot write '/no/such/folder/a.png'", "there is no folder"});
   expect_refused("--time 1e9 --out /proc/a.png", {"cannot write '/proc/a.png'"});
-  expect_refused("--time 1e9 --out " + folder().string(), {"it is a folder"});
+  expect_refused("--time 1e9 --out " + folder().string(), {"write a name that ends with .png"});
   expect_refused("--time 1e9 --video /no/such/folder/a.mp4", {"/no/such/folder/a.mp4", "there is no folder"});
   expect_refused("--time 1e9" + video("film"), {"film", "its extension must say which kind", ".mp4"});
   expect_refused("--time 1e9" + video("film.txt"), {"film.txt", "its extension must say which kind", ".mp4"});

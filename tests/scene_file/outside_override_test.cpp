@@ -156,7 +156,7 @@ TEST(OutsideOverride, KeysThatAreClosed) {
             (Keys{"name", "body_contact_options", "start", "field", "view", "views", "light", "ball", "teams",
                   "defaults", "robots", "bodies", "materials", "events", "pushes", "communication", "league"}));
   EXPECT_EQ(closed("robots", "robot."), (Keys{"name", "options", "level_options", "contact_options", "library",
-                                              "call_budget", "reload", "link", "no_contact"}));
+                                              "call_budget", "reload", "link", "keyframe", "no_contact"}));
   EXPECT_EQ(closed("bodies", "box."), Keys{"name"});
   EXPECT_EQ(closed("league", "league."), (Keys{"place_penalized", "answer_port"}));
   for (const char* section : {"start", "field", "view", "light", "ball", "communication"}) {

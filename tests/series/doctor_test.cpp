@@ -84,16 +84,12 @@ TEST(Doctor, ScalesTheGainsOfEveryServo) {
 }
 
 TEST(Doctor, FallsAreFlips) {
-  DoctorOptions options = of(walker + "level = \"articulated_dynamics\"\n", {"levels"});
-  options.common.pushes = {"a.torso=[150,0,0]@0.2..0.3"};
+  DoctorOptions options = of(walker + "level = \"articulated_dynamics\"\npitch_deg = 40\n", {"levels"});
   const Checkup checkup = examine(options);
   EXPECT_EQ(ending(checkup, "as it is").ending, Ending::fell);
-  EXPECT_EQ(ending(checkup, "kinematic_walking").ending, Ending::stands);
+  EXPECT_EQ(ending(checkup, "kinematic_walking").ending, Ending::stands) << to_text(checkup);
   EXPECT_TRUE(ending(checkup, "kinematic_walking").flips);
   EXPECT_FALSE(ending(checkup, "articulated_dynamics").flips);
-  EXPECT_NE(std::ranges::find(checkup.flips, "levels, kinematic_walking: a: stands; as it is: fell"),
-            checkup.flips.end());
-  EXPECT_NE(to_text(checkup).find("stands 0."), std::string::npos);
   EXPECT_NE(to_text(checkup).find(" *"), std::string::npos);
 }
 

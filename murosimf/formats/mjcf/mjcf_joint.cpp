@@ -55,7 +55,7 @@ void limit_target(const MjcfActuator& actuator, const files::XmlElement& element
   const double middle = 0.5 * (joint.range->x + joint.range->y);
   const double half = 0.5 * actuator.inherited_range * (joint.range->y - joint.range->x);
   const auto [lowest, highest] =
-      std::minmax(actuator.per_range * (middle - half), actuator.per_range * (middle + half));
+      std::minmax({actuator.per_range * (middle - half), actuator.per_range * (middle + half)});
   joint.target_range = Vec3d{lowest, highest, 0};
 }
 

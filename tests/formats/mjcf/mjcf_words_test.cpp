@@ -59,7 +59,7 @@ struct Drive {
 Drive drive(const std::string& text) {
   const auto robot = read(text);
   const int j = robot.model->object_index("j");
-  const Vec3d* range = robot.model->find(properties::joint_target_range, j);
+  const auto* range = robot.model->find(properties::joint_target_range, j);
   return {*robot.model->find(properties::servo, j), range ? std::optional(*range) : std::nullopt};
 }
 
