@@ -164,10 +164,11 @@ void repeat() {
 }
 
 void session_steered() {
-  scene::Scene scene("walk", {.pushable = true});
+  scene::Scene scene("walk", {.overrides = {"walker.level=simplified_dynamics"}, .pushable = true});
   session::Session session(scene, {.speed = 1.0});
   std::thread run([&] { session.run(60s); });
   session.change("walker.torso.push = [60, 0, 0, 0.1]").get();
+  while (session.status().time < 2100ms) std::this_thread::sleep_for(10ms);
   session.pause();
   session.seek(2s).get();
   session.go_on();

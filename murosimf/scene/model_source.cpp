@@ -39,6 +39,14 @@ void check_visuals(const Model& model) {
   }
 }
 
+/// Its words without effect are for MuJoCo, and known.
+bool comes_with_the_program(const std::filesystem::path& file) {
+  std::error_code none;
+  return std::ranges::any_of(files::program_folders(), [&](const std::filesystem::path& folder) {
+    return std::filesystem::equivalent(file.parent_path(), folder, none);
+  });
+}
+
 /// "these words of its file have no effect here: option, geom.condim and 3 more; murosimf check kid21"
 std::string unused_text(const std::vector<std::string>& words, const std::string& name) {
   constexpr std::ptrdiff_t most = 8;  // that fit into a line
@@ -58,7 +66,7 @@ const RobotKind& ModelSource::robot(const std::string& name, const std::string& 
       with_context(where, [&] { return files::find_data_file(name, "models", ".xml", spec_.file.parent_path()); });
   auto kind = assets_.robot(file, lenient_);
   remarks_.warn(kind->warnings);
-  if (!kind->unused.empty()) remarks_.note(name, unused_text(kind->unused, name));
+  if (!kind->unused.empty() && !comes_with_the_program(file)) remarks_.note(name, unused_text(kind->unused, name));
   check_materials(*kind->model);
   check_visuals(*kind->model);
   known = std::move(kind);
