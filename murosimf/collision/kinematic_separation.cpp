@@ -126,9 +126,9 @@ void kinematic_separation(std::vector<MovingEntity>& moving_entities, const Stat
       for (const PairContact& c : contacts_of(a, b, set.blocked)) deepest.see(c.normal, c.depth);
     } else {
       const auto contacts = contacts_of(a, b, set.points);
-      const auto excess = [&](const PairContact& c) { return excess_of(c, moving_entities); };
-      if (const auto worst = std::ranges::max_element(contacts, {}, excess); worst != contacts.end()) {
-        deepest.see(worst->normal, std::max(excess(*worst), strain_of(a_fast ? b : a, moving_entities, set)));
+      const auto own_excess = [&](const PairContact& c) { return excess_of(c, moving_entities); };
+      if (const auto worst = std::ranges::max_element(contacts, {}, own_excess); worst != contacts.end()) {
+        deepest.see(worst->normal, std::max(own_excess(*worst), strain_of(a_fast ? b : a, moving_entities, set)));
       }
     }
     if (a_fast) first.separation[0] += deepest.way_out(both ? 0.5 : 1, dt);
