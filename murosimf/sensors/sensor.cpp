@@ -18,9 +18,9 @@ void check_signal_names(const SensorSpec& spec, const std::vector<Output>& outpu
   std::vector<std::string_view> names;
   for (const Output& output : outputs) names.push_back(output.name);
   for (const auto& [name, signal] : spec.signals) {
-    const bool known = std::ranges::any_of(outputs, [&, &name = name](const Output& output) {
-      return output.name == name || std::ranges::any_of(output.labels, [&](const std::string& label) {
-               return name == output.name + "." + label;
+    const bool known = std::ranges::any_of(outputs, [&, &wanted = name](const Output& output) {
+      return output.name == wanted || std::ranges::any_of(output.labels, [&](const std::string& label) {
+               return wanted == output.name + "." + label;
              });
     });
     if (name.empty() || known || spec.part_outputs.contains(name)) continue;
