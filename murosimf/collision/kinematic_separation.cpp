@@ -125,9 +125,9 @@ void kinematic_separation(std::vector<MovingEntity>& moving_entities, const Stat
     if (both) {
       for (const PairContact& c : contacts_of(a, b, set.blocked)) deepest.see(c.normal, c.depth);
     } else {
-      const auto contacts = contacts_of(a, b, set.points);
+      const auto between = contacts_of(a, b, set.points);
       const auto own_excess = [&](const PairContact& c) { return excess_of(c, moving_entities); };
-      if (const auto worst = std::ranges::max_element(contacts, {}, own_excess); worst != contacts.end()) {
+      if (const auto worst = std::ranges::max_element(between, {}, own_excess); worst != between.end()) {
         deepest.see(worst->normal, std::max(own_excess(*worst), strain_of(a_fast ? b : a, moving_entities, set)));
       }
     }

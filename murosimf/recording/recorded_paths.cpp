@@ -194,8 +194,8 @@ TextMap RecordedPaths::folders() const {
   const fs::path here = fs::current_path(error);
   for (const auto& [folder, name] : roots_) {
     if (!name.starts_with(user)) continue;
-    const auto seen_from = [&, folder = fs::path(folder)](const fs::path& above) {
-      return folder.lexically_relative(above).string() + "\n";
+    const auto seen_from = [from = fs::path(folder)](const fs::path& above) {
+      return from.lexically_relative(above).string() + "\n";
     };
     if (!home().empty() && is_below(folder, home())) {
       all[name] += "~/" + seen_from(home());
