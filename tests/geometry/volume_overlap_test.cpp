@@ -10,9 +10,9 @@ namespace {
 using fixtures::Dice;
 
 template <class V, class W>
-constexpr bool boxes_of_different_axes =
-    std::is_same_v<V, Obb>&& std::is_same_v<W, Obb> || std::is_same_v<V, Obb>&& std::is_same_v<W, Aabb> ||
-    std::is_same_v<V, Aabb>&& std::is_same_v<W, Obb>;
+constexpr bool boxes_of_different_axes = (std::is_same_v<V, Obb> &&
+                                          (std::is_same_v<W, Obb> || std::is_same_v<W, Aabb>)) ||
+                                         (std::is_same_v<V, Aabb> && std::is_same_v<W, Obb>);
 
 // Law: two volumes that share a point overlap, and their gap is zero. One is moved until a point of it, often of its
 // surface, is a picometer inside the other.

@@ -20,7 +20,6 @@ using fixtures::same_bits;
 using fixtures::State;
 
 constexpr double h = 1e-3;
-const Vec3d gravity{0, 0, -9.81};
 
 /// Two links that move in one plane below a bolted ceiling.
 Model two_links() {
