@@ -117,7 +117,9 @@ TEST(CameraSpec, NumbersHaveBounds) {
                                                               {"readout_time", {0, 1}},  {"readout_bands", {1, 8192}},
                                                               {"shot_noise", {0, 1}},    {"read_noise", {0, 1}}};
   for (const auto& [key, bounds] : ends) {
-    const auto error = [&key = key](double number) { return error_of([&] { (void)of({{key, number}, {"fx", 50}}); }); };
+    const auto error = [&wanted = key](double number) {
+      return error_of([&] { (void)of({{wanted, number}, {"fx", 50}}); });
+    };
     EXPECT_EQ(error(bounds.first), "no error") << key;
     EXPECT_EQ(error(bounds.second), "no error") << key;
     EXPECT_TRUE(says(error(bounds.first - 1), {key})) << key;
