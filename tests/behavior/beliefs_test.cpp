@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/behavior/behavior_properties.h"
+#include "murosimf/model/world.h"
 #include "tests/fixtures.h"
 
 namespace murosimf::behavior {

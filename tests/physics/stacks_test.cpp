@@ -12,7 +12,7 @@ namespace {
 
 constexpr double least = 1e-5;      // [m] mean overlap of two bodies that carry weight, below which nothing was carried
 constexpr double deepest = 1.3e-3;  // [m] three boxes on the lowest one: 0.4 mm each, and rounding of 10 sweeps
-constexpr double box_mass = 4.3, box_height = 0.1;
+constexpr double box_height = 0.1;
 
 /// A body of 1 kg and 0.1 m height.
 ModelPtr solid(const Shape& shape) {
