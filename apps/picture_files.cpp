@@ -13,6 +13,11 @@
 namespace murosimf::app {
 namespace {
 
+std::string png_of(const Taken& picture) {
+  if (const auto* numbers = std::get_if<imaging::NumberImage>(&picture)) return render::number_png(*numbers);
+  return render::image_png(std::get<imaging::ColorImage>(picture));
+}
+
 /// Runs to the steps that are nearest to given times, and shows how far it is on the way to `end`.
 class PacedScene {
  public:
@@ -44,13 +49,15 @@ void run_with_progress(Simulation& simulation, Duration time) { PacedScene(simul
 
 bool write_picture(PictureSource& source, Simulation& simulation, const RenderOptions& options) {
   const auto picture = interrupted() ? std::nullopt : source.take(simulation.now());
-  if (picture) files::write_file(options.out, render::image_png(*picture));
+  if (picture) files::write_file(options.out, png_of(*picture));
   return picture.has_value();
 }
 
 bool write_video(PictureSource& source, Simulation& simulation, const RenderOptions& options, double duration) {
   const Duration begin = simulation.now(), end = begin + from_seconds(duration);
   PacedScene scene(simulation, end);
+  using Pixels = appearance::VideoFile::Pixels;
+  const Pixels pixels = has_numbers(options) ? Pixels::numbers : Pixels::colors;
   std::optional<appearance::VideoFile> video;
   for (std::int64_t i = 0;; ++i) {
     const Duration next = begin + from_seconds(static_cast<double>(i) / source.rate());
@@ -58,8 +65,12 @@ bool write_video(PictureSource& source, Simulation& simulation, const RenderOpti
     scene.run_to(next);
     const auto picture = interrupted() ? std::nullopt : source.take(next);
     if (!picture) break;
-    if (!video) video.emplace(options.video, picture->width(), picture->height(), source.fps());
-    video->add(*picture);
+    std::visit(
+        [&](const auto& image) {
+          if (!video) video.emplace(options.video, pixels, image.width(), image.height(), source.fps());
+          video->add(image);
+        },
+        *picture);
   }
   if (!video && !interrupted()) refuse_no_time();
   if (video) video->finish();

@@ -1,6 +1,7 @@
 #include "apps/picture_source.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <set>
 
@@ -9,6 +10,7 @@
 #include "apps/interruption.h"
 #include "apps/option_values.h"
 #include "murosimf/connect/drawn.h"
+#include "murosimf/imaging/depth_numbers.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/recording/recorded_drawings.h"
 #include "murosimf/recording/recorded_others.h"
@@ -21,13 +23,33 @@
 namespace murosimf::app {
 namespace {
 
-enum class Layer { color, depth, labels };
+struct Layer {
+  enum class Kind { color, depth, labels };
+  std::string_view name;
+  Kind kind;
+  bool shown = false;  ///< in colors, for people
+  [[nodiscard]] bool is(Kind one) const { return kind == one; }
+};
+using Kind = Layer::Kind;
 
-Layer layer_of(const std::string& name) {
-  if (name == "color") return Layer::color;
-  if (name == "depth") return Layer::depth;
-  if (name == "labels") return Layer::labels;
-  throw SetupError("--layer: " + unknown_name("layer", name, {"color", "depth", "labels"}));
+constexpr std::array all_layers{Layer{"color", Kind::color}, Layer{"depth", Kind::depth}, Layer{"labels", Kind::labels},
+                                Layer{"depth_shown", Kind::depth, true}, Layer{"labels_shown", Kind::labels, true}};
+
+const Layer& layer_of(const std::string& name) {
+  const auto found = std::ranges::find(all_layers, name, &Layer::name);
+  if (found != all_layers.end()) return *found;
+  std::vector<std::string_view> names;
+  for (const Layer& layer : all_layers) names.push_back(layer.name);
+  throw SetupError("--layer: " + unknown_name("layer", name, names));
+}
+
+Taken taken(const imaging::DepthImage& depth, bool shown) {
+  if (shown) return render::shown(depth);
+  return imaging::millimeters(depth);
+}
+Taken taken(const imaging::LabelImage& labels, bool shown) {
+  if (shown) return render::shown(labels);
+  return labels;
 }
 
 /// A place from where people look.
@@ -41,7 +63,7 @@ class Eye final : public PictureSource {
         drawings_(options.drawings.begin(), options.drawings.end()),
         fps_(options.fps),
         slow_(options.slow) {
-    if (!drawings_.empty() && layer_ != Layer::color) throw SetupError("--drawings are drawn over colors");
+    if (!drawings_.empty() && !layer_.is(Kind::color)) throw SetupError("--drawings are drawn over colors");
     (void)scene::viewpoint_perspective(scene, view_, size_.width, size_.height);
     const auto for_people = [shadows = !options.no_shadows](scene_file::LightSpec& light) {
       light.shadows = shadows;
@@ -56,16 +78,17 @@ class Eye final : public PictureSource {
   }
   [[nodiscard]] double fps() const override { return fps_; }
   [[nodiscard]] double rate() const override { return fps_ * slow_; }
-  std::optional<imaging::ColorImage> take(Duration /*instant*/) override {
+  std::optional<Taken> take(Duration /*instant*/) override {
     sensors::View view;
-    const sensors::Layers layers{layer_ == Layer::color, layer_ == Layer::depth, layer_ == Layer::labels};
+    const sensors::Layers layers{layer_.is(Kind::color), layer_.is(Kind::depth), layer_.is(Kind::labels)};
     render::Renderer& renderer = painter_->renderer();
     const sensors::Perspective from = scene::viewpoint_perspective(scene_, view_, size_.width, size_.height);
     renderer.draw(from, layers, 0, view);
     if (const std::string trouble = renderer.trouble(); !trouble.empty()) throw SetupError(trouble);
     if (!drawings_.empty()) draw_drawings(from, view.color);
-    if (layer_ == Layer::depth) return render::shown(view.depth);
-    return layer_ == Layer::labels ? render::shown(view.labels) : std::move(view.color);
+    if (layer_.is(Kind::depth)) return taken(view.depth, layer_.shown);
+    if (layer_.is(Kind::labels)) return taken(view.labels, layer_.shown);
+    return std::move(view.color);
   }
 
  private:
@@ -103,7 +126,7 @@ class Eye final : public PictureSource {
   scene::Scene& scene_;
   std::string view_;
   PictureSize size_;
-  Layer layer_;
+  const Layer& layer_;
   std::set<std::string> drawings_;
   double fps_, slow_;
   std::unique_ptr<scene::ScenePainter> painter_;
@@ -125,7 +148,7 @@ class RobotCamera final : public PictureSource {
   }
   [[nodiscard]] double fps() const override { return rate() / slow_; }
   [[nodiscard]] double rate() const override { return 1 / seconds(frame_.info->period); }
-  std::optional<imaging::ColorImage> take(Duration instant) override {
+  std::optional<Taken> take(Duration instant) override {
     // a frame of now is there after the next step, or later by its delay
     while (frame_.number == 0 || frame_.time < instant) {
       if (interrupted()) return std::nullopt;
@@ -134,8 +157,8 @@ class RobotCamera final : public PictureSource {
       }
       simulation_.run(std::chrono::milliseconds(1));
     }
-    if (layer_ == Layer::depth) return wanted(frame_.depth, "depth");
-    if (layer_ == Layer::labels) return wanted(frame_.labels, "labels");
+    if (layer_.is(Kind::depth)) return taken(wanted(frame_.depth, "depth"), layer_.shown);
+    if (layer_.is(Kind::labels)) return taken(wanted(frame_.labels, "labels"), layer_.shown);
     return frame_.mosaic.empty() ? wanted(frame_.color, "color") : render::shown(frame_.mosaic);
   }
 
@@ -160,14 +183,9 @@ class RobotCamera final : public PictureSource {
     }
     throw SetupError("write ROBOT.CAMERA" + cameras);
   }
-  static imaging::ColorImage colors(const imaging::ColorImage& image) { return image; }
   template <class Image>
-  static imaging::ColorImage colors(const Image& image) {
-    return render::shown(image);
-  }
-  template <class Image>
-  [[nodiscard]] imaging::ColorImage wanted(const Image& image, std::string_view layer) const {
-    if (!image.empty()) return colors(image);
+  [[nodiscard]] const Image& wanted(const Image& image, std::string_view layer) const {
+    if (!image.empty()) return image;
     throw SetupError(fmt::format("--layer {}: the camera does not draw it; {} lets it", layer,
                                  setting(fmt::format("{}=true", layer))));
   }
@@ -175,7 +193,7 @@ class RobotCamera final : public PictureSource {
   Simulation& simulation_;
   std::string path_;
   const sensors::CameraFrame& frame_;
-  Layer layer_;
+  const Layer& layer_;
   double slow_;
 };
 
@@ -186,6 +204,15 @@ void check_drawing() {
 }
 
 }  // namespace
+
+bool has_numbers(const RenderOptions& options) {
+  const Layer& layer = layer_of(options.layer);
+  return !layer.is(Kind::color) && !layer.shown;
+}
+
+bool has_labels(const RenderOptions& options) {
+  return has_numbers(options) && layer_of(options.layer).is(Kind::labels);
+}
 
 std::unique_ptr<PictureSource> make_robot_camera(scene::Scene& scene, const RenderOptions& options) {
   auto camera = std::make_unique<RobotCamera>(scene, options);

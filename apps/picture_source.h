@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <variant>
 
 #include "apps/render_options.h"
 #include "murosimf/recording/recorded_run.h"
@@ -10,6 +11,13 @@
 #include "murosimf/sensors/camera_frame.h"
 
 namespace murosimf::app {
+
+/// A picture: colors, or numbers of 16 bits: depths [mm] or labels.
+using Taken = std::variant<imaging::ColorImage, imaging::NumberImage>;
+
+/// Of --layer: whether pictures have numbers, and whether these are labels. Throws SetupError if there is no such layer.
+[[nodiscard]] bool has_numbers(const RenderOptions& options);
+[[nodiscard]] bool has_labels(const RenderOptions& options);
 
 /// Where pictures come from.
 class PictureSource {
@@ -20,7 +28,7 @@ class PictureSource {
   [[nodiscard]] virtual double rate() const = 0;
   /// The picture of an instant that has come, or the first one after it; the simulation may go on for that. Nothing if it
   /// was interrupted.
-  virtual std::optional<imaging::ColorImage> take(Duration instant) = 0;
+  virtual std::optional<Taken> take(Duration instant) = 0;
 };
 
 /// A camera that a robot carries; before the scene is initialized. Throws SetupError if there is none, or nothing can be

@@ -1,5 +1,6 @@
 // `murosimf render`: a picture or a video of a scene, from a place by name or through a robot's camera.
 #include <algorithm>
+#include <filesystem>
 
 #include <fmt/format.h>
 
@@ -13,9 +14,11 @@
 #include "apps/results.h"
 #include "murosimf/appearance/video_file.h"
 #include "murosimf/files/file_roles.h"
+#include "murosimf/files/output_file.h"
 #include "murosimf/recording/recorded_series.h"
 #include "murosimf/render/light.h"
 #include "murosimf/scene/scene.h"
+#include "murosimf/scene/scene_labels.h"
 #include "murosimf/scene/scene_report.h"
 
 namespace murosimf::app {
@@ -29,7 +32,12 @@ void define(const Command& command, RenderOptions& options) {
               "From where: overview (usual), top, side, left, right, a robot's name, or a view of the scene");
   const Option camera = command.add("--camera", options.camera, "ROBOT.CAMERA: through a camera that a robot carries");
   command.add("--size", options.size, "WIDTHxHEIGHT in pixels; 1280x720 if not given");
-  command.add("--layer", options.layer, "color, depth or labels").shows_default();
+  command
+      .add("--layer", options.layer,
+           "color; depth (16 bits, mm, 0: nothing) or labels (16 bits, FILE.labels.json has their names), as PNG or "
+           ".mkv; "
+           "depth_shown or labels_shown: in colors, for people")
+      .shows_default();
   command.add("--light", options.light, "hall, day or night, instead of the scene's");
   command.add("--no-shadows", options.no_shadows, "No shadows in pictures from a view").excludes(camera);
   command
@@ -67,6 +75,12 @@ void check_light(const std::string& name) {
   throw SetupError("--light: " + unknown_name("light", name, names));
 }
 
+/// "seen.labels.json" beside "seen.png".
+std::string label_file(const RenderOptions& options) {
+  const std::filesystem::path picture = options.video.empty() ? options.out : options.video;
+  return std::filesystem::path(picture).replace_extension(".labels.json").string();
+}
+
 /// What can be found out before anything is computed.
 void check(const RenderOptions& options) {
   if (options.out.empty() == options.video.empty()) {
@@ -85,9 +99,10 @@ void check(const RenderOptions& options) {
   if (options.video.empty()) {
     claim_picture("--out", options.out);
   } else {
-    appearance::check_video(options.video);
+    has_numbers(options) ? appearance::check_number_video(options.video) : appearance::check_video(options.video);
     files::claim_output("--video", options.video);
   }
+  if (has_labels(options)) files::claim_output("--layer labels", label_file(options));
 }
 
 /// What is there, for who has interrupted it.
@@ -161,6 +176,7 @@ int render(const RenderOptions& given) {
                            : write_video(*source, simulation, options,
                                          options.duration.value_or(run ? seconds(run->end() - simulation.now())
                                                                        : scene.spec().duration));
+  if (written && has_labels(options)) files::write_file(label_file(options), scene::label_table_json(scene) + "\n");
   if (const auto line = events_to_come(scene); !run && !interrupted() && !line.empty()) say_warning(line);
   if (interrupted()) say_stopped(options, simulation, written);
   return exit_code();

@@ -15,7 +15,7 @@ struct RenderOptions {
   std::string view;                   ///< name of a place (scene/scene_viewpoints.h)
   std::string camera;                 ///< ROBOT.CAMERA instead
   std::string size;                   ///< WIDTHxHEIGHT; empty: 1280x720
-  std::string layer = "color";        ///< or depth, labels
+  std::string layer = "color";        ///< or depth, labels, depth_shown, labels_shown
   std::string light;                  ///< instead of the scene's
   bool stance = false;                ///< standing feet of kinematic walkers are yellow
   bool no_shadows = false;            ///< in pictures for people; cameras have what the scene says

@@ -23,7 +23,7 @@ if(MUROSIMF_TCP)
 endif()
 if(MUROSIMF_PICTURES)
   if(PkgConfig_FOUND)
-    pkg_check_modules(cairo QUIET IMPORTED_TARGET GLOBAL cairo)
+    pkg_check_modules(cairo QUIET IMPORTED_TARGET GLOBAL cairo libpng)  # which cairo needs itself
   endif()
   if(NOT TARGET PkgConfig::cairo)
     message(STATUS "pictures are off: cairo was not found (Debian and Ubuntu: libcairo2-dev)")

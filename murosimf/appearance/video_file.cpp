@@ -29,6 +29,15 @@ const std::filesystem::path& checked(const std::filesystem::path& file) {
   return file;
 }
 
+const std::filesystem::path& checked_for_numbers(const std::filesystem::path& file) {
+  if (checked(file).extension() == ".mkv") return file;
+  throw SetupError(fmt::format("'{}': a video keeps numbers, as depths and labels are, only as .mkv", file.string()));
+}
+
+const std::filesystem::path& checked(const std::filesystem::path& file, VideoFile::Pixels pixels) {
+  return pixels == VideoFile::Pixels::numbers ? checked_for_numbers(file) : checked(file);
+}
+
 /// The number behind the last "frame=" of ffmpeg's progress.
 std::int64_t last_frame(const std::string& progress) {
   constexpr std::string_view word = "frame=";
@@ -39,23 +48,25 @@ std::int64_t last_frame(const std::string& progress) {
   return count;
 }
 
-/// Most players want even sizes and 4:2:0; a GIF has a palette for each picture.
-std::vector<std::string> form_of(const std::filesystem::path& file) {
+/// Most players want even sizes and 4:2:0; a GIF has a palette for each picture; numbers are kept as they are.
+std::vector<std::string> form_of(const std::filesystem::path& file, VideoFile::Pixels pixels) {
+  if (pixels == VideoFile::Pixels::numbers) return {"-c:v", "ffv1", "-level", "3", "-pix_fmt", "gray16le"};
   if (file.extension() == ".gif") {
     return {"-vf", "split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1"};
   }
   return {"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p"};
 }
 
-std::vector<std::string> command(const std::filesystem::path& file, int width, int height, double rate) {
+std::vector<std::string> command(const std::filesystem::path& file, VideoFile::Pixels pixels, int width, int height,
+                                 double rate) {
   std::vector<std::string> words{"ffmpeg",    "-y",
                                  "-loglevel", "error",
                                  "-f",        "rawvideo",
-                                 "-pix_fmt",  "rgb24",
+                                 "-pix_fmt",  pixels == VideoFile::Pixels::numbers ? "gray16" : "rgb24",
                                  "-s",        fmt::format("{}x{}", width, height),
                                  "-r",        fmt::format("{}", rate),
                                  "-i",        "-"};
-  for (std::string& word : form_of(file)) words.push_back(std::move(word));
+  for (std::string& word : form_of(file, pixels)) words.push_back(std::move(word));
   words.push_back("file:" + file.string());  // a name with a colon is no address
   return words;
 }
@@ -67,15 +78,17 @@ void check_video(const std::filesystem::path& file) {
   files::ChildPipe({"ffmpeg", "-version"}, no_ffmpeg).finish();
 }
 
-VideoFile::VideoFile(std::filesystem::path file, int width, int height, double frames_per_second)
-    : file_(std::move(file)), part_(checked(file_), files::PartFile::Extension::of_file) {
-  ffmpeg_.emplace(command(part_.path(), width, height, frames_per_second), no_ffmpeg);
+void check_number_video(const std::filesystem::path& file) { check_video(checked_for_numbers(file)); }
+
+VideoFile::VideoFile(std::filesystem::path file, Pixels pixels, int width, int height, double frames_per_second)
+    : file_(std::move(file)), part_(checked(file_, pixels), files::PartFile::Extension::of_file) {
+  ffmpeg_.emplace(command(part_.path(), pixels, width, height, frames_per_second), no_ffmpeg);
 }
 
 VideoFile::~VideoFile() = default;
 
-void VideoFile::add(const imaging::ColorImage& picture) {
-  ffmpeg_->write(std::as_bytes(picture.pixels()));
+void VideoFile::add(std::span<const std::byte> picture) {
+  ffmpeg_->write(picture);
   ++pictures_;
 }
 

@@ -49,8 +49,9 @@ struct Rgb {
 };
 
 using ColorImage = Image<Rgb>;
-using GrayImage = Image<std::uint8_t>;    ///< brightness, or a Bayer mosaic
-using DepthImage = Image<float>;          ///< [m] along the optical axis; infinite where nothing is
-using LabelImage = Image<std::uint16_t>;  ///< what is seen (sensors/view_source.h)
+using GrayImage = Image<std::uint8_t>;  ///< brightness, or a Bayer mosaic
+using DepthImage = Image<float>;        ///< [m] along the optical axis; infinite where nothing is
+using NumberImage = Image<std::uint16_t>;
+using LabelImage = NumberImage;  ///< what is seen (sensors/view_source.h)
 
 }  // namespace murosimf::imaging

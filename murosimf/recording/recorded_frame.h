@@ -79,6 +79,8 @@ struct CameraPicture {
   Duration taken{};
   imaging::ColorImage color;
   imaging::GrayImage mosaic;
+  imaging::NumberImage depth;  ///< [mm] (imaging/depth_numbers.h)
+  imaging::LabelImage labels;
 };
 
 /// Whose drawings they are: of a robot's software, or of others (connect/drawing_board.h), at that robot or in the world.

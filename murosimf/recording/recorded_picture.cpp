@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/imaging/depth_numbers.h"
 #include "murosimf/imaging/lens_fit.h"
 #include "murosimf/recording/foxglove_messages.h"
 #include "murosimf/recording/frame_writer.h"
@@ -45,6 +46,25 @@ std::string message_of(const RecordedCamera& camera, const CameraPicture& pictur
   out.bytes(2, render::image_png(picture.mosaic.empty() ? picture.color : render::shown(picture.mosaic)));
   out.text(3, "png");
   out.text(4, camera.frame);
+  return bytes;
+}
+
+/// foxglove.RawImage, of numbers whose lower byte comes first
+std::string message_of(const RecordedCamera& camera, Duration taken, const imaging::NumberImage& image) {
+  std::string bytes, numbers;
+  numbers.reserve(2 * image.pixels().size());
+  for (const std::uint16_t number : image.pixels()) {
+    numbers += static_cast<char>(number & 255);
+    numbers += static_cast<char>(number >> 8);
+  }
+  ProtobufWriter out(bytes);
+  put_time(out, 1, taken);
+  out.fixed32(2, static_cast<std::uint32_t>(image.width()));
+  out.fixed32(3, static_cast<std::uint32_t>(image.height()));
+  out.text(4, "16UC1");
+  out.fixed32(5, 2 * static_cast<std::uint32_t>(image.width()));
+  out.bytes(6, numbers);
+  out.text(7, camera.frame);
   return bytes;
 }
 
@@ -100,7 +120,7 @@ std::vector<RecordedCamera> recorded_cameras(const std::vector<RecordedEntity>& 
   for (const RecordedEntity& one : entities) {
     for (const sensors::CameraFrame* frame : sensors::frames_of(*one.entity)) {
       const auto link = std::ranges::find(one.links, frame->info->link, &RecordedEntity::Link::object);
-      if (link == one.links.end() || (!frame->info->has_color && frame->info->mosaic.empty())) continue;
+      if (link == one.links.end()) continue;
       cameras.push_back({.topic = fmt::format("/cameras/{}/{}", one.name, frame->info->name),
                          .frame = fmt::format("{}/{}/optical", one.name, frame->info->name),
                          .link = link->frame,
@@ -115,19 +135,32 @@ void take_pictures(std::vector<RecordedCamera>& cameras, RecordedFrame& frame) {
     const sensors::CameraFrame& shown = *cameras[i].shown;
     if (shown.number == cameras[i].number) continue;
     cameras[i].number = shown.number;
-    if (shown.color.empty() && shown.mosaic.empty()) continue;  // nothing can be drawn here
-    frame.pictures.push_back({.camera = i, .taken = shown.time, .color = shown.color, .mosaic = shown.mosaic});
+    if (shown.color.empty() && shown.mosaic.empty() && shown.depth.empty() && shown.labels.empty())
+      continue;  // nobody draws here
+    frame.pictures.push_back({.camera = i,
+                              .taken = shown.time,
+                              .color = shown.color,
+                              .mosaic = shown.mosaic,
+                              .depth = imaging::millimeters(shown.depth),
+                              .labels = shown.labels});
   }
 }
 
-PictureWriter::PictureWriter(MessageSink& file, FrameWriter& frames, const std::vector<RecordedCamera>& cameras)
+PictureWriter::PictureWriter(MessageSink& file, FrameWriter& frames, const std::vector<RecordedCamera>& cameras,
+                             const std::optional<std::string>& label_table)
     : file_(file), cameras_(cameras) {
   if (!cameras.empty()) transforms_ = frames.add_channel("/cameras/tf", "foxglove.FrameTransforms");
   for (const RecordedCamera& camera : cameras) {
-    told_.push_back({.picture = frames.add_channel(camera.topic + "/image", "foxglove.CompressedImage"),
-                     .calibration = frames.add_channel(camera.topic + "/calibration", "foxglove.CameraCalibration"),
-                     .calibrated = calibration_of(camera),
-                     .placed = place_of(camera)});
+    const sensors::CameraInfo& info = *camera.shown->info;
+    Told told{.calibration = frames.add_channel(camera.topic + "/calibration", "foxglove.CameraCalibration"),
+              .calibrated = calibration_of(camera),
+              .placed = place_of(camera)};
+    if (info.has_color || !info.mosaic.empty())
+      told.picture = frames.add_channel(camera.topic + "/image", "foxglove.CompressedImage");
+    if (label_table && info.has_depth) told.depth = frames.add_channel(camera.topic + "/depth", "foxglove.RawImage");
+    if (label_table && info.has_labels)
+      told.labels = frames.add_channel(camera.topic + "/labels", "foxglove.RawImage", {{"labels", *label_table}});
+    told_.push_back(std::move(told));
   }
 }
 
@@ -139,7 +172,10 @@ void PictureWriter::write(const RecordedFrame& frame) {
     ProtobufWriter(placed).bytes(1, time + told.placed);
     file_.write(transforms_, frame.time, placed);
     file_.write(told.calibration, frame.time, time + told.calibrated);
-    file_.write(told.picture, frame.time, message_of(cameras_[picture.camera], picture));
+    const RecordedCamera& camera = cameras_[picture.camera];
+    if (told.picture) file_.write(*told.picture, frame.time, message_of(camera, picture));
+    if (told.depth) file_.write(*told.depth, frame.time, message_of(camera, picture.taken, picture.depth));
+    if (told.labels) file_.write(*told.labels, frame.time, message_of(camera, picture.taken, picture.labels));
   }
 }
 

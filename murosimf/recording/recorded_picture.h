@@ -3,11 +3,14 @@
 /// | topic | message |
 /// |---|---|
 /// | `/cameras/ROBOT/CAMERA/image` | foxglove.CompressedImage: colors, or the mosaic in shades of gray |
+/// | `/cameras/ROBOT/CAMERA/depth` | foxglove.RawImage, 16UC1: [mm] along the optical axis, 0: nothing (imaging/depth_numbers.h) |
+/// | `/cameras/ROBOT/CAMERA/labels` | foxglove.RawImage, 16UC1; what they mean is in the metadata of the channel, as JSON |
 /// | `/cameras/ROBOT/CAMERA/calibration` | foxglove.CameraCalibration, with every picture |
 /// | `/cameras/tf` | foxglove.FrameTransforms: the camera's optical frame on its link, with every picture |
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,7 +32,6 @@ struct RecordedCamera {
 
 /// Before the scene is initialized: all cameras draw from then on, which changes no result.
 void want_pictures(World& world);
-/// Those that have colors or a mosaic.
 [[nodiscard]] std::vector<RecordedCamera> recorded_cameras(const std::vector<RecordedEntity>& entities);
 
 /// Adds the pictures that have come since the last time.
@@ -40,14 +42,16 @@ class FrameWriter;
 /// Writes their messages beside a FrameWriter's.
 class PictureWriter {
  public:
-  /// All of it outlives the writer.
-  PictureWriter(MessageSink& file, FrameWriter& frames, const std::vector<RecordedCamera>& cameras);
+  /// `label_table`: as JSON (scene/scene_labels.h); nothing: neither depths nor labels are written. All else outlives the writer.
+  PictureWriter(MessageSink& file, FrameWriter& frames, const std::vector<RecordedCamera>& cameras,
+                const std::optional<std::string>& label_table = {});
   void write(const RecordedFrame& frame);
 
  private:
   struct Told {
-    std::uint16_t picture = 0, calibration = 0;  // channels
-    std::string calibrated, placed;              // messages, without their time
+    std::uint16_t calibration = 0;
+    std::optional<std::uint16_t> picture, depth, labels;  // channels of the layers that it has
+    std::string calibrated, placed;                       // messages, without their time
   };
   MessageSink& file_;
   const std::vector<RecordedCamera>& cameras_;

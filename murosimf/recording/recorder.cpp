@@ -8,6 +8,7 @@
 #include "murosimf/model/error.h"
 #include "murosimf/recording/attached_files.h"
 #include "murosimf/recording/state_file.h"
+#include "murosimf/scene/scene_labels.h"
 
 namespace murosimf::recording {
 namespace {
@@ -96,7 +97,7 @@ void Recorder::start() {
   }
   if (!watch_ && !on_file([this] { begin_file(); })) return;
   frames_ = std::make_unique<FrameWriter>(file_, entities_, sensors_, looks_.get(), what_);
-  pictures_ = std::make_unique<PictureWriter>(file_, *frames_, cameras_);
+  pictures_ = std::make_unique<PictureWriter>(file_, *frames_, cameras_, scene::label_table_json(scene_));
   drawings_ = std::make_unique<DrawingWriter>(file_, *frames_);
   next_frame_ = next_hash_ = next_state_ = next_others_ = scene_.simulation().now();
   look();

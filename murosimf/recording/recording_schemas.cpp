@@ -114,6 +114,14 @@ std::vector<MessageSchema> all_schemas() {
         string frame_id = 4;
         bytes data = 2;
         string format = 3;)"),
+      message_schema("foxglove.RawImage", R"(
+        google.protobuf.Timestamp timestamp = 1;
+        string frame_id = 7;
+        fixed32 width = 2;
+        fixed32 height = 3;
+        string encoding = 4;
+        fixed32 step = 5;
+        bytes data = 6;)"),
       message_schema("foxglove.CameraCalibration", R"(
         google.protobuf.Timestamp timestamp = 1;
         string frame_id = 9;

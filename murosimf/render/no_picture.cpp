@@ -22,4 +22,6 @@ void draw_over(imaging::ColorImage& /*picture*/, const std::vector<SeenShape>& /
 
 std::string image_png(const imaging::ColorImage& /*image*/, const std::string& /*title*/) { refuse(); }
 
+std::string number_png(const imaging::NumberImage& /*image*/) { refuse(); }
+
 }  // namespace murosimf::render

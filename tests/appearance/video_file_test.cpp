@@ -83,12 +83,12 @@ TEST_F(VideoFiles, ThatNobodyFinishesLeaveNothingAndKeepWhatWasThere) {
   if (std::system("ffmpeg -version >/dev/null 2>&1") != 0) GTEST_SKIP() << "no ffmpeg here";
   std::ofstream(at("a.mp4")) << "old";
   {
-    VideoFile video(at("a.mp4"), 16, 16, 10);
+    VideoFile video(at("a.mp4"), VideoFile::Pixels::colors, 16, 16, 10);
     for (int i = 0; i < 3; ++i) video.add(imaging::ColorImage(16, 16));
   }
   EXPECT_EQ(text_of(at("a.mp4")), "old");
   EXPECT_EQ(files(), 1);
-  VideoFile video(at("a.mp4"), 16, 16, 10);
+  VideoFile video(at("a.mp4"), VideoFile::Pixels::colors, 16, 16, 10);
   video.add(imaging::ColorImage(16, 16));
   EXPECT_EQ(text_of(at("a.mp4")), "old") << "until it is whole";
   video.finish();
@@ -96,11 +96,38 @@ TEST_F(VideoFiles, ThatNobodyFinishesLeaveNothingAndKeepWhatWasThere) {
   EXPECT_EQ(files(), 1);
 }
 
+// What a program reads is what was added.
+TEST_F(VideoFiles, OfNumbersLoseNothing) {
+  if (std::system("ffmpeg -version >/dev/null 2>&1") != 0) GTEST_SKIP() << "no ffmpeg here";
+  std::string added;
+  {
+    VideoFile video(at("depth.mkv"), VideoFile::Pixels::numbers, 33, 7, 10);
+    for (int i = 0; i < 3; ++i) {
+      imaging::NumberImage picture(33, 7);
+      std::uint32_t noise = 7;
+      for (std::uint16_t& number : picture.pixels()) {
+        noise = 1664525 * noise + 1013904223;
+        number = static_cast<std::uint16_t>((noise >> 16) + static_cast<std::uint32_t>(i));
+        added += static_cast<char>(number & 255);
+        added += static_cast<char>(number >> 8);
+      }
+      video.add(picture);
+    }
+    video.finish();
+  }
+  const std::string read =
+      "ffmpeg -loglevel error -i '" + at("depth.mkv") + "' -f rawvideo -pix_fmt gray16le '" + at("raw") + "'";
+  ASSERT_EQ(std::system(read.c_str()), 0);
+  EXPECT_TRUE(text_of(at("raw")) == added);
+  EXPECT_TRUE(says(error_of([&] { check_number_video(at("depth.mp4")); }), {"depth.mp4", ".mkv"}));
+}
+
 TEST_F(VideoFiles, OfNoKnownKindAreRefused) {
   for (const char* name : {"film", "film.", ".mp4", "film.mp3", "film.MP4"}) {
     EXPECT_TRUE(says(error_of([&] { check_video(at(name)); }), {name, "extension", ".mp4, .webm, .gif"})) << name;
   }
-  EXPECT_TRUE(says(error_of([&] { const VideoFile v(at("no/such/a.mp4"), 8, 8, 10); }), {"there is no folder"}));
+  EXPECT_TRUE(says(error_of([&] { const VideoFile v(at("no/such/a.mp4"), VideoFile::Pixels::colors, 8, 8, 10); }),
+                   {"there is no folder"}));
   EXPECT_EQ(files(), 0);
 }
 

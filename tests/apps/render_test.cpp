@@ -1,5 +1,8 @@
 // Pictures and videos as a user meets them.
+#include <fstream>
 #include <set>
+
+#include <nlohmann/json.hpp>
 
 #include "tests/apps/folder.h"
 #include "tests/apps/program.h"
@@ -119,8 +122,9 @@ TEST_F(Render, ThroughACameraIsOfTheCamerasSize) {
 TEST_F(Render, LayersLightsAndShadowsAreOtherPictures) {
   std::set<std::string> pictures;
   for (const char* options :
-       {"--layer color", "--layer depth", "--layer labels", "--light day", "--light night", "--no-shadows", "--time 1",
-        "--camera one.camera", "--camera one.camera --light night", "--camera one.camera --layer depth"}) {
+       {"--layer color", "--layer depth", "--layer labels", "--layer depth_shown", "--layer labels_shown",
+        "--light day", "--light night", "--no-shadows", "--time 1", "--camera one.camera",
+        "--camera one.camera --light night", "--camera one.camera --layer depth"}) {
     const bool camera = std::string(options).find("camera") != std::string::npos;
     EXPECT_TRUE(pictures.insert(draw(options + std::string(camera ? "" : " --size 120x70"))).second) << options;
   }
@@ -232,6 +236,23 @@ TEST_F(Render, AFileThatIsThereIsReplaced) {
 TEST_F(Render, OfAFullDiskIsOneLine) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
   expect_refused("--size 16x16 --out /dev/full", {"cannot write '/dev/full'"});
+}
+
+// The pixels are looked at by tests/oracle/recorded_pictures.py.
+TEST_F(Render, DepthsAndLabelsAreNumbersForPrograms) {
+  constexpr std::size_t bits = 24, color_type = 25;  // of the header (PNG specification, 11.2.2)
+  for (const char* layer : {"depth", "labels"}) {
+    const std::string png = draw("--size 120x70 --layer " + std::string(layer));
+    EXPECT_EQ(png[bits], 16) << layer;
+    EXPECT_EQ(png[color_type], 0) << layer << ": one channel";
+  }
+  (void)draw("--size 120x70 --layer labels");
+  const auto table = nlohmann::json::parse(std::ifstream(file("a.labels.json")));
+  EXPECT_EQ(table["schema"], "murosimf/labels/1");
+  EXPECT_EQ(table["labels"][2]["name"], "line");
+  EXPECT_EQ(table["labels"][4]["name"], "one");
+  EXPECT_EQ(table["labels"][4]["kind"], "robot");
+  expect_refused("--size 16x16 --layer depth --duration 0.1" + video("a.mp4"), {"a.mp4", "numbers", ".mkv"});
 }
 
 TEST_F(Render, SaysWhichLayersACameraDoesNotDraw) {

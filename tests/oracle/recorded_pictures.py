@@ -6,8 +6,9 @@ Exit: 0 all agree, 1 something differs, 77 a package is not installed or nothing
 
 A picture has to be the one that `render --camera` makes at the instant of its exposure, byte for byte; the calibration, with the
 transforms of the camera and of its robot, has to lead from the ball in the world to the pixel in which the ball is seen, as
-Foxglove's overlay does.
+Foxglove's overlay does. Depths and labels have to be those that `render` writes, and the ground as far away as it is.
 """
+import json
 import subprocess
 import sys
 import tempfile
@@ -16,6 +17,7 @@ from pathlib import Path
 try:
     import cv2
     import foxglove_schemas_protobuf.CompressedImage_pb2  # noqa: F401
+    import foxglove_schemas_protobuf.RawImage_pb2  # noqa: F401
     import numpy as np
     from mcap.reader import make_reader
     from mcap_protobuf.decoder import DecoderFactory
@@ -116,9 +118,71 @@ def compare(program, folder, changes):
     return compared
 
 
+def numbers_of(message):
+    """foxglove.RawImage as rows x columns."""
+    check(message.encoding == "16UC1" and message.step == 2 * message.width, f"{message.encoding}, step {message.step}")
+    return np.frombuffer(message.data, "<u2").reshape(message.height, message.width)
+
+
+def compare_numbers(program, folder):
+    """Depths and labels of a recording against those that `render` writes; depths of the ground against the camera's place."""
+    changes, file = ["depth=true", "labels=true"], folder / "numbers.mcap"
+    subprocess.run([program, "run", SCENE, "--duration", "0.3", "--record", file, "--record-what", "poses,pictures",
+                    *words(changes)], capture_output=True, check=True)
+    seen = {}
+    with open(file, "rb") as stream:
+        reader = make_reader(stream, decoder_factories=[DecoderFactory()])
+        check_schemas(reader.get_summary(), {"RawImage"})
+        for _, channel, message, decoded in reader.iter_decoded_messages():
+            if channel.topic == "/tf":
+                seen[message.log_time] = decoded
+            elif channel.topic.startswith("/cameras/red2"):
+                seen[channel.topic] = (decoded, channel.metadata)
+            elif channel.topic == "/cameras/tf" and decoded.transforms[0].child_frame_id.startswith("red2/"):
+                seen["place"] = decoded
+    depth, labels = seen["/cameras/red2/camera/depth"][0], seen["/cameras/red2/camera/labels"][0]
+    taken = depth.timestamp.seconds + depth.timestamp.nanos / 1e9
+    table = {row["id"]: row for row in json.loads(seen["/cameras/red2/camera/labels"][1]["labels"])["labels"]}
+    pictures = {"depth": numbers_of(depth), "labels": numbers_of(labels)}
+    for layer, recorded in pictures.items():
+        out = folder / f"{layer}.png"
+        subprocess.run([program, "render", SCENE, "--camera", CAMERA, "--time", str(taken), "--layer", layer, "--out", out,
+                        *words(changes)], capture_output=True, check=True)
+        drawn = cv2.imread(str(out), cv2.IMREAD_UNCHANGED)
+        check(drawn.dtype == np.uint16 and np.array_equal(drawn, recorded), f"{layer}: not as render draws it")
+    written = json.loads((folder / "labels.labels.json").read_text())["labels"]
+    check({row["id"]: row for row in written} == table, "the tables of labels differ")
+    kinds = {table[i]["kind"] for i in np.unique(pictures["labels"])}
+    check({"scenery"} < kinds, f"nobody is seen: {kinds}")
+    ground_distances(seen, depth, pictures, table)
+
+
+def ground_distances(seen, depth, pictures, table):
+    """On the ground a pixel's depth is where its ray meets z = 0."""
+    time = min((key for key in seen if isinstance(key, int)), key=lambda t: abs(t - stamp_ns(depth)))
+    r, turn = frames(seen[time])[seen["place"].transforms[0].parent_frame_id]
+    shift, own = pose(seen["place"].transforms[0])
+    eye, axes = r + turn @ shift, turn @ own
+    matrix = np.array(seen["/cameras/red2/camera/calibration"][0].K).reshape(3, 3)
+    ground = next(i for i, row in table.items() if row["name"] == "ground")
+    rows, columns = np.nonzero(pictures["labels"] == ground)
+    check(len(rows) > 1000, f"{len(rows)} pixels show the ground")
+    rays = axes @ np.linalg.inv(matrix) @ np.stack([columns, rows, np.ones(len(rows))])
+    meets = -eye[2] / rays[2] * 1000  # along the optical axis, whose part of a ray is 1
+    away = np.abs(pictures["depth"][rows, columns] - meets) / meets
+    print(f"ground: {len(rows)} pixels, depths {meets.min():.0f} to {meets.max():.0f} mm, median of differences "
+          f"{100 * np.median(away):.3f} %")
+    check(np.median(away) < 0.01, f"depths of the ground are {np.median(away)} away")
+
+
+def stamp_ns(message):
+    return message.timestamp.seconds * 10**9 + message.timestamp.nanos
+
+
 def main():
     with tempfile.TemporaryDirectory() as name:
         compared = sum(compare(sys.argv[1], Path(name), changes) for changes in LENSES)
+        compare_numbers(sys.argv[1], Path(name))
     check(compared >= 3 * len(LENSES), f"only {compared} pictures")
     end(f"{compared} pictures, ")
 

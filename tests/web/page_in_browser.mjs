@@ -262,6 +262,15 @@ async function testPhone() {
   await until(page, (now) => now && now.time > 1, "time goes on");
   const box = await page.evaluate(() => ({ page: document.documentElement.scrollWidth, window: innerWidth }));
   assert.ok(box.page <= box.window, "nothing stands beside the screen");
+  const names = await page.evaluate(() => window.murosimf.view.names);
+  assert.ok(names.length > 0 && names.length <= 6, `${names.length} names are shown`);
+  for (const [i, a] of names.entries()) {
+    assert.ok(a.bottom - a.top <= 16.01, `a name is ${a.bottom - a.top} px high`);
+    for (const b of names.slice(i + 1)) {
+      assert.ok(Math.min(a.right, b.right) <= Math.max(a.left, b.left) || Math.min(a.bottom, b.bottom) <= Math.max(a.top, b.top),
+        "names do not cover each other");
+    }
+  }
   await page.screenshot({ path: join(pictures, "phone.png") });
   await page.click("#toggle_panel");
   await page.click("#panel .list button:has-text('blue2')");

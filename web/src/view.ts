@@ -9,6 +9,7 @@ import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { Drawings } from "./drawings";
 import { Ghosts, type Belief } from "./ghosts";
 import { label } from "./label";
+import { arrange, type Named, type Rect } from "./names";
 import type { Part, SceneDocument } from "./scene";
 import type { Poses } from "./poses";
 import type { Drawn } from "./source";
@@ -79,7 +80,7 @@ interface Shown {
   group: Group;
   bodies: Object3D[]; // by body
   label: Sprite | undefined;
-  top: number; // [m] of the label above the base
+  top: number; // [m] height of the head
 }
 
 export class View {
@@ -90,6 +91,7 @@ export class View {
   pushMode = false;
   following = false;
   frames = 0; // drawn so far
+  names: Rect[] = []; // [px] where names of robots are
   readonly drawings = new Drawings();
   readonly ghosts = new Ghosts();
 
@@ -196,7 +198,6 @@ export class View {
       const pose = poses.entities[i];
       if (!pose) return;
       shown.group.visible = pose.present;
-      if (shown.label) shown.label.visible = this.named && pose.present;
       let top = -Infinity;
       shown.bodies.forEach((body, k) => {
         const at = 7 * k, n = pose.bodies;
@@ -204,6 +205,7 @@ export class View {
         body.quaternion.set(n[at + 3]!, n[at + 4]!, n[at + 5]!, n[at + 6]!);
         top = Math.max(top, n[at + 2]!);
       });
+      shown.top = top;
       shown.label?.position.set(pose.bodies[0]!, pose.bodies[1]!, top + 0.08);
     });
     this.placeForces(poses);
@@ -261,8 +263,6 @@ export class View {
 
   setNames(on: boolean): void {
     this.named = on;
-    if (this.poses) this.place(this.poses);
-    else for (const shown of this.shown) if (shown.label) shown.label.visible = on;
     this.dirty = true;
   }
 
@@ -469,11 +469,25 @@ export class View {
   }
 
   // Only if something has changed: a page that stands still costs nothing.
+  private arrangeNames(): void {
+    const all: Named[] = [];
+    for (const { entity, group, label: name, top } of this.shown) {
+      if (!name) continue;
+      name.visible = false;
+      const base = this.named && group.visible && this.poses ? this.basePlace(entity) : undefined;
+      if (base) all.push({ label: name, base, top, first: entity === this.selected });
+    }
+    const { clientWidth: width, clientHeight: height } = this.canvas;
+    this.camera.updateMatrixWorld();
+    this.names = arrange(all, this.camera, width, height);
+  }
+
   private draw(): void {
     this.controls.update();
     if (!this.dirty) return;
     this.dirty = false;
     ++this.frames;
+    this.arrangeNames();
     this.renderer.render(this.stage, this.camera);
   }
 }

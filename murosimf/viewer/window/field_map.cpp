@@ -26,7 +26,7 @@ const Markings* markings_of(const Viewer& viewer) {
 
 void draw_robot(ImDrawList& list, const Map& map, const Vec3d& place, double turn, const EntityOutline& outline,
                 bool selected) {
-  const double size = std::max(5.0, 0.16 * map.pixels);
+  const double size = std::max(scaled(5), 0.16 * map.pixels);
   const ImVec2 middle = map.at(place);
   const auto around = [&](double angle, double radius) {
     return vec2(middle.x + radius * std::cos(turn + angle), middle.y - radius * std::sin(turn + angle));
@@ -48,7 +48,8 @@ void field_map(Panels& panels, const Area& area) {
   const Markings* markings = markings_of(viewer);
   const PoseFrame* frame = viewer.frame();
   if (!markings || !frame || markings->half_length <= 0) return;
-  const double width = std::min(260.0, 0.4 * area.width), height = width * markings->half_width / markings->half_length;
+  const double width = std::min(scaled(260), 0.4 * area.width),
+               height = width * markings->half_width / markings->half_length;
   const Area place{area.x + area.width - width - 10, area.y + 10, width, height};
   ImGui::SetNextWindowPos(vec2(place.x, place.y));
   ImGui::SetNextWindowSize(vec2(place.width, place.height));
@@ -68,7 +69,7 @@ void field_map(Panels& panels, const Area& area) {
   const bool clicked = ImGui::IsItemClicked();
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const std::size_t count = std::min(viewer.outline().size(), frame->present.size());
-  double nearest = 14;  // [px]
+  double nearest = scaled(14);  // [px]
   for (std::size_t i = 0; i < count; ++i) {
     const EntityOutline& outline = viewer.outline()[i];
     if (!outline.moves || !frame->present[i]) continue;
@@ -77,8 +78,9 @@ void field_map(Panels& panels, const Area& area) {
     if (outline.is_robot) {
       draw_robot(list, map, r, heading(frame->orientation[frame->first[i]]), outline, selected);
     } else {
-      list.AddCircleFilled(map.at(r), static_cast<float>(std::max(3.0, 0.08 * map.pixels)), packed(outline.color));
-      list.AddCircle(map.at(r), static_cast<float>(std::max(4.0, 0.08 * map.pixels + 1)),
+      list.AddCircleFilled(map.at(r), static_cast<float>(std::max(scaled(3), 0.08 * map.pixels)),
+                           packed(outline.color));
+      list.AddCircle(map.at(r), static_cast<float>(std::max(scaled(4), 0.08 * map.pixels + 1)),
                      selected ? IM_COL32_WHITE : IM_COL32(0, 0, 0, 160));
     }
     const ImVec2 at = map.at(r);

@@ -98,7 +98,8 @@ void listen(GLFWwindow* window) {
   glfwSetKeyCallback(window, take_key);
   glfwSetCharCallback(window, [](GLFWwindow* of, unsigned int letter) { inputs_of(of).push_back(TextInput{letter}); });
   glfwSetMouseButtonCallback(window, [](GLFWwindow* of, int button, int action, int) {
-    if (button <= GLFW_MOUSE_BUTTON_MIDDLE) inputs_of(of).push_back(ButtonInput{button, action == GLFW_PRESS});
+    if (button <= GLFW_MOUSE_BUTTON_MIDDLE)
+      inputs_of(of).push_back(ButtonInput{button, action == GLFW_PRESS, input_clock()});
   });
   glfwSetCursorPosCallback(window, [](GLFWwindow* of, double x, double y) {
     inputs_of(of).push_back(MoveInput{in_pixels(of, x, y)});
@@ -111,12 +112,24 @@ GLFWwindow* open(const std::string& title, int width, int height) {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
   // cameras draw by EGL, and one thread is better off with one of the two
   for (const int api : {GLFW_EGL_CONTEXT_API, GLFW_NATIVE_CONTEXT_API}) {
     glfwWindowHint(GLFW_CONTEXT_CREATION_API, api);
     if (GLFWwindow* window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr)) return window;
   }
   return nullptr;
+}
+
+/// No larger than the screen, which may be small for letters of that size.
+void fit_to_screen(GLFWwindow* window) {
+  GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+  if (!monitor) return;
+  int x = 0, y = 0, most_x = 0, most_y = 0, width = 0, height = 0;
+  glfwGetMonitorWorkarea(monitor, &x, &y, &most_x, &most_y);
+  glfwGetWindowSize(window, &width, &height);
+  if (most_x > 0 && most_y > 0 && (width > most_x || height > most_y))
+    glfwSetWindowSize(window, std::min(width, most_x), std::min(height, most_y));
 }
 
 }  // namespace
@@ -141,6 +154,7 @@ GlfwWindow::GlfwWindow(const std::string& title, int width, int height) : handle
   }
   glfwSetWindowUserPointer(handles_->window, &handles_->inputs);
   listen(handles_->window);
+  if (scale() > 1) fit_to_screen(handles_->window);
   glfwMakeContextCurrent(handles_->window);
   glfwSwapInterval(1);
 }

@@ -3,36 +3,17 @@
 
 #include <memory>
 #include <string>
-#include <variant>
+#include <utility>
 #include <vector>
 
-#include "murosimf/viewer/key_map.h"
-#include "murosimf/viewer/orbit_camera.h"
+#include "murosimf/viewer/input.h"
 
 namespace murosimf::viewer {
 
-struct KeyInput {
-  KeyChord chord;
-  bool pressed = false, again = false;  ///< again: it is held, and repeats
-};
-struct ButtonInput {
-  int button = 0;  ///< 0 left, 1 right, 2 middle
-  bool pressed = false;
-};
-struct MoveInput {
-  Pixel place;  ///< of the window
-};
-struct WheelInput {
-  double clicks = 0;
-};
-struct TextInput {
-  unsigned int letter = 0;  ///< Unicode
-};
-using Input = std::variant<KeyInput, ButtonInput, MoveInput, WheelInput, TextInput>;
-
 class GlfwWindow {
  public:
-  /// Throws SetupError with what else there is, if there is no display or no OpenGL 3.3.
+  /// `width` x `height` in points of the desktop: so many pixels where scale() is 1, and no more than the screen has. Throws SetupError with
+  /// what else there is, if there is no display or no OpenGL 3.3.
   GlfwWindow(const std::string& title, int width, int height);
   ~GlfwWindow();
   GlfwWindow(const GlfwWindow&) = delete;
@@ -43,7 +24,7 @@ class GlfwWindow {
   [[nodiscard]] bool wants_to_close() const;
   /// [px] of what is drawn into.
   [[nodiscard]] std::pair<int, int> size() const;
-  /// How much larger letters are to be on this screen.
+  /// How much larger letters and all else are to be on this screen: 2 where a point of the desktop has two pixels.
   [[nodiscard]] double scale() const;
   void set_full_screen(bool full);
   /// OpenGL calls go to it from now on; nobody() before other contexts are used in this thread.

@@ -8,8 +8,6 @@
 namespace murosimf::viewer {
 namespace {
 
-constexpr float letters = 15;  // [px] size of text
-
 struct TextKey {
   const char* name;
   ImGuiKey key;
@@ -74,8 +72,9 @@ void choose_letters(float size) {
 }
 
 void choose_style(float scale) {
-  ImGui::StyleColorsDark();
   ImGuiStyle& style = ImGui::GetStyle();
+  style = ImGuiStyle();
+  ImGui::StyleColorsDark();
   style.WindowRounding = 0;
   style.WindowBorderSize = 0;
   style.FrameRounding = 3;
@@ -92,13 +91,13 @@ void choose_style(float scale) {
 
 }  // namespace
 
-Gui::Gui(double scale) {
+Gui::Gui(double scale) : letters_scale_(scale), scale_(scale) {
   IMGUI_CHECKVERSION();
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;  // nothing is written behind people's backs
   ImGui::GetIO().LogFilename = nullptr;
   number_keys();
-  choose_letters(letters * static_cast<float>(scale));
+  choose_letters(static_cast<float>(usual_letters * scale));
   choose_style(static_cast<float>(scale));
   ImGui_ImplOpenGL3_Init("#version 330 core");
 }
@@ -106,6 +105,12 @@ Gui::Gui(double scale) {
 Gui::~Gui() {
   ImGui_ImplOpenGL3_Shutdown();
   ImGui::DestroyContext();
+}
+
+void Gui::set_scale(double scale) {
+  if (scale == std::exchange(scale_, scale)) return;
+  choose_style(static_cast<float>(scale));
+  ImGui::GetIO().FontGlobalScale = static_cast<float>(scale / letters_scale_);
 }
 
 void Gui::feed(const Input& input) {

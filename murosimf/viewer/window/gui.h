@@ -16,14 +16,19 @@
 
 namespace murosimf::viewer {
 
+inline constexpr double usual_letters = 15;  ///< [px] size of text where the scale is 1
+
 class Gui {
  public:
+  /// `scale`: of letters and all else, 1 for 15 px.
   explicit Gui(double scale);
   ~Gui();
   Gui(const Gui&) = delete;
   Gui& operator=(const Gui&) = delete;
 
   void feed(const Input& input);
+  /// From the next picture on; letters are drawn for the scale of the beginning, and stretched.
+  void set_scale(double scale);
   /// Begins a picture of `width` x `height` [px], `wall` [s] after the last one.
   void begin(int width, int height, double wall);
   /// Draws it into the context that is current.
@@ -48,6 +53,7 @@ class Gui {
  private:
   void feed_pointer();
 
+  double letters_scale_, scale_;
   std::map<std::string, Pixel> places_, last_places_;
   Pixel mouse_{-1, -1};
   std::vector<bool> buttons_{false, false, false};
@@ -60,6 +66,10 @@ class Gui {
 }
 [[nodiscard]] inline ImU32 packed(const Color& color, double alpha = 1) {
   return ImGui::ColorConvertFloat4ToU32(vec4(color, alpha));
+}
+/// [px] of what is `length` [px] beside letters of usual size: lengths grow with the letters.
+[[nodiscard]] inline double scaled(double length) {
+  return length * static_cast<double>(ImGui::GetFontSize()) / usual_letters;
 }
 [[nodiscard]] inline ImVec2 vec2(double x, double y) { return {static_cast<float>(x), static_cast<float>(y)}; }
 [[nodiscard]] inline ImVec2 vec2(const Pixel& pixel) { return vec2(pixel.x, pixel.y); }

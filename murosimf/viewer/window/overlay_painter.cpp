@@ -26,7 +26,7 @@ bool cut(const sensors::Perspective& view, Vec3d& a, Vec3d& b) {
 void paint_head(ImDrawList& list, const ImVec2& from, const ImVec2& to, ImU32 color, double width) {
   const double x = to.x - from.x, y = to.y - from.y, length = std::hypot(x, y);
   if (length < 3) return;
-  const double size = std::min(4 + 2 * width, 0.6 * length), ux = x / length, uy = y / length;
+  const double size = std::min(scaled(4) + 2 * width, 0.6 * length), ux = x / length, uy = y / length;
   const double bx = to.x - size * ux, by = to.y - size * uy;
   list.AddTriangleFilled(to, vec2(bx - 0.5 * size * uy, by + 0.5 * size * ux),
                          vec2(bx + 0.5 * size * uy, by - 0.5 * size * ux), color);
@@ -39,8 +39,9 @@ void paint_segment(ImDrawList& list, const sensors::Perspective& view, const Are
   if (!from || !to) return;
   const ImU32 color = packed(mark.color);
   const ImVec2 p = in_area(*from, area), q = in_area(*to, area);
-  list.AddLine(p, q, color, static_cast<float>(mark.width));
-  if (head) paint_head(list, p, q, color, mark.width);
+  const double width = scaled(mark.width);
+  list.AddLine(p, q, color, static_cast<float>(width));
+  if (head) paint_head(list, p, q, color, width);
 }
 
 void paint_filled(ImDrawList& list, const sensors::Perspective& view, const Area& area, const Mark& mark) {
@@ -57,7 +58,7 @@ void paint(ImDrawList& list, const sensors::Perspective& view, const Area& area,
   if (mark.points.size() == 1) {
     const auto pixel = pixel_of(view, mark.points[0]);
     if (!pixel) return;
-    const auto radius = static_cast<float>(mark.width);
+    const auto radius = static_cast<float>(scaled(mark.width));
     if (mark.filled) list.AddCircleFilled(in_area(*pixel, area), radius, packed(mark.color));
     list.AddCircle(in_area(*pixel, area), radius, mark.filled ? IM_COL32(0, 0, 0, 160) : packed(mark.color), 12, 1.5F);
     return;
@@ -143,7 +144,7 @@ void paint_pull(const MouseControl::Pull& pull, const sensors::Perspective& view
   paint(clipped.list, view, area, arrow);
   if (const auto pixel = pixel_of(view, pull.to)) {
     const bool turns = norm(pull.moment) > 0;
-    paint_letters(clipped.list, in_area({pixel->x, pixel->y - 18}, area),
+    paint_letters(clipped.list, in_area({pixel->x, pixel->y - scaled(18)}, area),
                   turns ? fmt::format("{:.2f} N m", norm(pull.moment)) : fmt::format("{:.1f} N", norm(pull.force)),
                   packed({1, 0.8, 0.5}));
   }

@@ -38,7 +38,7 @@ void draw_grid(ImDrawList& list, const Frame& frame) {
     list.AddLine(at, vec2(at.x + frame.width, at.y), line);
     const std::string number = number_text(std::abs(value) < 1e-12 ? 0 : value);
     const ImVec2 size = ImGui::CalcTextSize(number.c_str());
-    list.AddText(vec2(at.x - size.x - 4, at.y - 0.5 * size.y), letters, number.c_str());
+    list.AddText(vec2(at.x - size.x - scaled(4), at.y - 0.5 * size.y), letters, number.c_str());
   }
   for (const double time : ticks(frame.begin, frame.end, 4)) {
     const ImVec2 at = frame.at(time, frame.low);
@@ -57,8 +57,9 @@ void draw_curve(ImDrawList& list, const Frame& frame, const Curve& curve, ImU32 
     if (curve.times()[i] < frame.begin || !std::isfinite(curve.values()[i])) continue;
     points.push_back(frame.at(curve.times()[i], curve.values()[i]));
   }
-  if (points.size() > 1) list.AddPolyline(points.data(), static_cast<int>(points.size()), color, 0, 1.6F);
-  if (points.size() == 1) list.AddCircleFilled(points[0], 2, color);
+  if (points.size() > 1)
+    list.AddPolyline(points.data(), static_cast<int>(points.size()), color, 0, static_cast<float>(scaled(1.6)));
+  if (points.size() == 1) list.AddCircleFilled(points[0], static_cast<float>(scaled(2)), color);
 }
 
 }  // namespace
@@ -72,9 +73,14 @@ void draw_plot(const Plot& plot, double now, double window, double width, double
   const double letters = ImGui::GetFontSize(), left = 3.6 * letters;
   const double begin = std::max(0.0, now - window);
   const Curve::Range range = range_of(plot, begin);
-  const Frame frame{
-      corner.x + left, corner.y + 2, width - left - 4, height - letters - 6, begin, std::max(now, begin + 1e-3),
-      range.low,       range.high};
+  const Frame frame{corner.x + left,
+                    corner.y + 2,
+                    width - left - scaled(4),
+                    height - letters - scaled(6),
+                    begin,
+                    std::max(now, begin + 1e-3),
+                    range.low,
+                    range.high};
   list.AddRectFilled(vec2(frame.x, frame.y), vec2(frame.x + frame.width, frame.y + frame.height),
                      IM_COL32(0, 0, 0, 90));
   draw_grid(list, frame);
@@ -108,7 +114,7 @@ void plots_tab(Panels& panels) {
       if (!values.empty()) text(number_text(values.back()), curve_color(n));
     }
     draw_plot(wish.plot, seconds(viewer.status().time), panels.state.plot_seconds, ImGui::GetContentRegionAvail().x,
-              150);
+              scaled(150));
     ImGui::PopID();
   }
   if (removed) viewer.plots.erase(viewer.plots.begin() + static_cast<std::ptrdiff_t>(*removed));

@@ -58,7 +58,7 @@ void row_picture(const SensorState& sensor) {
       for (std::size_t i = 0; i < output.size(); ++i)
         plot.curves[0].add(static_cast<double>(i), sensor.values[first + i]);
       draw_plot(plot, static_cast<double>(output.size()), static_cast<double>(output.size()),
-                ImGui::GetContentRegionAvail().x, 90);
+                ImGui::GetContentRegionAvail().x, scaled(90));
     }
     first += output.size();
   }

@@ -33,6 +33,9 @@ std::vector<Input> ScriptPlayer::next(const Stage& stage) {
   }
   if (frames_.empty()) return {};
   std::vector<Input> inputs = std::move(frames_.front());
+  for (Input& input : inputs) {
+    if (auto* button = std::get_if<ButtonInput>(&input)) button->time = input_clock();
+  }
   frames_.pop_front();
   return inputs;
 }

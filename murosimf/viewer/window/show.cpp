@@ -24,6 +24,8 @@ constexpr double double_click_time = 0.35;  // [s]
 constexpr double flying = 2;                // [m/s]
 constexpr double fluent = 30;               // [Hz] pictures: fewer, and shadows go
 constexpr int judged_pictures = 60;         // before that is said
+// [px] of a window at scale 1 in which all parts have their place; a smaller one has smaller letters, down to a scale of
+constexpr double least_width = 1000, least_height = 560, least_scale = 1;
 
 double seconds_since(WallClock::time_point then) {
   return std::chrono::duration<double>(WallClock::now() - then).count();
@@ -55,8 +57,7 @@ class Show {
         options_(options),
         window_(options.title, options.width, options.height),
         gui_(window_.scale()),
-        mouse_(viewer),
-        scale_(window_.scale()) {
+        mouse_(viewer) {
     if (options.script) player_.emplace(*options.script);
     window_.make_nobody_current();
     picture_.emplace(viewer);
@@ -89,15 +90,15 @@ class Show {
   }
 
   void make_picture() {
-    const bool calm = viewer_.status().paused && !player_ && !viewer_.busy();
-    const auto inputs = window_.inputs(calm ? calm_wait : 0);
+    const bool calm = viewer_.status().paused && !player_ && !viewer_.busy() && queue_.empty();
+    queue_.add(window_.inputs(calm ? calm_wait : 0));
     const double wall = seconds_since(last_);
     last_ = WallClock::now();
     arrange();
     viewer_.refresh(wall);
     fly(wall);
     view_ = viewer_.rig.view(viewer_.rig_view(), static_cast<int>(scene_.width), static_cast<int>(scene_.height));
-    for (const Input& input : inputs) take(input);
+    for (const Input& input : queue_.next()) take(input);
     if (player_) {
       for (const Input& input : player_->next({viewer_, gui_, state_, view_, scene_, pick_})) take(input);
     }
@@ -134,7 +135,8 @@ class Show {
     const auto [width, height] = window_.size();
     width_ = std::max(width, 200);
     height_ = std::max(height, 150);
-    const double s = scale_;
+    const double s = std::clamp(std::min(width_ / least_width, height_ / least_height), least_scale, window_.scale());
+    gui_.set_scale(s);
     top_ = {0, 0, static_cast<double>(width_), 34 * s};
     bottom_ = {0, height_ - 100 * s, static_cast<double>(width_), 100 * s};
     const double between = bottom_.y - top_.height,
@@ -178,9 +180,9 @@ class Show {
     const Pixel at = in_scene(pointer_);
     if (!input.pressed) return mouse_.drags() ? mouse_.release(at, view_, pick_) : void();
     if (gui_.wants_mouse() || !scene_.holds(pointer_)) return;
-    const bool again = button == pressed_button_ && seconds_since(pressed_) < double_click_time &&
-                       std::hypot(at.x - pressed_at_.x, at.y - pressed_at_.y) < 4;
-    pressed_ = again ? WallClock::time_point{} : WallClock::now();
+    const bool again = button == pressed_button_ && pressed_ && input.time - *pressed_ < double_click_time &&
+                       std::hypot(at.x - pressed_at_.x, at.y - pressed_at_.y) < scaled(4);
+    pressed_ = again ? std::nullopt : std::optional(input.time);
     pressed_at_ = at;
     pressed_button_ = button;
     if (again) return mouse_.double_click(button, held_, at, pick_);
@@ -299,8 +301,8 @@ class Show {
   const WindowOptions& options_;
   GlfwWindow window_;
   Gui gui_;
+  InputQueue queue_;
   MouseControl mouse_;
-  double scale_;
   PanelState state_;
   std::optional<ScenePicture> picture_;
   MouseControl::Pick pick_;
@@ -319,7 +321,8 @@ class Show {
   std::map<std::string, Action> flown_;
   Pixel pointer_{-1, -1}, pressed_at_;
   MouseControl::Button pressed_button_ = MouseControl::Button::left;
-  WallClock::time_point pressed_, begin_, last_;
+  std::optional<double> pressed_;  // [s] of the button's events
+  WallClock::time_point begin_, last_;
   WindowReport report_;
   std::int64_t scenes_drawn_ = 0;
 };

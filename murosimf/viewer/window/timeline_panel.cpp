@@ -9,8 +9,9 @@
 namespace murosimf::viewer {
 namespace {
 
-constexpr double row_height = 13;   // [px] of a branch
 constexpr double message_time = 8;  // [s] for which a message stays
+
+double row_height() { return std::round(scaled(13)); }  // [px] of a branch
 
 Color color_of(TimeMark::Kind kind) {
   switch (kind) {
@@ -27,7 +28,7 @@ Color color_of(TimeMark::Kind kind) {
 void scrub(Panels& panels, const TimelineLayout& layout, const Area& area) {
   PanelState& state = panels.state;
   const ImVec2 mouse = ImGui::GetIO().MousePos;
-  const int row = layout.rows() - 1 - static_cast<int>(std::floor((mouse.y - area.y) / row_height));
+  const int row = layout.rows() - 1 - static_cast<int>(std::floor((mouse.y - area.y) / row_height()));
   const auto place = layout.place_at(mouse.x - area.x, row);
   const double time = std::round(place.time * 1000) / 1000;
   if (time == state.scrubbed_to && place.branch == state.scrubbed_branch) return;
@@ -39,12 +40,13 @@ void scrub(Panels& panels, const TimelineLayout& layout, const Area& area) {
 void draw_bars(const TimelineLayout& layout, const Area& area) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   for (const BranchBar& bar : layout.bars()) {
-    const double y = area.y + area.height - (bar.row + 1) * row_height + 2;
+    const double y = area.y + area.height - (bar.row + 1) * row_height() + scaled(2);
     const ImVec2 low = vec2(area.x + layout.x_of(bar.begin), y),
-                 high = vec2(area.x + std::max(layout.x_of(bar.end), layout.x_of(bar.begin) + 2), y + row_height - 4);
+                 high = vec2(area.x + std::max(layout.x_of(bar.end), layout.x_of(bar.begin) + 2),
+                             y + row_height() - scaled(4));
     const Color color = bar.row == 0 ? Color{0.3, 0.55, 0.85} : Color{0.38, 0.4, 0.44};
     list.AddRectFilled(low, high, packed(color), 2);
-    if (bar.row > 0) list.AddLine(low, vec2(low.x, area.y + area.height - row_height), packed(color), 1);
+    if (bar.row > 0) list.AddLine(low, vec2(low.x, area.y + area.height - row_height()), packed(color), 1);
   }
 }
 
@@ -55,10 +57,11 @@ void draw_marks(Panels& panels, const TimelineLayout& layout, const Area& area) 
   const TimeMark* near = nullptr;
   for (const TimeMark& mark : panels.viewer.events().marks()) {
     const double x = area.x + layout.x_of(mark.time),
-                 y = area.y + area.height - (layout.row_at(mark.branch, mark.time) + 1) * row_height;
+                 y = area.y + area.height - (layout.row_at(mark.branch, mark.time) + 1) * row_height();
     const ImU32 color = packed(color_of(mark.kind));
-    list.AddTriangleFilled(vec2(x, y + 3), vec2(x - 4, y - 4), vec2(x + 4, y - 4), color);
-    if (std::abs(mouse.x - x) < 5 && std::abs(mouse.y - y) < 8) near = &mark;
+    list.AddTriangleFilled(vec2(x, y + scaled(3)), vec2(x - scaled(4), y - scaled(4)),
+                           vec2(x + scaled(4), y - scaled(4)), color);
+    if (std::abs(mouse.x - x) < scaled(5) && std::abs(mouse.y - y) < scaled(8)) near = &mark;
   }
   if (!near) return;
   ImGui::BeginTooltip();
@@ -68,12 +71,12 @@ void draw_marks(Panels& panels, const TimelineLayout& layout, const Area& area) 
 
 void draw_scale(const TimelineLayout& layout, const Area& area, double now) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  for (const double time : ticks(0, layout.end(), static_cast<int>(area.width / 90))) {
+  for (const double time : ticks(0, layout.end(), static_cast<int>(area.width / scaled(90)))) {
     const double x = area.x + layout.x_of(time);
     list.AddLine(vec2(x, area.y), vec2(x, area.y + area.height), IM_COL32(255, 255, 255, 24));
     // ticks are multiples, and the first one may be a zero with a sign
     const std::string label = std::abs(time) < 1e-9 ? std::string("0 s") : fmt::format("{:g} s", time);
-    list.AddText(vec2(x + 3, area.y + area.height + 1), packed(faint), label.c_str());
+    list.AddText(vec2(x + scaled(3), area.y + area.height + 1), packed(faint), label.c_str());
   }
   const double x = area.x + layout.x_of(now);
   list.AddLine(vec2(x, area.y - 2), vec2(x, area.y + area.height + 2), IM_COL32(255, 255, 255, 255), 2);
@@ -95,14 +98,15 @@ void timeline_panel(Panels& panels, const Area& area) {
   const auto& status = viewer.status();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const double width = ImGui::GetContentRegionAvail().x;
+  const double margin = scaled(40);  // right of the strip, where the last time stands
   const TimelineLayout layout(viewer.branches(), status.branch, seconds(std::max(status.time, status.last)),
-                              width - 40);
-  const int most_rows = std::max(1, static_cast<int>((area.height - 56) / row_height));
+                              width - margin);
+  const int most_rows = std::max(1, static_cast<int>((area.height - scaled(56)) / row_height()));
   const int rows = std::min(layout.rows(), most_rows);
-  const Area strip{corner.x, corner.y + 2 + (most_rows - rows) * row_height, width - 40, rows * row_height};
+  const Area strip{corner.x, corner.y + 2 + (most_rows - rows) * row_height(), width - margin, rows * row_height()};
   panels.state.timeline = strip;
   panels.state.timeline_end = layout.end();
-  ImGui::InvisibleButton("times", vec2(width, most_rows * row_height + 4));
+  ImGui::InvisibleButton("times", vec2(width, most_rows * row_height() + 4));
   const bool over = ImGui::IsItemHovered();
   if (ImGui::IsItemActivated()) {
     viewer.session().pause();

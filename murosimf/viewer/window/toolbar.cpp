@@ -66,7 +66,7 @@ void toolbar(Panels& panels, const Area& area) {
 
 void help_window(Panels& panels, const Area& area) {
   ImGui::SetNextWindowPos(vec2(area.x + 0.5 * area.width, area.y + 0.5 * area.height), ImGuiCond_Always, {0.5F, 0.5F});
-  ImGui::SetNextWindowSize(vec2(std::min(area.width - 10, 760.0), area.height - 20));
+  ImGui::SetNextWindowSize(vec2(std::min(area.width - 10, scaled(760)), area.height - 20));
   ImGui::Begin("Keys and mouse", &panels.viewer.window.help,
                ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoResize);
   if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
