@@ -138,30 +138,26 @@ CallOutcome LibrarySoftware::start() {
   }
   fresh_ = false;
   if (!has_start) return {};
-  CallOutcome outcome = guarded("its start", [&] { library_->functions().start(instance_); });
-  give_up(outcome);
-  return with_threads(std::move(outcome));
+  return with_threads(guarded("its start", [&] { library_->functions().start(instance_); }));
 }
 
-/// A call that was good in itself, but one of its threads has crashed.
+/// A call that was good in itself, or waited for a thread that does not come back, and one of its threads has crashed.
 CallOutcome LibrarySoftware::with_threads(CallOutcome outcome) noexcept {
   outcome.changes.add(std::exchange(changes_, {}));
   for (const ForeignThreads* threads : {threads_.get(), library_->threads().get()}) {
-    if (!outcome || !threads->ended) continue;
+    if ((!outcome && outcome.kind != CallOutcome::late) || !threads->ended) continue;
     const ProcessChanges changes = outcome.changes;
     outcome = outcome_of(*threads);
     outcome.changes = changes;
-    give_up(outcome);
   }
+  give_up(outcome);
   return outcome;
 }
 
 CallOutcome LibrarySoftware::step(Duration now) noexcept {
   if (options_.reload) look_for_a_newer_one();
   if (crashed_) return {CallOutcome::crashed, crash_};
-  CallOutcome outcome = step_([this, now] { library_->functions().step(instance_, now.count()); });
-  give_up(outcome);
-  return with_threads(std::move(outcome));
+  return with_threads(step_([this, now] { library_->functions().step(instance_, now.count()); }));
 }
 
 std::string LibrarySoftware::news() { return std::exchange(news_, {}); }

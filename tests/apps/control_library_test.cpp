@@ -88,6 +88,7 @@ TEST(ControlLibrary, ThatWritesBeyondItsRowsEndsTheRunWithItsReports) {
 
 TEST(ControlLibrary, WhoseThreadCrashesEndsTheRunWithItsReports) {
   expect_crash("thread_segv", "a thread of its own crashed (SIGSEGV)");
+  expect_crash("lost_thread_segv", "a thread of its own crashed (SIGSEGV)");
 }
 
 // The report is there by then, but all is not well.

@@ -106,6 +106,7 @@ INSTANTIATE_TEST_SUITE_P(
     name_of);
 INSTANTIATE_TEST_SUITE_P(Threads, EndsTheRun,
                          testing::Values(Mischief{"thread_segv", "step", "a thread of its own crashed"},
+                                         Mischief{"lost_thread_segv", "step", "a thread of its own crashed"},
                                          Mischief{"thread_exit", "step", "a thread of its own called exit"},
                                          Mischief{"thread_throws", "step",
                                                   "a thread of its own called std::terminate"}),

@@ -70,7 +70,8 @@ void end_all(const std::string& what) {
   if (what == "child_exits" && ::fork() == 0) std::exit(0);
   if (what == "child_comes_back") (void)::fork();
   if (what == "system") (void)!std::system("exit 3");
-  if (what == "thread_segv") {
+  if (what == "thread_segv") std::thread(crash).join();
+  if (what == "lost_thread_segv") {
     std::thread(crash).detach();
     std::this_thread::sleep_for(std::chrono::milliseconds(100));  // it has begun by then
   }

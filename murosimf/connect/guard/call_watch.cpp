@@ -56,7 +56,7 @@ void CallWatch::look() {
     const std::lock_guard lock(mutex_);
     for (const auto& place : places_) {
       const std::int64_t due = place->due;
-      if (due == 0 || wall_nanoseconds() <= due) continue;
+      if (due == 0 || (wall_nanoseconds() <= due && !alarmed_)) continue;
       ::syscall(SYS_tgkill, getpid(), place->thread.load(), break_off_signal());
     }
   }

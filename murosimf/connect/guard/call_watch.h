@@ -32,11 +32,14 @@ class CallWatch {
   /// For the calling thread, until it gives it back.
   [[nodiscard]] Place& take();
   void give_back(Place& place);
+  /// From now on all threads in calls get the signal, due or not: a call may wait for what never comes. May be called in signal handlers.
+  void alarm() noexcept { alarmed_ = true; }
 
  private:
   CallWatch();
   [[noreturn]] void look();
 
+  std::atomic<bool> alarmed_{false};
   std::mutex mutex_;
   std::vector<std::unique_ptr<Place>> places_;  // threads come and go; places are used again
 };

@@ -58,9 +58,14 @@ void on_crash(int signal, siginfo_t* info, void* context) {
   (void)raise(signal);
 }
 
+/// A thread that has crashed never ends: who waits for it would wait for the limit.
+bool waits_for_nobody(const GuardedCall& call) { return call.threads && call.threads->ended; }
+
 void on_break_off(int) {
   ForeignCall* running = ForeignCall::of_thread();
-  if (!running || wall_nanoseconds() - running->began < running->call.limit.count()) return;  // it came back meanwhile
+  if (!running) return;  // it came back meanwhile
+  const bool late = wall_nanoseconds() - running->began >= running->call.limit.count();
+  if (!late && !waits_for_nobody(running->call)) return;
   running->end({.kind = CallEnd::late});
 }
 

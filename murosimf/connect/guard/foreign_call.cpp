@@ -129,6 +129,7 @@ void end_thread(ForeignThreads& threads, const CallEnd& why) noexcept {
     threads.why = why;
     announce(threads.who, "a thread of its own", why);
     threads.ended = true;
+    CallWatch::the_one().alarm();
   }
   while (true) ::pause();
 }

@@ -39,9 +39,16 @@ CallOutcome crash(const std::string& who, const std::string& what, const CallEnd
   return outcome;
 }
 
+}  // namespace
+
+CallOutcome outcome_of(const ForeignThreads& threads) { return crash(threads.who, "a thread of its own", threads.why); }
+
+namespace {
+
 CallOutcome outcome_of(const ForeignCall& ended) {
   const GuardedCall& guard = ended.call;
   if (ended.why.kind != CallEnd::late) return crash(guard.who, guard.what, ended.why);
+  if (guard.threads && guard.threads->ended) return outcome_of(*guard.threads);  // it waited for them
   return {CallOutcome::late,
           fmt::format("{}: {} did not come back within {:g} s", guard.who, guard.what, seconds(guard.limit))};
 }
@@ -71,8 +78,6 @@ CallOutcome jumped_back_or(const std::function<void()>& call, ForeignCall& runni
 }
 
 }  // namespace
-
-CallOutcome outcome_of(const ForeignThreads& threads) { return crash(threads.who, "a thread of its own", threads.why); }
 
 CallOutcome GuardedCall::operator()(const std::function<void()>& call) const noexcept {
   static const bool handled = (know_children(), handle_crash_signals(), watch_functions(), true);
