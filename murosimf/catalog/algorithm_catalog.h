@@ -16,8 +16,9 @@
 #include "murosimf/collision/body_contact_law.h"
 #include "murosimf/collision/contact_law.h"
 #include "murosimf/components/sensor_types.h"
+#include "murosimf/connect/control_link_options.h"
 #include "murosimf/connect/crash_note.h"
-#include "murosimf/connect/tcp_server.h"
+#include "murosimf/connect/outside_notes.h"
 #include "murosimf/locomotion/keyframe_motion.h"
 #include "murosimf/model/find_entry.h"
 #include "murosimf/model/option.h"
@@ -26,6 +27,10 @@
 #include "murosimf/motion/simplified_dynamics.h"
 #include "murosimf/robot/robot_formats.h"
 #include "murosimf/runtime/simulation.h"
+
+namespace murosimf::connect {
+class TcpServer;  // tcp_server.h
+}
 
 namespace murosimf::catalog {
 

@@ -4,12 +4,11 @@
 /// Whoever makes one gets a RobotPort, asks it for signals and commands by name, and keeps the pointers.
 #pragma once
 
-#include <functional>
-#include <memory>
 #include <string>
 
 #include "murosimf/connect/guard/call_outcome.h"
 #include "murosimf/connect/robot_port.h"
+#include "murosimf/connect/software_maker.h"
 
 namespace murosimf::connect {
 
@@ -32,10 +31,5 @@ class ControlSoftware {
   /// Why nobody steers the robot now, though somebody may come; empty: somebody does.
   [[nodiscard]] virtual std::string absence() const { return {}; }
 };
-
-/// A line that software says (murosimf_robot::say).
-using SayLine = std::function<void(const std::string& line)>;
-
-using SoftwareMaker = std::function<std::unique_ptr<ControlSoftware>(Setup&, RobotPort&, const SayLine&)>;
 
 }  // namespace murosimf::connect

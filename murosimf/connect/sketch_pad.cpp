@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/model/setup.h"
+
 namespace murosimf::connect {
 namespace {
 
@@ -17,6 +19,8 @@ bool is_finite(const DrawnShape& shape) {
 }
 
 }  // namespace
+
+SketchPad::SketchPad(Setup& setup) : drawings_(&setup.write(properties::drawings)[0]) {}
 
 std::string SketchPad::why_not(const DrawnGroup& group) const {
   const auto is_new = [&] {

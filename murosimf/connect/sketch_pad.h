@@ -5,13 +5,16 @@
 #include <string_view>
 
 #include "murosimf/model/drawing.h"
-#include "murosimf/model/setup.h"
+
+namespace murosimf {
+class Setup;
+}
 
 namespace murosimf::connect {
 
 class SketchPad {
  public:
-  explicit SketchPad(Setup& setup) : drawings_(&setup.write(properties::drawings)[0]) {}
+  explicit SketchPad(Setup& setup);
 
   static constexpr std::size_t most_groups = 100, most_shapes = 1000,
                                most_points = 10'000;  // of a robot; of a group each

@@ -11,9 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "murosimf/connect/control_software.h"
-#include "murosimf/connect/murosimf_controller.h"
 #include "murosimf/connect/outside_notes.h"
+#include "murosimf/connect/software_maker.h"
 #include "murosimf/model/error.h"
 #include "murosimf/runtime/pacer.h"
 #include "murosimf/wire/socket.h"

@@ -5,6 +5,10 @@
 
 namespace murosimf {
 
+template class Column<double>;
+template class Column<Vec3d>;
+template class Column<Mat3d>;
+
 std::size_t count_not_finite(const void* doubles, std::size_t count) noexcept {
   std::size_t found = 0;
   for (std::size_t i = 0; i < count; ++i) {

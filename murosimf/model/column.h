@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <typeindex>
@@ -74,6 +75,9 @@ template <class T>
 class Column final : public ColumnBase {
  public:
   Column(const Property<T>& property, std::size_t rows) : ColumnBase(property, typeid(T)), values(rows) { fill(); }
+  [[nodiscard]] static std::shared_ptr<ColumnBase> make(const Property<T>& property, std::size_t rows) {
+    return std::make_shared<Column<T>>(property, rows);
+  }
 
   [[nodiscard]] std::size_t numbers() const override { return ValueTraits<T>::numbers; }
   [[nodiscard]] std::size_t rows() const override { return values.size(); }
@@ -153,5 +157,10 @@ class Column final : public ColumnBase {
 
   std::vector<T> kept_;
 };
+
+// Of the values that most properties have: made once, in column.cpp.
+extern template class Column<double>;
+extern template class Column<Vec3d>;
+extern template class Column<Mat3d>;
 
 }  // namespace murosimf

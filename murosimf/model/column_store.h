@@ -68,7 +68,7 @@ Column<T>& ColumnStore::column(const Property<T>& property) {
     if (frozen_) refuse_new(property);
     const std::size_t rows = of_every_object(property.scope) ? objects_ : 1;
     auto created = dropped(property, typeid(T));
-    if (!created) created = std::make_shared<Column<T>>(property, rows);
+    if (!created) created = Column<T>::make(property, rows);
     found = columns_.emplace(std::string(property.name), std::move(created)).first;
   }
   if (found->second->type() != typeid(T)) refuse_type(property);

@@ -37,6 +37,9 @@ template <class T>
 class ConstantColumn final : public ConstantColumnBase {
  public:
   explicit ConstantColumn(const PropertyInfo& property) : ConstantColumnBase(property, typeid(T)) {}
+  [[nodiscard]] static std::unique_ptr<ConstantColumnBase> make(const PropertyInfo& property) {
+    return std::make_unique<ConstantColumn<T>>(property);
+  }
 
   [[nodiscard]] std::unique_ptr<ConstantColumnBase> clone_shifted(int offset) const override {
     auto copy = std::make_unique<ConstantColumn<T>>(info());
@@ -64,6 +67,11 @@ class ConstantColumn final : public ConstantColumnBase {
   std::map<int, T> values;
 };
 
+// Of the values that most properties have: made once, in constants.cpp.
+extern template class ConstantColumn<double>;
+extern template class ConstantColumn<Vec3d>;
+extern template class ConstantColumn<SymMat3d>;
+
 class ConstantTable {
  public:
   ConstantTable() = default;
@@ -78,10 +86,8 @@ class ConstantTable {
   template <class T>
   void set(const Property<T>& property, int object, T value) {
     auto& column = columns_[std::string(property.name)];
-    if (!column) column = std::make_unique<ConstantColumn<T>>(property);
-    if (column->type() != typeid(T)) {
-      throw SetupError("constant property '" + std::string(property.name) + "' is used with two types");
-    }
+    if (!column) column = ConstantColumn<T>::make(property);
+    if (column->type() != typeid(T)) refuse_type(property);
     static_cast<ConstantColumn<T>&>(*column).values.insert_or_assign(object, std::move(value));
   }
 
@@ -104,20 +110,12 @@ class ConstantTable {
   }
 
   /// Takes over another table whose objects begin at `offset` here.
-  void append(const ConstantTable& other, int offset) {
-    for (const auto& [name, column] : other.columns_) {
-      auto& mine = columns_[name];
-      if (mine) {
-        mine->append(*column, offset);
-      } else {
-        mine = column->clone_shifted(offset);
-      }
-    }
-  }
+  void append(const ConstantTable& other, int offset);
 
   [[nodiscard]] const auto& columns() const { return columns_; }
 
  private:
+  [[noreturn]] static void refuse_type(const PropertyInfo& property);
   /// Null if no object has the property.
   template <class T>
   [[nodiscard]] const ConstantColumn<T>* column_of(const Property<T>& property) const {

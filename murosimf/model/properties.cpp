@@ -6,6 +6,15 @@
 
 #include "murosimf/model/visual_mesh.h"
 
+namespace murosimf {
+
+template class ConstantColumn<Shapes>;
+template class ConstantColumn<Servo>;
+template class ConstantColumn<Sole>;
+template class ConstantColumn<Markings>;
+
+}  // namespace murosimf
+
 namespace murosimf::properties {
 namespace {
 

@@ -12,10 +12,21 @@
 
 #include <span>
 
+#include "murosimf/model/constants.h"
 #include "murosimf/model/property.h"
 #include "murosimf/model/servo.h"
 #include "murosimf/model/shape.h"
 #include "murosimf/model/value.h"
+
+namespace murosimf {
+
+// Made once, in properties.cpp.
+extern template class ConstantColumn<Shapes>;
+extern template class ConstantColumn<Servo>;
+extern template class ConstantColumn<Sole>;
+extern template class ConstantColumn<Markings>;
+
+}  // namespace murosimf
 
 namespace murosimf::properties {
 

@@ -8,9 +8,12 @@
 #include <vector>
 
 #include "murosimf/connect/outside_notes.h"
-#include "murosimf/connect/tcp_server.h"
 #include "murosimf/files/allowed_files.h"
 #include "murosimf/runtime/simulation.h"
+
+namespace murosimf::connect {
+class TcpServer;  // tcp_server.h
+}
 
 namespace murosimf::scene {
 

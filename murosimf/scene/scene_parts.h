@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "murosimf/connect/crash_note.h"
-#include "murosimf/connect/tcp_server.h"
+#include "murosimf/connect/outside_notes.h"
 #include "murosimf/files/allowed_files.h"
 #include "murosimf/runtime/path_recorder.h"
 #include "murosimf/runtime/simulation.h"
@@ -24,7 +24,8 @@ class OwnSteps;
 }  // namespace murosimf::collision
 namespace murosimf::connect {
 class MessageExchange;
-}
+class TcpServer;
+}  // namespace murosimf::connect
 namespace murosimf::motion {
 class Push;
 }
