@@ -10,6 +10,7 @@
 
 #include "murosimf/client/robot_client.h"
 #include "murosimf/connect/controller_task.h"
+#include "murosimf/connect/tcp_server.h"
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/runtime/clock.h"
 #include "murosimf/scene/scene.h"

@@ -13,6 +13,7 @@
 #include "murosimf/connect/library_software.h"
 #include "murosimf/connect/outside_memory.h"
 #include "murosimf/connect/serial/serial_software.h"
+#include "murosimf/connect/tcp_server.h"
 #include "murosimf/connect/trajectory_file.h"
 #include "murosimf/connect/trajectory_player.h"
 #include "murosimf/files/data_path.h"

@@ -14,6 +14,7 @@
 #include "examples/controllers/walk_to_ball_tcp.h"
 #include "murosimf/client/robot_client.h"
 #include "murosimf/connect/controller_task.h"
+#include "murosimf/connect/tcp_server.h"
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/scene/scene.h"
 #include "murosimf/scene/scene_report.h"
