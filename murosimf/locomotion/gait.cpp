@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "murosimf/locomotion/stride.h"
+#include "murosimf/motion/rate_limit.h"
 
 namespace murosimf::locomotion {
 namespace {
@@ -58,12 +59,64 @@ void fit_to_reach(const std::array<Leg, 2>& legs, WalkParameters& p) {
   }
 }
 
+using Rates = std::array<std::vector<double>, 2>;  // [rad/s] by leg and hinge
+
+Rates largest_rates(const Model& model, const std::array<Leg, 2>& legs) {
+  Rates rates;
+  for (std::size_t side = 0; side < 2; ++side) {
+    for (const int joint : legs[side].joints) rates[side].push_back(motion::joint_rate_limit(model, joint));
+  }
+  return rates;
+}
+
+/// The largest rate of a hinge over what it may have, in a period at this walking velocity. [1]
+double used_rate(const std::array<Leg, 2>& legs, const Rates& largest, const WalkParameters& p, const Vec3d& velocity) {
+  constexpr int phases = 200;
+  double used = 0;
+  GaitPose before = gait_pose(legs, p, 0, 1, velocity);
+  for (int i = 1; i <= phases; ++i) {
+    const GaitPose pose = gait_pose(legs, p, 2 * pi * i / phases, 1, velocity, before);
+    for (std::size_t side = 0; side < 2; ++side) {
+      for (std::size_t k = 0; k < largest[side].size(); ++k)
+        used = std::max(used, std::abs(pose.q[side][k] - before.q[side][k]) * phases / (p.period * largest[side][k]));
+    }
+    before = pose;
+  }
+  return used;
+}
+
+double used_rate_at_full_speed(const std::array<Leg, 2>& legs, const Rates& largest, const WalkParameters& p) {
+  const auto& [x, y, z] = p.fastest;
+  double used = 0;
+  for (const Vec3d& velocity : {Vec3d{x, 0, 0.5 * z}, Vec3d{-x, 0, 0}, Vec3d{0, y, 0}, Vec3d{0, 0, z}})
+    used = std::max(used, used_rate(legs, largest, p, velocity));
+  return used;
+}
+
+/// The periodic orbit's (see seeded_parameters).
+double pendulum_sway(const std::array<Leg, 2>& legs, const WalkParameters& p) {
+  constexpr double gravity = 9.81;  // [m/s^2]
+  const double w = std::sqrt(gravity / (1.072 * p.hip_height));
+  return 0.5 * (legs[0].hip.y - legs[1].hip.y) * (1 - 1 / std::cosh(w * p.period / 4));
+}
+
+void fit_to_rates(const std::array<Leg, 2>& legs, const Rates& largest, WalkParameters& p) {
+  constexpr double share = 0.9, lower = 0.95, longer = 1.02, slower = 0.95;
+  const double least_lift = p.lift / 3, most_period = 1.5 * p.period;
+  while (used_rate(legs, largest, p, {}) > share && p.lift > least_lift) p.lift *= lower;
+  while (used_rate(legs, largest, p, {}) > share && p.period < most_period) {
+    p.period *= longer;
+    p.sway = pendulum_sway(legs, p);
+  }
+  constexpr int most = 40;
+  for (int i = 0; i < most && used_rate_at_full_speed(legs, largest, p) > share; ++i) p.fastest = slower * p.fastest;
+}
+
 }  // namespace
 
 WalkParameters seeded_parameters(const std::array<Leg, 2>& legs) {
   constexpr double kid21_leg = 0.24;             // [m] thigh and shin
   constexpr double kid21_half_hip_width = 0.05;  // [m]
-  constexpr double gravity = 9.81;               // [m/s^2]
   WalkParameters p;
   const double scale = (legs[0].thigh + legs[0].shin) / kid21_leg;
   const double half_hip_width = 0.5 * (legs[0].hip.y - legs[1].hip.y);
@@ -78,13 +131,17 @@ WalkParameters seeded_parameters(const std::array<Leg, 2>& legs) {
   p.fastest.x *= std::sqrt(scale);
   p.fastest.y *= std::sqrt(scale);
   fit_to_reach(legs, p);
-  const double w = std::sqrt(gravity / (1.072 * p.hip_height));
-  p.sway = half_hip_width * (1 - 1 / std::cosh(w * p.period / 4));
+  p.sway = pendulum_sway(legs, p);
   return p;
 }
 
 WalkParameters seeded_parameters(const Model& model) {
-  return *model.derived().get<WalkParameters>("seeded", [&] { return seeded_parameters(legs_of(model)); });
+  return *model.derived().get<WalkParameters>("seeded", [&] {
+    const std::array<Leg, 2>& legs = legs_of(model);
+    WalkParameters p = seeded_parameters(legs);
+    fit_to_rates(legs, largest_rates(model, legs), p);
+    return p;
+  });
 }
 
 GaitPose home_pose(const std::array<Leg, 2>& legs) noexcept {

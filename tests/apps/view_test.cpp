@@ -176,6 +176,52 @@ TEST_F(View, ScreenshotAfterAWhile) {
   EXPECT_GT(fs::file_size(picture), 5000U);
 }
 
+bool has_program(const std::string& name) {
+  return std::system(("command -v " + name + " >/dev/null 2>&1").c_str()) == 0;
+}
+
+/// Width and height of a PNG file.
+std::pair<int, int> size_of(const fs::path& picture) {
+  const std::string bytes = read_file(picture);
+  const auto number = [&](std::size_t at) {
+    int value = 0;
+    for (std::size_t i = at; i < at + 4; ++i) value = 256 * value + static_cast<unsigned char>(bytes.at(i));
+    return value;
+  };
+  return {number(16), number(20)};  // PNG specification, 11.2.2
+}
+
+/// A screen whose points have two pixels in each direction.
+std::pair<int, int> window_on_a_fine_screen(const char* screen) {
+  const VirtualDisplay display(screen);
+  setenv("DISPLAY", display.name().c_str(), 1);
+  EXPECT_EQ(std::system("echo 'Xft.dpi: 192' | xrdb -load"), 0);
+  const fs::path picture = scratch("fine.png");
+  const Result result = murosimf("view walk --paused --after 0.5 --screenshot " + picture.string());
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  return size_of(picture);
+}
+
+TEST_F(View, IsTwiceAsLargeOnAFineScreenAndNeverLargerThanTheScreen) {
+  if (!has_program("xrdb")) GTEST_SKIP() << "there is no xrdb (Debian and Ubuntu: x11-xserver-utils)";
+  EXPECT_EQ(window_on_a_fine_screen("3000x1800x24"), std::pair(2560, 1440));
+  EXPECT_EQ(window_on_a_fine_screen("1600x1000x24"), std::pair(1600, 1000));
+}
+
+// A click of xdotool has no length; each of them has to act, also where pictures take their time.
+TEST_F(View, EveryClickCounts) {
+  if (!has_program("xdotool")) GTEST_SKIP() << "there is no xdotool (Debian and Ubuntu: xdotool)";
+  const fs::path report = scratch("clicks.json");
+  constexpr int clicks = 8;
+  const std::string view =
+      std::string(MUROSIMF_PROGRAM) + " view walk --after 7 --json " + report.string() + " >/dev/null 2>&1 & ";
+  ASSERT_EQ(std::system((view + "sleep 1.5; for i in 1 2 3 4 5 6 7 8; do xdotool mousemove 30 17 click 1; sleep 0.4; "
+                                "xdotool mousemove 400 300; done; wait")
+                            .c_str()),
+            0);
+  EXPECT_EQ(json::parse(read_file(report))["branches"], clicks + 1);
+}
+
 TEST_F(View, MistakesAreOneLine) {
   expect_mistake("view walk --script " + write("bad", "clik blue1\n").string(), {"clik", "click", ":1:"});
   expect_mistake("view walk --script " + write("nobody", "settle\nclick blue1\n").string(), {"blue1", ":2:"});

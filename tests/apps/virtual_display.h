@@ -14,7 +14,7 @@ namespace murosimf::test {
 
 class VirtualDisplay {
  public:
-  VirtualDisplay() {
+  explicit VirtualDisplay(const char* size = "1280x800x24") {
     std::array<int, 2> ends{};
     if (pipe(ends.data()) != 0) return;
     process_ = fork();
@@ -23,7 +23,7 @@ class VirtualDisplay {
       dup2(nowhere, 1);
       dup2(nowhere, 2);
       const std::string number = std::to_string(ends[1]);
-      execlp("Xvfb", "Xvfb", "-displayfd", number.c_str(), "-screen", "0", "1280x800x24", "-nolisten", "tcp", nullptr);
+      execlp("Xvfb", "Xvfb", "-displayfd", number.c_str(), "-screen", "0", size, "-nolisten", "tcp", nullptr);
       _exit(127);
     }
     close(ends[1]);

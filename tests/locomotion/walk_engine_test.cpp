@@ -46,6 +46,47 @@ TEST(WalkEngine, SlewsAndClipsTheCommand) {
   EXPECT_EQ(v.z, p.fastest.z);
 }
 
+/// kid21 whose joints are no faster than that [rad/s].
+Model with_rates(double most) {
+  const ModelPtr model = test::kid21();
+  ConstantTable constants = model->constants();
+  for (const int joint : model->joints()) constants.set(properties::joint_rate_limit, joint, most);
+  return model->with(std::move(constants));
+}
+
+/// [rad/s] The fastest hinge in a period.
+double fastest_hinge(const std::array<Leg, 2>& legs, const WalkParameters& p, const Vec3d& velocity) {
+  constexpr int steps = 1000;
+  double fastest = 0;
+  for (int i = 0; i < steps; ++i) {
+    const GaitPose a = gait_pose(legs, p, 2 * pi * i / steps, 1, velocity),
+                   b = gait_pose(legs, p, 2 * pi * (i + 1) / steps, 1, velocity);
+    for (std::size_t side = 0; side < 2; ++side) {
+      for (std::size_t k = 0; k < legs[side].joints.size(); ++k)
+        fastest = std::max(fastest, std::abs(b.q[side][k] - a.q[side][k]) * steps / p.period);
+    }
+  }
+  return fastest;
+}
+
+TEST(WalkEngine, AsksNoJointForMoreThanItsLargestRate) {
+  const std::array<Leg, 2> legs = find_legs(*test::kid21());
+  const WalkParameters free = seeded_parameters(legs);
+  ASSERT_GT(fastest_hinge(legs, free, {free.fastest.x, 0, 0}), 6) << "a limit of 4 rad/s says something";
+  for (const double most : {4.0, 2.5}) {
+    const WalkParameters p = seeded_parameters(with_rates(most));
+    for (const Vec3d& velocity : {Vec3d{}, Vec3d{p.fastest.x, 0, 0.5 * p.fastest.z}, Vec3d{-p.fastest.x, 0, 0},
+                                  Vec3d{0, p.fastest.y, 0}, Vec3d{0, 0, p.fastest.z}})
+      EXPECT_LT(fastest_hinge(legs, p, velocity), most);
+    EXPECT_LT(p.lift, free.lift);
+    EXPECT_GT(p.lift, 0.3 * free.lift) << "feet still leave the ground";
+    EXPECT_GT(p.fastest.x, 0.3 * free.fastest.x);
+  }
+  const WalkParameters same = seeded_parameters(with_rates(20));
+  EXPECT_EQ(same.lift, free.lift);
+  EXPECT_EQ(same.fastest.x, free.fastest.x);
+}
+
 TEST(WalkEngine, StopsWhenTheCommandBecomesZero) {
   Walker walker({0.2, 0, 0});
   walker.rig.run(3.0);

@@ -47,11 +47,7 @@ TEST_P(RealRobots, StandAtEveryDynamicLevel) {
   }
 }
 
-/// Wolfgang-OP's file has knees of 3.87 rad/s at most, the gait that is seeded for it asks for 6.
-constexpr const char* too_slow = "the seeded gait is faster than the knees of the file";
-
 TEST_P(RealRobots, WalkTwoMetersOnKinematicFeet) {
-  if (GetParam().name == std::string("Wolfgang_OP")) GTEST_SKIP() << too_slow;
   const Walk result = walk_two_meters(model_of(GetParam()));
   EXPECT_GT(result.moved.x, 2);
   EXPECT_LT(result.moved.x, 2.25);
@@ -60,7 +56,6 @@ TEST_P(RealRobots, WalkTwoMetersOnKinematicFeet) {
 }
 
 TEST_P(RealRobots, WalkAtEveryDynamicLevel) {
-  if (GetParam().name == std::string("Wolfgang_OP")) GTEST_SKIP() << too_slow;
   for (const std::string& level : dynamic_levels()) {
     const Walk result =
         walk({.dynamics = {.level = level}, .command = {0.1, 0, 0}, .seconds = 10, .model = model_of(GetParam())});
