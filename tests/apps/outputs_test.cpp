@@ -219,6 +219,7 @@ TEST_F(Outputs, ThatCannotBeWrittenTakeNoOthersWithThem) {
 
 TEST_F(Outputs, PicturesArePngFiles) {
   std::ofstream(file("x.jpg")) << "older";
+  std::ofstream(file("in.csv")) << "time [s],a\n0,1\n1,2\n";
   for (const char* command : {"render walk --out @x.jpg", "run walk --duration 1 --picture @x.jpg",
                               "check kid21 --picture @x.svg", "plot @in.csv --out @x.pdf"}) {
     expect_mistake(in_folder(command), {"pictures are PNG files; write a name that ends with .png"});

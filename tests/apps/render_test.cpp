@@ -1,5 +1,4 @@
 // Pictures and videos as a user meets them.
-#include <fstream>
 #include <set>
 
 #include <nlohmann/json.hpp>
@@ -72,14 +71,19 @@ class Drawing : public InFolder {
   }
   [[nodiscard]] std::string out(const std::string& name = "a.png") const { return " --out " + file(name); }
   [[nodiscard]] std::string video(const std::string& name) const { return " --video " + file(name); }
-  /// Bytes of a picture or video that is drawn without a word, and is alone in its folder.
+  /// Bytes of a picture or video that is drawn without a word, and is alone in its folder, or with the table of its labels (its layer is
+  /// the last option).
   [[nodiscard]] std::string draw(const std::string& options, const std::string& name = "a.png") const {
     const Result result = murosimf(command(options) + (name.ends_with(".png") ? out(name) : video(name)));
     EXPECT_EQ(result.exit_code, 0) << options;
     EXPECT_EQ(result.output + result.errors, "") << options;
-    EXPECT_EQ(files(), std::vector{name});
+    std::vector<std::string> written{name};
+    const std::string table = fs::path(name).stem().string() + ".labels.json";
+    if (options.ends_with("--layer labels")) written.insert(written.begin(), table);
+    EXPECT_EQ(files(), written);
     const std::string bytes = read_file(file(name));
-    fs::remove(file(name));
+    if (written.size() > 1) table_ = read_file(file(table));
+    for (const std::string& one : written) fs::remove(file(one));
     return bytes;
   }
   void expect_refused(const std::string& options, const std::vector<std::string>& parts) const {
@@ -88,6 +92,7 @@ class Drawing : public InFolder {
   }
 
   fs::path scene_;
+  mutable std::string table_;  // of labels, of the last such picture
 };
 
 class Render : public Drawing {
@@ -126,7 +131,7 @@ TEST_F(Render, LayersLightsAndShadowsAreOtherPictures) {
         "--light day", "--light night", "--no-shadows", "--time 1", "--camera one.camera",
         "--camera one.camera --light night", "--camera one.camera --layer depth"}) {
     const bool camera = std::string(options).find("camera") != std::string::npos;
-    EXPECT_TRUE(pictures.insert(draw(options + std::string(camera ? "" : " --size 120x70"))).second) << options;
+    EXPECT_TRUE(pictures.insert(draw((camera ? "" : "--size 120x70 ") + std::string(options))).second) << options;
   }
   EXPECT_TRUE(pictures.contains(draw("--light hall --size 120x70"))) << "the scene's light";
 }
@@ -246,12 +251,11 @@ TEST_F(Render, DepthsAndLabelsAreNumbersForPrograms) {
     EXPECT_EQ(png[bits], 16) << layer;
     EXPECT_EQ(png[color_type], 0) << layer << ": one channel";
   }
-  (void)draw("--size 120x70 --layer labels");
-  const auto table = nlohmann::json::parse(std::ifstream(file("a.labels.json")));
+  const auto table = nlohmann::json::parse(table_);
   EXPECT_EQ(table["schema"], "murosimf/labels/1");
-  EXPECT_EQ(table["labels"][2]["name"], "line");
-  EXPECT_EQ(table["labels"][4]["name"], "one");
-  EXPECT_EQ(table["labels"][4]["kind"], "robot");
+  EXPECT_EQ(table["labels"][2], (nlohmann::json{{"id", 2}, {"name", "line"}, {"kind", "scenery"}}));
+  EXPECT_EQ(table["labels"][4], (nlohmann::json{{"id", 4}, {"name", "ball"}, {"kind", "ball"}}));
+  EXPECT_EQ(table["labels"][5], (nlohmann::json{{"id", 5}, {"name", "one"}, {"kind", "robot"}}));
   expect_refused("--size 16x16 --layer depth --duration 0.1" + video("a.mp4"), {"a.mp4", "numbers", ".mkv"});
 }
 

@@ -128,7 +128,7 @@ TEST(WhatTheFileSays, TorquesMayDifferByDirection) {
 
 TEST(WhatTheFileSays, ARunNamesWordsWithoutEffect) {
   const std::string file = robot("", R"(<option gravity="0 0 -1"/><tendon/>)");
-  Scene scene(fixtures::write_scene(scene_with(file, "")), {.lenient = true});
+  Scene scene(fixtures::write_scene(scene_with(file, "level = \"full_dynamics\"\n")), {.lenient = true});
   const auto notes = make_report(scene).notes;
   ASSERT_EQ(std::ranges::count_if(notes,
                                   [](const std::string& note) {
