@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "murosimf/collision/continuous_collision.h"
 #include "murosimf/collision/kinematic_separation.h"
 #include "murosimf/collision/soft_start.h"
 #include "murosimf/model/properties.h"
@@ -25,8 +26,7 @@ BodyContact::BodyContact(Setup& setup, const Entity* environment, const std::vec
       finder_(materials, {norm(setup.world().gravity), seconds(setup.period()), law_->implicit()}),
       period_(seconds(setup.period())),
       set_(setup.write(pair_contacts)[0]),
-      environment_(static_compound_of(environment)),
-      environment_number_(setup.world().index_of(environment)) {
+      environment_(static_compound_of(environment)) {
   for (const MovingEntity& moving_entity : moving_entities_) finder_.add(moving_entity);
 }
 
@@ -98,9 +98,9 @@ void BodyContact::step(const Instant& instant) noexcept {
   for (MovingEntity& moving_entity : moving_entities_) moving_entity.start_step();
   finder_.find(moving_entities_, set_);
   note_interpenetrations(moving_entities_, dt, instant.now, set_);
-  note_jumps(moving_entities_, {*environment_, environment_number_}, dt, instant.now, set_);
   for (PairContact& c : set_.points) end_lift(c, set_.parameters[c.surface], dt);
   kinematic_separation(moving_entities_, *environment_, finder_.within_reach(), dt, set_);
+  stop_at_touch(moving_entities_, *environment_, dt);
   NoHelpers nobody;
   law_->push(moving_entities_, set_, dt, instant.helpers ? *instant.helpers : nobody);
 }

@@ -46,7 +46,6 @@ class BodyContact final : public Algorithm {
   double period_;  // [s]
   PairSet& set_;
   std::shared_ptr<const StaticCompound> environment_;
-  int environment_number_;  // in the world, -1 for none
 };
 
 }  // namespace murosimf::collision

@@ -26,7 +26,7 @@ inline constexpr Property<Sym6d>  external_damping   {{"external_damping", "N m 
 // ---- variable: one for the whole entity ----
 inline constexpr Property<double> dynamic           {{"dynamic", "1", "-", "1: forces move the entity, 0: it pushes and is never pushed", Scope::base}};
 inline constexpr Property<double> stance_foot        {{"stance_foot", "1", "-", "0: first sole of the model stands, 1: second", Scope::base}};
-inline constexpr Property<Vec3d>  separation         {{"separation", "m", "world, horizontal", "way in this step out of bodies that are not pushed either", Scope::base}};
+inline constexpr Property<Vec3d>  separation         {{"separation", "m", "world", "way in this step besides that of its motion: out of bodies that are not pushed either, or back to where it meets something", Scope::base}};
 inline constexpr Property<Wrenchd> absorbed_impulse   {{"absorbed_impulse", "N s, N m s", "world, at the world's origin", "what contacts gave to a body that cannot be pushed", Scope::base}};
 
 // clang-format on

@@ -6,8 +6,6 @@
 
 #include "murosimf/collision/body_pairs.h"
 #include "murosimf/collision/moving_entity.h"
-#include "murosimf/collision/static_compound.h"
-#include "murosimf/geometry/ray.h"
 
 namespace murosimf::collision {
 namespace {
@@ -49,68 +47,6 @@ bool has_crossed(const PairContact& c, const std::vector<PairContact>& previous)
          have_turned(before->normal, c.normal);
 }
 
-/// The middle of a body without joints on its way through a step.
-struct Way {
-  Vec3d from, along;  // [m] world
-  double length;      // [m]
-
-  /// Into the shape and out of it again; who begins inside has a contact.
-  [[nodiscard]] bool leads_through(const Shape& shape, const Transformd& at) const {
-    const double reach = bounding_radius(shape) + length;
-    if (dot(at.position - from, at.position - from) > reach * reach) return false;
-    const Vec3d direction = (1 / length) * along;
-    const auto entry = geometry::meet({from, direction}, shape, at);
-    if (!entry || entry->distance == 0 || entry->distance > length) return false;
-    const auto exit = geometry::meet({from + along, -direction}, shape, at);
-    return exit && exit->distance > 0;
-  }
-};
-
-bool touch(const PairSet& set, int a, int b) {
-  return std::ranges::any_of(set.points, [&](const PairContact& c) { return c.a == a && c.b == b; });
-}
-
-/// [m] by which it moves until the next step, seen from something that moves with `other` [m/s].
-Way way_of(const MovingEntity& body, const Vec3d& other, double dt) {
-  const Vec3d along = dt * (body.v[0] - other);
-  return {body.sphere(0).center, along, norm(along)};
-}
-
-bool is_fast(const MovingEntity& body, double dt) {
-  return !body.apart() && body.compound.shapes().size() == 1 && body.model().joints().empty() &&
-         norm(body.v[0]) * dt > body.thickness(0);
-}
-
-void note_jump(const MovingEntity& body, int other, int object, double thinner, Duration now, PairSet& set) {
-  if (is_known(set, body.number, other)) return;
-  set.interpenetrations.push_back(
-      {body.number, other, body.compound.shapes()[0].object, object, 0, thinner, true, now});
-}
-
-void note_jumps_through(const MovingEntity& body, MovingEntity& other, double dt, Duration now, PairSet& set) {
-  for (int i = 0; i < static_cast<int>(other.compound.shapes().size()); ++i) {
-    const CollidingShape& shape = other.compound.shapes()[i];
-    if (!way_of(body, other.v[shape.object], dt).leads_through(shape.placed.shape, other.pose(i))) continue;
-    note_jump(body, other.number, shape.object, std::min(body.thickness(0), other.thickness(i)), now, set);
-  }
-}
-
-bool touches(const MovingEntity& body, int object) {
-  const ContactSet& set = body.contacts;
-  return std::ranges::any_of(set.points,
-                             [&](const ContactPoint& c) { return set.environment_objects[c.surface] == object; });
-}
-
-void note_jumps_through(const MovingEntity& body, const Standing& standing, double dt, Duration now, PairSet& set) {
-  const Way way = way_of(body, {}, dt);
-  for (int i = 0; i < static_cast<int>(standing.compound.compound().shapes().size()); ++i) {
-    const CollidingShape& other = standing.compound.shape(i);
-    if (!way.leads_through(other.placed.shape, standing.compound.pose(i)) || touches(body, other.object)) continue;
-    note_jump(body, standing.number, other.object, std::min(body.thickness(0), thickness(other.placed.shape)), now,
-              set);
-  }
-}
-
 }  // namespace
 
 static_assert(std::is_trivially_copyable_v<Interpenetration>);
@@ -132,20 +68,6 @@ void note_interpenetrations(std::span<const MovingEntity> moving_entities, doubl
     if (depth == Depth::usual || is_known(set, set.entities[c.a], set.entities[c.b])) continue;
     set.interpenetrations.push_back(
         {set.entities[c.a], set.entities[c.b], c.object, c.object_b, c.depth, thinner, depth == Depth::through, now});
-  }
-}
-
-void note_jumps(std::span<MovingEntity> moving_entities, const Standing& standing, double dt, Duration now,
-                PairSet& set) {
-  for (int i = 0; i < static_cast<int>(moving_entities.size()); ++i) {
-    const MovingEntity& body = moving_entities[i];
-    if (!is_fast(body, dt)) continue;
-    for (int j = 0; j < static_cast<int>(moving_entities.size()); ++j) {
-      MovingEntity& other = moving_entities[j];
-      if (i == j || other.apart() || touch(set, std::min(i, j), std::max(i, j))) continue;
-      note_jumps_through(body, other, dt, now, set);
-    }
-    note_jumps_through(body, standing, dt, now, set);
   }
 }
 

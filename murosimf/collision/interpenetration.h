@@ -7,11 +7,9 @@
 ///     crossed    the normal of their shapes has turned round since the step before: n . n_before < -1/2
 ///
 ///     fast       |v| dt > min(thickness of A, thickness of B) / 2, of points that are let out slowly: it came beyond the middle
-///     jumps      no contact now, and the way v dt of its middle until the next step leads through the other one
 ///
 /// Points that are let out slowly (soft_start.h) count only if they came with more than half of that thickness in a step: others were put
-/// there. Jumps are looked for where a body without
-/// joints moves by more than its own thickness in a step.
+/// there. What would jump over something between two steps is stopped there (continuous_collision.h).
 #pragma once
 
 #include <span>
@@ -24,7 +22,6 @@ namespace murosimf::collision {
 
 struct ContactPoint;
 struct MovingEntity;
-class StaticCompound;
 struct PairContact;
 struct PairSet;
 
@@ -55,14 +52,5 @@ enum class Depth { usual, too_deep, through };
 /// Adds pairs of entities that are not in set.interpenetrations yet. After the points of the step have been found; set.previous has
 /// those of the step before.
 void note_interpenetrations(std::span<const MovingEntity> moving_entities, double dt, Duration now, PairSet& set);
-
-/// What stands still: its shapes, and its number in the world.
-struct Standing {
-  const StaticCompound& compound;
-  int number = 0;
-};
-/// The same for bodies that are about to jump through something; `dt` [s] until the next step.
-void note_jumps(std::span<MovingEntity> moving_entities, const Standing& standing, double dt, Duration now,
-                PairSet& set);
 
 }  // namespace murosimf::collision

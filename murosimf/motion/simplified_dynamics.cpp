@@ -23,6 +23,7 @@ SimplifiedDynamics::SimplifiedDynamics(Setup& setup, const SimplifiedDynamicsOpt
       reference_(setup, options.reference),
       external_force_(setup.write(properties::external_force)),
       external_damping_(setup.write(properties::external_damping)),
+      separation_(setup.input(properties::separation, {})[0]),
       contacts_(setup),
       center_(setup.write(properties::common_center_of_mass)[0]),
       velocity_(setup.write(properties::common_center_of_mass_velocity)[0]),
@@ -179,7 +180,7 @@ void SimplifiedDynamics::step_rk4(double dt) noexcept {
 
 void SimplifiedDynamics::begin_step(double dt) noexcept {
   dt_ = dt;
-  center_ += columns_.take_displacement();
+  center_ += columns_.take_displacement() + separation_;
   velocity_ += columns_.take_velocity_change();
 }
 

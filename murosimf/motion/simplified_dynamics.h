@@ -105,6 +105,7 @@ class SimplifiedDynamics final : public MotionLevel, private collision::ImpulseR
   JointReference reference_;
   std::span<Wrenchd> external_force_;
   std::span<Sym6d> external_damping_;
+  const Vec3d& separation_;
   ContactTrials contacts_;
   Vec3d& center_;      // [m] common center of mass, world
   Vec3d& velocity_;    // [m/s] of the center of mass

@@ -71,29 +71,20 @@ velocity = [)" +
          v + ", 0, 0]\n";
 }
 
-// Whatever the phase at which it comes: nobody is on the other side without a warning.
-TEST(InterpenetrationWarnings, NobodyComesThroughWithoutOne) {
-  int through = 0;
+// Whatever the phase at which it comes, up to 1.3 m in a step: nobody is on the other side (collision/continuous_collision.h).
+TEST(InterpenetrationWarnings, NobodyComesThrough) {
   for (const double speed : {2.0, 10.0, 21.0, 43.0, 61.0, 77.0, 101.0, 130.0}) {
     for (const std::string rate : {"1000", "500", "200", "100"}) {
       Scene scene(fixtures::write_scene(bullets(speed)), {.overrides = {"rate=" + rate}});
       scene.simulation().run(500ms);
-      std::string all;
-      for (const std::string& warning : warnings_of(scene)) all += warning + "\n";
       const auto x = [&](const char* name) {
         return scene.simulation().world().entity(name).base().get(properties::position).x;
       };
-      if (x("one") > x("plate")) {
-        ++through;
-        EXPECT_TRUE(says(all, {"plate", "one"})) << speed << " m/s at " << rate << ": " << all;
-      }
-      if (x("two") < -0.5) {
-        ++through;
-        EXPECT_TRUE(says(all, {"two and field", "'wall'"})) << speed << " m/s at " << rate << ": " << all;
-      }
+      EXPECT_LT(x("one"), x("plate")) << speed << " m/s at " << rate;
+      EXPECT_GT(x("two"), -0.5) << speed << " m/s at " << rate;
+      for (const std::string& warning : warnings_of(scene)) EXPECT_FALSE(says(warning, {"passed through"})) << warning;
     }
   }
-  EXPECT_GT(through, 20);
 }
 
 TEST(InterpenetrationWarnings, AreAtMostSixLines) {
@@ -106,9 +97,9 @@ TEST(InterpenetrationWarnings, AreAtMostSixLines) {
 
 // They are part of the state, and a reset forgets them.
 TEST(InterpenetrationWarnings, GoWithTheState) {
-  const std::string file = fixtures::write_scene(bullets(43));
+  const std::string file = fixtures::write_scene(press(500));
   Scene scene(file), other(file);
-  scene.simulation().run(100ms);
+  scene.simulation().run(2s);
   const auto expected = warnings_of(scene);
   ASSERT_FALSE(expected.empty());
   other.load(scene.save());

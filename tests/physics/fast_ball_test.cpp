@@ -1,0 +1,89 @@
+// A ball of up to 30 m/s against what is thin, at steps of 1 to 10 ms: it comes back, and has not won energy.
+#include <cmath>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "murosimf/model/properties.h"
+#include "murosimf/scene/scene.h"
+#include "tests/law.h"
+#include "tests/written_scene.h"
+
+namespace murosimf {
+namespace {
+
+using namespace std::chrono_literals;
+
+struct Obstacle {
+  const char *name, *text;
+  double thickness;  // [m] along x, about x = 1
+};
+
+constexpr Obstacle obstacles[] = {
+    {"bar", "shape = 'cylinder'\nradius = 0.01\nlength = 2\nposition = [1, 0, 0.005]\nstatic = true", 0.02},
+    {"wall", "shape = 'box'\nsize = [0.05, 2, 2]\nposition = [1, 0, 0.1]\nstatic = true", 0.05},
+    {"post", "shape = 'cylinder'\nradius = 0.05\nlength = 2\nposition = [1, 0, 0.005]\nstatic = true", 0.1},
+    {"plate", "shape = 'box'\nsize = [0.02, 1, 1]\nmass = 5\nposition = [1, 0, 0.6]", 0.02},
+};
+
+std::string shot_at(const Obstacle& obstacle, double speed, double before) {
+  return fmt::format(
+      "gravity = [0, 0, 0]\n[field]\ngoals = false\n[ball]\nradius = 0.065\nmass = 0.15\nposition = [{}, 0, 1]\n"
+      "velocity = [{}, 0, 0]\n[[bodies]]\nname = '{}'\n{}\n",
+      before, speed, obstacle.name, obstacle.text);
+}
+
+TEST(FastBall, ComesBackFromWhatIsThin) {
+  int shots = 0;
+  double fastest_return = 0;  // [1] of its speed
+  for (const Obstacle& obstacle : obstacles) {
+    for (const double speed : {5.0, 15.0, 30.0}) {
+      for (const int rate : {1000, 500, 200, 125, 100}) {
+        for (const double before : {0.0, 0.031, 0.077}) {  // where in a step it comes
+          scene::Scene scene(fixtures::write_scene(shot_at(obstacle, speed, before)),
+                             {.overrides = {fmt::format("rate={}", rate)}});
+          scene.simulation().run(400ms);
+          const World& world = scene.simulation().world();
+          const ObjectAccess ball = world.entity("ball").base();
+          const bool moves = std::string(obstacle.name) == "plate";
+          const double front = moves ? world.entity("plate").base().get(properties::position).x : 1;
+          const std::string shot = fmt::format("{} m/s at {}, {} Hz, from {} m", speed, obstacle.name, rate, before);
+          EXPECT_LT(ball.get(properties::position).x, front) << shot;
+          if (!moves) {
+            EXPECT_LT(ball.get(properties::linear_velocity).x, 0.0) << shot;
+            fastest_return = std::max(fastest_return, norm(ball.get(properties::linear_velocity)) / speed);
+          }
+          ++shots;
+        }
+      }
+    }
+  }
+  law::expect_near(
+      {.law = "balls of 5 to 30 m/s at bars, walls and posts, 1 to 10 ms: largest speed after over speed before",
+       .level = "simplified_dynamics",
+       .source = "contact gives no energy"},
+      std::max(1.0, fastest_return), 1, 0.02, "1");
+  EXPECT_EQ(shots, 4 * 3 * 5 * 3);
+}
+
+/// What is shot through a shin is a foul.
+TEST(FastBall, DoesNotPassAShin) {
+  for (const int rate : {1000, 200, 100}) {
+    for (const double before : {0.5, 0.53, 0.58}) {
+      scene::Scene scene(fixtures::write_scene(fmt::format(
+                             "[field]\ngoals = false\n[ball]\nposition = [{}, 0.05, 0.12]\nvelocity = [-30, 0, 0]\n"
+                             "[[robots]]\nname = 'robot'\nmodel = 'kid21'\nlevel = 'full_dynamics'\n",
+                             before)),
+                         {.overrides = {fmt::format("rate={}", rate)}});
+      double lowest = 1;
+      for (int i = 0; i < 8; ++i) {
+        scene.simulation().run(10ms);
+        lowest = std::min(lowest, scene.simulation().world().entity("ball").base().get(properties::position).x);
+      }
+      EXPECT_GT(lowest, 0.0) << rate << " Hz from " << before << " m: the ball stays in front of the leg";
+    }
+  }
+}
+
+}  // namespace
+}  // namespace murosimf
