@@ -9,106 +9,129 @@
 namespace murosimf::collision {
 namespace {
 
-constexpr double fast = 0.5;  // [1] of the thinner one's radius in a step
+constexpr double fast = 0.5;   // [1] of the thinner one's radius in a step
+constexpr double soft = 0.25;  // [1] of that radius that is left to contact
 
-/// A body whose motion may be cut off.
-struct Flier {
-  MovingEntity& body;
-  Vec3d center;   // [m] world
-  double radius;  // [m]
+/// A body on its way through a step.
+struct Flight {
+  const MovingEntity& body;
+  double radius;       // [m]
+  Vec3d start;         // [m] of its middle
+  Vec3d velocity;      // [m/s] that is left of its own
+  Vec3d moved{};       // [m] so far
+  double elapsed = 0;  // [s]
+
+  /// [m] Its middle, for who stays where it was at the beginning and moves with that velocity [m/s].
+  [[nodiscard]] Vec3d seen_from(const Vec3d& other) const { return start + moved - elapsed * other; }
 };
 
 bool can_fly(const MovingEntity& body) {
   return !body.apart() && body.can_be_pushed() && body.compound.shapes().size() == 1 && body.model().joints().empty();
 }
 
-Flier flier(MovingEntity& body) { return {body, body.sphere(0).center, 0.5 * body.thickness(0)}; }
+Flight flight_of(const MovingEntity& body) { return {body, 0.5 * body.thickness(0), body.sphere(0).center, body.v[0]}; }
 
-/// The first touch of a body so far.
-struct Touch {
-  double time = 0;   // [s]
-  Vec3d velocity;    // [m/s] relative
-  double share = 1;  // [1] of the way back that is this body's
+/// The first touch so far, and how fast the other one is [m/s].
+struct Stop {
+  FirstTouch touch;
+  Vec3d other;
 };
 
 /// A shape that may be in the way.
 struct Obstacle {
   const Shape& shape;
   const Transformd& at;
-  double radius;  // [m] half of its thickness
-  double share = 1;
+  double radius;   // [m] half of its thickness
+  Vec3d velocity;  // [m/s]
 };
 
-void look(const Flier& one, const Obstacle& obstacle, const Vec3d& velocity, double dt, std::optional<Touch>& first) {
-  const double way = norm(velocity) * dt;
-  if (way <= fast * std::min(one.radius, obstacle.radius)) return;
-  const double reach = bounding_radius(obstacle.shape) + one.radius + way;
-  const Vec3d apart = obstacle.at.position - one.center;
+void look(const Flight& flight, const Obstacle& obstacle, double dt, std::optional<Stop>& first) {
+  const double way = norm(flight.body.v[0] - obstacle.velocity) * dt,
+               thinner = std::min(flight.radius, obstacle.radius);
+  if (way <= fast * thinner) return;
+  const Vec3d center = flight.seen_from(obstacle.velocity), apart = obstacle.at.position - center;
+  const double reach = bounding_radius(obstacle.shape) + flight.radius + way;
   if (dot(apart, apart) > reach * reach) return;
-  const auto time = time_of_touch(one.center, one.radius, velocity, obstacle.shape, obstacle.at, dt);
-  if (time && (!first || *time < first->time)) first = Touch{*time, velocity, obstacle.share};
+  const auto touch = first_touch(center, flight.radius - soft * thinner, flight.velocity - obstacle.velocity,
+                                 obstacle.shape, obstacle.at, dt - flight.elapsed);
+  if (touch && (!first || touch->time < first->touch.time)) first = Stop{*touch, obstacle.velocity};
 }
 
-void look_at_statics(const Flier& one, const StaticCompound& environment, double dt, std::optional<Touch>& first) {
+void look_at_statics(const Flight& flight, const StaticCompound& environment, double dt, std::optional<Stop>& first) {
   for (int i = 0; i < static_cast<int>(environment.compound().shapes().size()); ++i) {
     const Shape& shape = environment.shape(i).placed.shape;
-    look(one, {shape, environment.pose(i), 0.5 * thickness(shape)}, one.body.v[0], dt, first);
+    look(flight, {shape, environment.pose(i), 0.5 * thickness(shape), {}}, dt, first);
   }
 }
 
 /// Whether any shape of the other one can come there in time.
-bool is_near(const Flier& one, const MovingEntity& other, double dt) {
+bool is_near(const Flight& flight, const MovingEntity& other, double dt) {
   constexpr double fastest_limb = 50;  // [m/s]
   const geometry::BoundingSphere reach = other.reach();
-  const double near = reach.radius + one.radius + (norm(one.body.v[0] - other.v[0]) + fastest_limb) * dt;
-  const Vec3d apart = reach.center - one.center;
+  const double near = reach.radius + flight.radius + (norm(flight.body.v[0] - other.v[0]) + fastest_limb) * dt;
+  const Vec3d apart = reach.center - flight.start;
   return dot(apart, apart) < near * near;
 }
 
-void look_at(const Flier& one, MovingEntity& other, double dt, std::optional<Touch>& first) {
+void look_at(const Flight& flight, MovingEntity& other, double dt, std::optional<Stop>& first) {
+  const Vec3d stopped = (1 / dt) * other.separation[0];  // it has met something before
   for (int i = 0; i < static_cast<int>(other.compound.shapes().size()); ++i) {
     const CollidingShape& shape = other.compound.shapes()[i];
-    const Vec3d velocity = one.body.v[0] - other.velocity_at(shape.object, one.center - other.r[shape.object]);
+    const Vec3d velocity = other.velocity_at(shape.object, flight.start - other.r[shape.object]) + stopped;
     const double radius = 0.5 * other.thickness(i);
-    if (norm(velocity) * dt <= fast * std::min(one.radius, radius)) continue;
-    look(one, {shape.placed.shape, other.pose(i), radius, can_fly(other) ? 0.5 : 1}, velocity, dt, first);
+    if (norm(flight.body.v[0] - velocity) * dt <= fast * std::min(flight.radius, radius)) continue;
+    look(flight, {shape.placed.shape, other.pose(i), radius, velocity}, dt, first);
   }
+}
+
+/// To the touch, and along the other one's surface from there on.
+void turn_aside(Flight& flight, const Stop& stop) {
+  flight.moved += stop.touch.time * flight.velocity;
+  flight.elapsed += stop.touch.time;
+  flight.velocity -= dot(flight.velocity - stop.other, stop.touch.normal) * stop.touch.normal;
 }
 
 }  // namespace
 
-std::optional<double> time_of_touch(const Vec3d& center, double radius, const Vec3d& velocity, const Shape& shape,
-                                    const Transformd& at, double dt) {
-  constexpr double touching = 1e-7;  // [m]
+std::optional<FirstTouch> first_touch(const Vec3d& center, double radius, const Vec3d& velocity, const Shape& shape,
+                                      const Transformd& at, double dt) {
+  constexpr double touching = 1e-6;  // [m] they stay that far apart, and so know the direction
+  constexpr double along = 1e-9;     // [1] of the velocity: no approach
   constexpr int most = 50;
   const Shape sphere = Sphere{radius};
-  double time = 0;
+  FirstTouch touch;
   for (int i = 0; i < most; ++i) {
-    const geometry::Gap gap = geometry::distance(sphere, {center + time * velocity, Mat3d{}}, shape, at);
-    if (gap.distance < 0 && i == 0) return std::nullopt;
-    const Vec3d way = gap.on_b - gap.on_a;
-    const double length = norm(way);
-    if (gap.distance <= touching || length == 0) return time;
-    const double approach = dot(velocity, way) / length;
-    if (approach <= 0) return std::nullopt;
-    time += gap.distance / approach;
-    if (time >= dt) return std::nullopt;
+    const geometry::Gap gap = geometry::distance(sphere, {center + touch.time * velocity, Mat3d{}}, shape, at);
+    if (gap.distance == 0) return touch;  // at i = 0 without a direction: nothing is stopped
+    touch.normal = (1 / gap.distance) * (gap.on_b - gap.on_a);
+    const double approach = dot(velocity, touch.normal);
+    if (approach <= along * norm(velocity)) return std::nullopt;
+    if (gap.distance <= 2 * touching) return touch;
+    touch.time += (gap.distance - touching) / approach;
+    if (touch.time >= dt) return std::nullopt;
   }
-  return time;
+  return touch;
 }
 
 void stop_at_touch(std::span<MovingEntity> moving_entities, const StaticCompound& environment, double dt) noexcept {
+  constexpr int most_touches = 4;  // of one body in a step; after them it goes with the last one
   for (MovingEntity& body : moving_entities) {
     if (!can_fly(body)) continue;
-    const Flier one = flier(body);
-    std::optional<Touch> first;
-    look_at_statics(one, environment, dt, first);
-    for (MovingEntity& other : moving_entities) {
-      if (&other != &body && !other.apart() && is_near(one, other, dt)) look_at(one, other, dt, first);
+    Flight flight = flight_of(body);
+    bool touched = false;
+    for (int i = 0; i < most_touches; ++i) {
+      std::optional<Stop> first;
+      look_at_statics(flight, environment, dt, first);
+      for (MovingEntity& other : moving_entities) {
+        if (&other != &body && !other.apart() && is_near(flight, other, dt)) look_at(flight, other, dt, first);
+      }
+      if (!first) break;
+      touched = true;
+      turn_aside(flight, *first);
+      if (i + 1 == most_touches) flight.velocity = first->other;
     }
-    if (!first) continue;
-    const double speed = norm(first->velocity);
-    body.separation[0] += first->share * (touching_depth / speed - (dt - first->time)) * first->velocity;
+    if (!touched) continue;
+    body.separation[0] += flight.moved + (dt - flight.elapsed) * flight.velocity - dt * body.v[0];
   }
 }
 

@@ -1,22 +1,24 @@
 /// continuous_collision.h - fast bodies without joints stop where they meet something between two steps.
 ///
 /// Contact is looked for at the ends of steps: a ball of 15 m/s moves by 75 mm in 5 ms, and may be in front of a post at one end and behind
-/// it at the other. Where a body of one shape is about to move by more than half of its own or the other's radius, the time t of the first
-/// touch is worked out by conservative advancement: with n and d the direction and length of the shortest way to a convex shape and v the
-/// velocity relative to it, the plane across that way parts the two until
+/// it at the other; and contact is soft, so that it may be too late when it has come half through. Where a body of one shape is about to
+/// move by more than half of its own or the other's radius, its core, the same with a radius that is less by a quarter of the smaller one, is
+/// not let into the other one. The time t of their first touch is worked out by conservative advancement: with n and d the direction and
+/// length of the shortest way to a convex shape and v the velocity relative to it, the plane across that way parts the two until
 ///
 ///     t <- t + d / (v . n)        v . n <= 0: they never meet
 ///
-/// The body then ends its step there, `touching_depth` deep, in the place of r + v dt:
+/// From then on the body moves along that plane, where it may meet the next shape, to the end of the step:
 ///
-///     separation = -(dt - t) v + touching_depth v / |v|
+///     v <- v - ((v - v_other) . n) n        separation = sum of t v over the parts of the step - dt v_0
 ///
-/// Its velocity stays: contact of the next step begins where the two have met. The rest of the step is lost, less than |v| dt of way. A body that
-/// is no sphere is taken for the largest sphere about its middle that is as thick as it. Two such bodies share the way.
-/// Assumes: the other one moves with the velocity of the point that is nearest at the beginning; contact forces of this step, which are
-/// not known yet, bend the way by less than the thinner one's radius.
-/// Source: Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996, sec. 2.3 (conservative advancement); the way back:
-/// the project's own.
+/// Its velocity stays, and contact, which the smaller core leaves room for, changes it from step to step. What is lost is way, less than
+/// |v| dt. A body that is no sphere is taken for the largest sphere about its middle that is as thick as it. Of two
+/// such bodies the first one stops, and the second one sees it where it is then.
+/// Assumes: the other one moves with the velocity of its point that is below the body's middle; contact forces of this step, which are
+/// not known yet, bend the way by less than the core's distance from the surface.
+/// Source: Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996, sec. 2.3 (conservative advancement); the core:
+/// Catto, Continuous Collision, Game Developers Conference 2013; the way back: the project's own.
 #pragma once
 
 #include <optional>
@@ -29,13 +31,16 @@ namespace murosimf::collision {
 struct MovingEntity;
 class StaticCompound;
 
-/// [m] so that the next step finds the contact.
-inline constexpr double touching_depth = 1e-4;
+/// The first touch of a moving sphere and a shape.
+struct FirstTouch {
+  double time = 0;  ///< [s]
+  Vec3d normal;     ///< [1] unit, from the sphere to the shape
+};
 
-/// [s] when a sphere that moves with `velocity` [m/s], relative to the shape, first touches it within `dt` [s]. Nothing if it does not, or
-/// if they touch already.
-[[nodiscard]] std::optional<double> time_of_touch(const Vec3d& center, double radius, const Vec3d& velocity,
-                                                  const Shape& shape, const Transformd& at, double dt);
+/// Of a sphere that moves with `velocity` [m/s], relative to the shape, within `dt` [s]. Nothing if they do not touch, or part. If they are in
+/// each other already, it is now, and the normal that of the shortest way out.
+[[nodiscard]] std::optional<FirstTouch> first_touch(const Vec3d& center, double radius, const Vec3d& velocity,
+                                                    const Shape& shape, const Transformd& at, double dt);
 
 /// Adds to `separation` of the fast ones; after contacts of the step have been found.
 void stop_at_touch(std::span<MovingEntity> moving_entities, const StaticCompound& environment, double dt) noexcept;

@@ -102,9 +102,11 @@ double pendulum_sway(const std::array<Leg, 2>& legs, const WalkParameters& p) {
 
 void fit_to_rates(const std::array<Leg, 2>& legs, const Rates& largest, WalkParameters& p) {
   constexpr double share = 0.9, lower = 0.95, longer = 1.02, slower = 0.95;
+  constexpr double walking = 0.6;  // of the fastest: so much shall be left of it
   const double least_lift = p.lift / 3, most_period = 1.5 * p.period;
-  while (used_rate(legs, largest, p, {}) > share && p.lift > least_lift) p.lift *= lower;
-  while (used_rate(legs, largest, p, {}) > share && p.period < most_period) {
+  const auto is_too_fast = [&] { return used_rate(legs, largest, p, {walking * p.fastest.x, 0, 0}) > share; };
+  while (is_too_fast() && p.lift > least_lift) p.lift *= lower;
+  while (is_too_fast() && p.period < most_period) {
     p.period *= longer;
     p.sway = pendulum_sway(legs, p);
   }

@@ -36,9 +36,9 @@ struct WalkParameters {
 /// are lowered and strides made shorter until they do.
 /// Source: Kajita et al., "The 3D Linear Inverted Pendulum Mode", IROS 2001, for the pendulum's periodic orbit.
 [[nodiscard]] WalkParameters seeded_parameters(const std::array<Leg, 2>& legs);
-/// The same for the legs of a model (find_legs), and no joint is asked for more than 0.9 of its largest rate (joint_rate_limit): feet are
-/// lifted less, down to a third, then steps take longer, up to half as long again, then strides get shorter. All robots of a team ask for
-/// them, so the model keeps them.
+/// The same for the legs of a model (find_legs), and no joint is asked for more than 0.9 of its largest rate (joint_rate_limit), as far as
+/// that goes: feet are lifted less, down to a third, then steps take longer, up to half as long again, until 0.6 of the speed is left;
+/// then strides get shorter. All robots of a team ask for them, so the model keeps them.
 [[nodiscard]] WalkParameters seeded_parameters(const Model& model);
 
 /// Joint positions [rad] of both legs, left first, in the order of their joints.
