@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "murosimf/collision/body_kelvin_voigt_law.h"
+#include "murosimf/collision/body_explicit_laws.h"
 #include "murosimf/collision/contact_law.h"
 #include "murosimf/collision/contact_parameters.h"
 #include "murosimf/model/properties.h"

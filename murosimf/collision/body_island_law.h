@@ -4,7 +4,7 @@
 /// others become rows (island_solver.h), and motion takes the result over. Contacts with the ground become rows if their law
 /// has the same force and memory (implicit_stick), so an entity changes between its own law and an island from step to step
 /// without a jump; explicit laws keep their force, and only contacts between bodies are rows. Contacts between entities that
-/// cannot answer a solver push explicitly (body_kelvin_voigt_law.h).
+/// cannot answer a solver push explicitly (body_explicit_laws.h).
 ///
 /// Threads share out the free passes, then the islands, then what motion takes over; in between, the pushes are added up in their order.
 #pragma once

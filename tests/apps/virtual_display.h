@@ -23,7 +23,8 @@ class VirtualDisplay {
       dup2(nowhere, 1);
       dup2(nowhere, 2);
       const std::string number = std::to_string(ends[1]);
-      execlp("Xvfb", "Xvfb", "-displayfd", number.c_str(), "-screen", "0", size, "-nolisten", "tcp", "-noreset", nullptr);
+      execlp("Xvfb", "Xvfb", "-displayfd", number.c_str(), "-screen", "0", size, "-nolisten", "tcp", "-noreset",
+             nullptr);
       _exit(127);
     }
     close(ends[1]);

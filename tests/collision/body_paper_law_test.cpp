@@ -1,4 +1,4 @@
-#include "murosimf/collision/body_paper_law.h"
+#include "murosimf/collision/body_explicit_laws.h"
 
 #include <gtest/gtest.h>
 
