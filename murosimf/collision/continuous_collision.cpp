@@ -21,8 +21,8 @@ struct Flight {
   Vec3d moved{};       // [m] so far
   double elapsed = 0;  // [s]
 
-  /// [m] Its middle, for who stays where it was at the beginning and moves with that velocity [m/s].
-  [[nodiscard]] Vec3d seen_from(const Vec3d& other) const { return start + moved - elapsed * other; }
+  /// [m] Its middle relative to a shape of that velocity [m/s], whose pose is that of the beginning of the step.
+  [[nodiscard]] Vec3d relative_to(const Vec3d& other) const { return start + moved - elapsed * other; }
 };
 
 bool can_fly(const MovingEntity& body) {
@@ -31,7 +31,7 @@ bool can_fly(const MovingEntity& body) {
 
 Flight flight_of(const MovingEntity& body) { return {body, 0.5 * body.thickness(0), body.sphere(0).center, body.v[0]}; }
 
-/// The first touch so far, and how fast the other one is [m/s].
+/// The first touch so far, and the velocity [m/s] of what is touched.
 struct Stop {
   FirstTouch touch;
   Vec3d other;
@@ -49,7 +49,7 @@ void look(const Flight& flight, const Obstacle& obstacle, double dt, std::option
   const double way = norm(flight.body.v[0] - obstacle.velocity) * dt,
                thinner = std::min(flight.radius, obstacle.radius);
   if (way <= fast * thinner) return;
-  const Vec3d center = flight.seen_from(obstacle.velocity), apart = obstacle.at.position - center;
+  const Vec3d center = flight.relative_to(obstacle.velocity), apart = obstacle.at.position - center;
   const double reach = bounding_radius(obstacle.shape) + flight.radius + way;
   if (dot(apart, apart) > reach * reach) return;
   const auto touch = first_touch(center, flight.radius - soft * thinner, flight.velocity - obstacle.velocity,
@@ -114,7 +114,7 @@ std::optional<FirstTouch> first_touch(const Vec3d& center, double radius, const 
 }
 
 void stop_at_touch(std::span<MovingEntity> moving_entities, const StaticCompound& environment, double dt) noexcept {
-  constexpr int most_touches = 4;  // of one body in a step; after them it goes with the last one
+  constexpr int most_touches = 4;  // of one body in a step; after the last one it moves with what it touches
   for (MovingEntity& body : moving_entities) {
     if (!can_fly(body)) continue;
     Flight flight = flight_of(body);

@@ -1,4 +1,4 @@
-/// software_maker.h - how the control software of a robot is made, for who only hands that on.
+/// software_maker.h - how the control software of a robot is made, without what that takes.
 #pragma once
 
 #include <functional>

@@ -136,7 +136,7 @@ void take_pictures(std::vector<RecordedCamera>& cameras, RecordedFrame& frame) {
     if (shown.number == cameras[i].number) continue;
     cameras[i].number = shown.number;
     if (shown.color.empty() && shown.mosaic.empty() && shown.depth.empty() && shown.labels.empty())
-      continue;  // nobody draws here
+      continue;  // nothing can be drawn here
     frame.pictures.push_back({.camera = i,
                               .taken = shown.time,
                               .color = shown.color,

@@ -58,14 +58,14 @@ void on_crash(int signal, siginfo_t* info, void* context) {
   (void)raise(signal);
 }
 
-/// A thread that has crashed never ends: who waits for it would wait for the limit.
-bool waits_for_nobody(const GuardedCall& call) { return call.threads && call.threads->ended; }
+/// A thread that has crashed never ends: a call that joins it would take up to the limit.
+bool waits_for_crashed_thread(const GuardedCall& call) { return call.threads && call.threads->ended; }
 
 void on_break_off(int) {
   ForeignCall* running = ForeignCall::of_thread();
   if (!running) return;  // it came back meanwhile
   const bool late = wall_nanoseconds() - running->began >= running->call.limit.count();
-  if (!late && !waits_for_nobody(running->call)) return;
+  if (!late && !waits_for_crashed_thread(running->call)) return;
   running->end({.kind = CallEnd::late});
 }
 
