@@ -25,6 +25,7 @@ class Client:
         self.socket.settimeout(20)
         self.socket.connect((host, port))
         self.buffer = b""
+        self.latest = None  # state that has come
         key = base64.b64encode(os.urandom(16)).decode()
         lines = [f"GET {path} HTTP/1.1", f"Host: {host}:{port}", "Upgrade: websocket", "Connection: Upgrade",
                  f"Sec-WebSocket-Key: {key}", "Sec-WebSocket-Version: 13", *headers]
@@ -97,6 +98,8 @@ class Client:
                 self.order(do="seen")
             if isinstance(message, str):
                 message = json.loads(message)
+                if message.get("is") == "state":
+                    self.latest = message["state"]
             if good(message):
                 return message
         raise TimeoutError("it did not come")
@@ -105,6 +108,9 @@ class Client:
         return self.wait_for(lambda m: isinstance(m, dict) and m.get("id") == number)
 
     def state(self, good=lambda state: True):
+        """The latest one, which may have come while something else was waited for, or the first one to come that is good."""
+        if self.latest is not None and good(self.latest):
+            return self.latest
         return self.wait_for(lambda m: isinstance(m, dict) and m["is"] == "state" and good(m["state"]))["state"]
 
     def poses(self):
