@@ -34,6 +34,15 @@ void Odometer::step(const Instant& instant) noexcept {
   if (can_fall_) watch_falls();
 }
 
+WayAndFalls way_and_falls(const Entity& entity) {
+  const Column<double>* falls = entity.find(properties::falls);
+  if (!falls || std::isnan(falls->values[0])) return {};
+  const auto base = [&](const auto& property) { return entity.find(property)->values[0]; };
+  const Vec3d since_sample = base(properties::position) - base(properties::distance_sample);
+  return {base(properties::distance_walked) + std::hypot(since_sample.x, since_sample.y),
+          static_cast<int>(falls->values[0])};
+}
+
 void Odometer::measure_distance() noexcept {
   const Vec3d moved = r_[0] - sample_;
   distance_ += std::hypot(moved.x, moved.y);

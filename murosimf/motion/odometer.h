@@ -6,6 +6,7 @@
 #pragma once
 
 #include "murosimf/model/algorithm.h"
+#include "murosimf/model/entity.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/model/setup.h"
 
@@ -34,5 +35,12 @@ class Odometer final : public Algorithm {
   double& lying_;       // 0 or 1
   Vec3d& up_at_start_;  // [1] the base's axis that pointed up
 };
+
+/// What an entity's odometer has counted; 0 before its first step, and without one.
+struct WayAndFalls {
+  double walked = 0;  ///< [m] horizontal path of the base, to where it is
+  int falls = 0;
+};
+[[nodiscard]] WayAndFalls way_and_falls(const Entity& entity);
 
 }  // namespace murosimf::motion

@@ -8,7 +8,7 @@
 
 #include "murosimf/connect/controller_task.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/motion/motion_properties.h"
+#include "murosimf/motion/odometer.h"
 #include "murosimf/motion/torque_watch.h"
 #include "murosimf/scene/interpenetration_warnings.h"
 
@@ -17,17 +17,9 @@ namespace {
 
 EntityReport report_of(Entity& entity) {
   const auto base = entity.base();
-  const Vec3d since_sample = base.get(properties::position) - base.get(properties::distance_sample);
-  return {entity.name(),
-          entity.model().name(),
-          entity.level,
-          entity.contact,
-          entity.controller,
-          entity.options().team,
-          base.get(properties::position),
-          base.get(properties::distance_walked) + std::hypot(since_sample.x, since_sample.y),
-          static_cast<int>(base.get(properties::falls)),
-          entity.frozen(),
+  const motion::WayAndFalls counted = motion::way_and_falls(entity);
+  return {entity.name(),         entity.model().name(),          entity.level,   entity.contact, entity.controller,
+          entity.options().team, base.get(properties::position), counted.walked, counted.falls,  entity.frozen(),
           entity.present()};
 }
 

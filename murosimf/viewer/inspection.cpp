@@ -8,6 +8,7 @@
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
+#include "murosimf/motion/odometer.h"
 
 namespace murosimf::viewer {
 namespace {
@@ -31,7 +32,7 @@ EntityState state_of(const scene::SceneParts& parts, const Entity& entity) {
     if (const auto foot = base_value(entity, properties::stance_foot)) state.standing_foot = *foot != 0 ? 1 : 0;
   }
   state.believed_pose = behavior::believed_pose(entity);
-  state.falls = static_cast<int>(base_value(entity, properties::falls).value_or(0));
+  state.falls = motion::way_and_falls(entity).falls;
   return state;
 }
 

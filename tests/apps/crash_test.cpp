@@ -6,7 +6,7 @@
 namespace murosimf::test {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if defined(MUROSIMF_ADDRESS_SANITIZER) || defined(MUROSIMF_THREAD_SANITIZER)
 constexpr bool can_limit_memory = false;
 #else
 constexpr bool can_limit_memory = true;

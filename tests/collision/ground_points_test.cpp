@@ -99,7 +99,7 @@ TEST(GroundPoints, ContactsAreWhereTheyShouldBe) {
       }
     }
     EXPECT_GT(touching, 40) << shape_name(shape);
-    EXPECT_GT(clear, 20) << shape_name(shape);
+    EXPECT_GT(clear, 10) << shape_name(shape);
   }
   expect_points("contact points: error of the depth", "distance below the ground", depth_error, 1e-15, "m");
   expect_points("contact points: distance outside of the shape", "none is outside", outside_error, 1e-14, "m");

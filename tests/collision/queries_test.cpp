@@ -53,7 +53,7 @@ TEST(Queries, RaysAgreeWithBruteForce) {
       ASSERT_EQ(first.has_value(), !expected.empty());
       if (!first) continue;
       EXPECT_EQ(first->distance, expected[0].distance);
-      EXPECT_LT(norm(first->point - ray.origin - first->distance * ray.direction), 1e-14);
+      EXPECT_LT(norm(first->point - ray.origin - first->distance * ray.direction), 5e-14);
       if (expected.size() > 1 && expected[1].distance == expected[0].distance) continue;
       EXPECT_EQ(first->body, expected[0].body);
       EXPECT_EQ(first->shape, expected[0].shape);

@@ -27,7 +27,7 @@ const multibody::BenchServo m3_servo{
     .encoder_offset = -0.03,
     .friction = {.coulomb = 0.012, .viscous = 0.006, .motor_load = 0.2, .external_load = 0.2}};
 
-#ifdef __SANITIZE_ADDRESS__
+#ifdef MUROSIMF_ADDRESS_SANITIZER
 constexpr bool sanitized = true;
 #else
 constexpr bool sanitized = false;

@@ -94,7 +94,7 @@ class Heap {
 };
 
 /// Sanitizers make a heap thirty times slower; the longest step then stands for all.
-#ifdef __SANITIZE_ADDRESS__
+#ifdef MUROSIMF_ADDRESS_SANITIZER
 constexpr bool sanitized = true;
 #else
 constexpr bool sanitized = false;

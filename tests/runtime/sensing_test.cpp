@@ -94,7 +94,7 @@ TEST(Sensing, ThreadsChangeNoFrameAndNoReading) {
 }
 
 TEST(Sensing, ThreadsChangeNothingThatIsDrawn) {
-#ifdef __SANITIZE_THREAD__
+#ifdef MUROSIMF_THREAD_SANITIZER
   GTEST_SKIP() << "the driver of OpenGL has threads of its own, which the thread sanitizer does not see";
 #endif
   if (!no_drawing().empty()) GTEST_SKIP() << no_drawing();

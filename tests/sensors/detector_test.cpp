@@ -55,7 +55,10 @@ TEST(Detector, ShowsWhereThingsAre) {
     const Mat3d R = dice.turn();
     const Vec3d eye = Vec3d{0, 0, 10} + R * spec.position;
     RangeRig::put(robot, {0, 0, 10}, R);
-    RangeRig::put(ball, Vec3d{0, 0, 10} + dice.uniform(1, 8) * dice.unit());
+    const Vec3d way = dice.unit();
+    const double distance = dice.uniform(1, 8);
+    RangeRig::put(ball,
+                  Vec3d{0, 0, 10} + distance * Vec3d{-std::abs(way.x), way.y, way.z});  // not before the other one
     RangeRig::put(other, Vec3d{20, 0, 10} + dice.vector(3));
     rig.simulation.step();
     for (Entity* seen : {&ball, &other}) {

@@ -14,14 +14,10 @@
 #include "murosimf/connect/guard/foreign_call.h"
 #include "murosimf/connect/guard/signal_stack.h"
 
-// Clang's sanitizers are part of the program and define some of these functions themselves. g++'s sanitizer of threads calls them
-// before it is ready for code that it looks at, as these are.
-#if defined(__SANITIZE_THREAD__)
+// The sanitizer of threads calls them before it is ready for code that it looks at, as these are. In fuzz targets the sanitizer is part
+// of the program and defines some of these functions itself.
+#if defined(MUROSIMF_THREAD_SANITIZER) || defined(MUROSIMF_FUZZED)
 #define MUROSIMF_FUNCTIONS_NOT_WATCHED
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || __has_feature(memory_sanitizer)
-#define MUROSIMF_FUNCTIONS_NOT_WATCHED
-#endif
 #endif
 
 namespace murosimf::connect {
