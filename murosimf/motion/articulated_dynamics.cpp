@@ -21,8 +21,7 @@ ArticulatedDynamics::ArticulatedDynamics(Setup& setup, const MovingTreeOptions& 
       motor_torque_(setup.write_if_wanted(properties::motor_torque)),
       joint_load_(setup.write(properties::joint_load)),
       felt_acceleration_(setup.write(properties::felt_acceleration)),
-      motor_(tree_.links.size()),
-      servo_(tree_.links.size()),
+      viscous_(tree_.links.size()),
       friction_(tree_.links.size()),
       bodies_(tree_.links.size()),
       change_(tree_.links.size()),
@@ -204,16 +203,7 @@ void ArticulatedDynamics::drive_joints(double dt) noexcept {
   const auto& links = columns.model.tree().links;
   for (std::size_t l = 1; l < links.size(); ++l) {
     const int i = links[l].object;
-    const auto drive = drives_.drive(i, columns.q[i], columns.qd[i], dt);
-    motor_[l] = drive.motor;
-    servo_[l] = drive.servo;
-    auto& joint = friction_[l];
-    joint.gear = drive.gear;
-    joint.coulomb = drive.coulomb;
-    joint.rate = columns.qd[i];
-    joint.motor_torque = drive.motor_torque;
-    joint.torque = drive.all.torque;
-    joint.inertia = drive.all.inertia;
+    viscous_[l] = drives_.drive(i, columns.q[i], columns.qd[i], dt, friction_[l]);
   }
 }
 
@@ -277,10 +267,11 @@ void ArticulatedDynamics::drive_joints_explicitly() noexcept {
     const double share = coulomb_damping(1, joint.rate) * std::abs(joint.rate);
     joint.budget = joint.coulomb *= share;
     if (joint.gear) {
-      joint.budget += share * multibody::dry_friction(*joint.gear, joint.rate, joint.motor_torque, joint.load);
+      joint.budget += share * multibody::dry_friction(*joint.gear, joint.rate, joint.motor.now, joint.load);
     }
     joint.direction = std::copysign(1.0, joint.rate);
-    bodies_[l].torque = joint.torque + multibody::friction_torque(joint);
+    joint.line = {joint.motor.now};
+    bodies_[l].torque = joint.torque + joint.line.torque + multibody::friction_torque(joint);
     bodies_[l].added_inertia = joint.inertia;
   }
 }
@@ -312,7 +303,8 @@ void ArticulatedDynamics::report_torques() noexcept {
   const auto& links = tree_.columns.model.tree().links;
   for (std::size_t l = 1; l < links.size(); ++l) {
     const auto& joint = friction_[l];
-    double torque = servo_[l].torque - servo_[l].inertia * bodies_[l].joint_acceleration;
+    const auto& [viscous, inertia] = viscous_[l];
+    double torque = motor_torque(l) + (viscous - inertia * bodies_[l].joint_acceleration);
     if (joint.gear && joint.budget > 0) {
       torque += (1 - joint.coulomb / joint.budget) * multibody::friction_torque(joint);
     }
@@ -323,7 +315,7 @@ void ArticulatedDynamics::report_torques() noexcept {
 
 /// On average over the step.
 double ArticulatedDynamics::motor_torque(std::size_t link) const noexcept {
-  return motor_[link].torque - motor_[link].inertia * bodies_[link].joint_acceleration;
+  return friction_[link].line.torque - friction_[link].line.inertia * bodies_[link].joint_acceleration;
 }
 
 /// Memory of the servos.

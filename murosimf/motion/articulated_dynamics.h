@@ -75,7 +75,7 @@ class ArticulatedDynamics final : public MotionLevel, private collision::Impulse
   std::span<double> motor_torque_;  // empty if nobody reads it
   std::span<double> joint_load_;
   std::span<Twistd> felt_acceleration_;
-  std::vector<JointDrive> motor_, servo_;                     // by link
+  std::vector<JointDrive> viscous_;                           // by link: friction of the servo's gear
   std::vector<multibody::FrictionalJoint<double>> friction_;  // by link
   std::vector<multibody::ArticulatedLink<double>> bodies_;
   std::vector<Twistd> change_;  // by link: what impulses add to a'; working memory

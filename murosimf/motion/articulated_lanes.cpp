@@ -41,7 +41,7 @@ ArticulatedLanes::ArticulatedLanes(std::vector<ArticulatedDynamics*> members)
       trees_(parts_of(members_, [](ArticulatedDynamics& member) { return &member.tree_; })),
       motors_(parts_of(members_, [](const ArticulatedDynamics& member) { return &member.drives_; })),
       leaf_(trees_.links.size(), true),
-      drives_(trees_.links.size()),
+      viscous_(trees_.links.size()),
       friction_(trees_.links.size()),
       bodies_(trees_.links.size()),
       joint_torque_(trees_.links.size()),
@@ -105,14 +105,7 @@ void ArticulatedLanes::drive_joints() noexcept {
   const auto& links = trees_.poses.structure.links;
   for (std::size_t l = 1; l < links.size(); ++l) {
     const auto i = static_cast<std::size_t>(links[l].object);
-    drives_[l] = motors_.drive(l, links[l].object, trees_.poses.q[i], trees_.poses.qd[i], dt_);
-    auto& joint = friction_[l];
-    joint.gear = drives_[l].gear;
-    joint.coulomb = drives_[l].coulomb;
-    joint.rate = trees_.poses.qd[i];
-    joint.motor_torque = drives_[l].motor_torque;
-    joint.torque = drives_[l].all.torque;
-    joint.inertia = drives_[l].all.inertia;
+    viscous_[l] = motors_.drive(l, links[l].object, trees_.poses.q[i], trees_.poses.qd[i], dt_, friction_[l]);
   }
 }
 
@@ -177,8 +170,13 @@ void ArticulatedLanes::predict_contacts(int lane) noexcept {
 void ArticulatedLanes::keep_outcomes() noexcept {
   for (std::size_t l = 0; l < bodies_.size(); ++l) {
     const auto& joint = friction_[l];
-    outcome_[l] = {bodies_[l].acceleration, bodies_[l].joint_acceleration, joint.load, joint.drive, joint.budget,
-                   joint.direction};
+    outcome_[l] = {bodies_[l].acceleration,
+                   bodies_[l].joint_acceleration,
+                   joint.load,
+                   joint.drive,
+                   joint.budget,
+                   joint.direction,
+                   joint.line};
   }
 }
 
@@ -194,6 +192,8 @@ void ArticulatedLanes::recall_outcomes(LaneMask open) noexcept {
     choose(friction_[l].drive, kept.drive);
     choose(friction_[l].budget, kept.budget);
     choose(friction_[l].direction, kept.direction);
+    choose(friction_[l].line.torque, kept.line.torque);
+    choose(friction_[l].line.inertia, kept.line.inertia);
   }
 }
 
@@ -236,15 +236,14 @@ LaneMask ArticulatedLanes::lanes_of_sane_rates() const noexcept {
 void ArticulatedLanes::report_torques(LaneMask lanes) noexcept {
   for (std::size_t l = 1; l < bodies_.size(); ++l) {
     const auto& joint = friction_[l];
-    const DriveOf<Pack8>&motor = drives_[l].motor, &servo = drives_[l].servo;
     const Pack8& acceleration = bodies_[l].joint_acceleration;
-    Pack8 torque = servo.torque - servo.inertia * acceleration;
+    motor_torque_[l] = joint.line.torque - joint.line.inertia * acceleration;
+    Pack8 torque = motor_torque_[l] + (viscous_[l].torque - viscous_[l].inertia * acceleration);
     if (joint.gear) {
       const Pack8 more = torque + (1.0 - joint.coulomb / joint.budget) * multibody::friction_torque(joint);
       torque = select(joint.budget > Pack8(0.0), more, torque);
     }
     joint_torque_[l] = torque;
-    motor_torque_[l] = motor.torque - motor.inertia * acceleration;
   }
   PoseLanes& poses = trees_.poses;
   const auto put_back = [&](const std::vector<Pack8>& by_link, const auto& column) {

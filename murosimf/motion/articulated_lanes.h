@@ -26,6 +26,7 @@ class ArticulatedLanes final : public LaneGroup {
   struct Outcome {
     Twist<S> acceleration;
     S joint_acceleration, load, drive, budget, direction;
+    multibody::TorqueLine<S> line;
   };
 
   [[nodiscard]] ArticulatedDynamics& member(int lane) const noexcept {
@@ -52,7 +53,7 @@ class ArticulatedLanes final : public LaneGroup {
   TreeLanes trees_;
   JointDriveLanes motors_;
   std::vector<bool> leaf_;                                   // by link: no other link hangs on it
-  std::vector<JointDriveLanes::Answer> drives_;              // by link
+  std::vector<DriveOf<Pack8>> viscous_;                      // by link: friction of the servo's gear
   std::vector<multibody::FrictionalJoint<Pack8>> friction_;  // by link
   std::vector<multibody::ArticulatedLink<Pack8>> bodies_;    // by link
   std::vector<Pack8> joint_torque_, motor_torque_;           // by link

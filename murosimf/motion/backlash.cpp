@@ -40,11 +40,19 @@ void Backlash::follow(int i, double torque, double qd, double dt) noexcept {
 
 void Backlash::turn(int i, const MotorTorque& motor, double qd, double dt) noexcept {
   const Gear& gear = gears_[i];
-  const double viscous = gear.friction->viscous;
-  const double w = rate_[i], D = gear.inertia + motor.inertia + dt * viscous;
-  const double push = (gear.inertia + motor.inertia) * w + dt * motor.torque;
+  const double viscous = gear.friction->viscous, w = rate_[i];
   const double most = dt * multibody::dry_friction(*gear.friction, w, motor.now, 0.0);
-  rate_[i] = std::abs(push) <= most ? 0 : (push - std::copysign(most, push)) / D;
+  const auto inertia = [&](const multibody::TorqueLine<double>& line) {
+    return gear.inertia + line.inertia + dt * viscous;
+  };
+  // [kg m^2/s] after the step
+  const auto momentum = [&](const multibody::TorqueLine<double>& line) {
+    const double push = (gear.inertia + line.inertia) * w + dt * line.torque;
+    return std::abs(push) <= most ? 0 : push - std::copysign(most, push);
+  };
+  const double D = inertia(motor.free);
+  const auto line = multibody::followed_line(motor, D, (momentum(motor.free) - D * w) / dt);
+  rate_[i] = momentum(line) / inertia(line);
   play_[i] += dt * (rate_[i] - qd);
   if (std::abs(play_[i]) < gear.half_play) return;
   side_[i] = std::copysign(1.0, play_[i]);

@@ -5,14 +5,12 @@
 #include "murosimf/motion/joint_stop.h"
 #include "murosimf/motion/passive_joint.h"
 #include "murosimf/multibody/servo_motor.h"
+#include "murosimf/multibody/torque_line.h"
 
 namespace murosimf::motion {
 
 template <class S>
-struct DriveOf {
-  S torque{};   ///< [N m | N]
-  S inertia{};  ///< [kg m^2 | kg] how fast the torque falls with the joint's acceleration
-};
+using DriveOf = multibody::TorqueLine<S>;
 
 using JointDrive = DriveOf<double>;
 

@@ -39,11 +39,13 @@ void JointDriveLanes::take_tuning(PoseLanes& poses, LaneMask lanes) noexcept {
   }
 }
 
-JointDriveLanes::Answer JointDriveLanes::drive(std::size_t link, int object, const Pack8& q, const Pack8& qd,
-                                               double dt) const noexcept {
+DriveOf<Pack8> JointDriveLanes::drive(std::size_t link, int object, const Pack8& q, const Pack8& qd, double dt,
+                                      multibody::FrictionalJoint<Pack8>& to) const noexcept {
   const JointDrives& first = *robots_.front();
   const JointDrives::Joint& joint = first.joints_[static_cast<std::size_t>(object)];
-  Answer answer{.coulomb = joint.coulomb};
+  DriveOf<Pack8> viscous, rest;
+  to.coulomb = joint.coulomb;
+  to.rate = qd;
   if (joint.law) {
     multibody::MotorInput<Pack8> input{.target = target_[link], .q = q, .rate = qd, .enabled = enabled_[link]};
     const double per_volt = first.condition_.per_volt(static_cast<std::size_t>(object));
@@ -54,20 +56,19 @@ JointDriveLanes::Answer JointDriveLanes::drive(std::size_t link, int object, con
       input.damping = tuning.damping;
       input.limit = tuning.limit;
     }
-    auto torque = joint.law->torque_in_lanes(input, dt);
-    limit_rate(joint.rate_limit, input.enabled, qd, dt, torque);
-    answer.gear = joint.gear;
-    answer.motor_torque = torque.now;
-    answer.motor = {torque.torque, torque.inertia};
-    answer.servo = answer.motor;
-    damp(answer.servo, joint.viscous, qd, dt);
-    answer.all = answer.servo;
+    to.motor = joint.law->torque_in_lanes(input, dt);
+    limit_rate(joint.rate_limit, input.enabled, qd, dt, to.motor);
+    to.gear = joint.gear;
+    damp(viscous, joint.viscous, qd, dt);
+    rest = viscous;
   }
-  answer.all.inertia = answer.all.inertia + joint.rotor;
-  damp(answer.all, joint.passive.damping, qd, dt);
-  if (joint.passive.stiffness > 0) pull(answer.all, joint.passive, q, dt);
-  if (joint.end.stiffness > 0) stop(answer.all, joint.end, q, qd, dt);
-  return answer;
+  rest.inertia = rest.inertia + joint.rotor;
+  damp(rest, joint.passive.damping, qd, dt);
+  if (joint.passive.stiffness > 0) pull(rest, joint.passive, q, dt);
+  if (joint.end.stiffness > 0) stop(rest, joint.end, q, qd, dt);
+  to.torque = rest.torque;
+  to.inertia = rest.inertia;
+  return viscous;
 }
 
 }  // namespace murosimf::motion

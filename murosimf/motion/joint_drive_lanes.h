@@ -10,15 +10,14 @@ namespace murosimf::motion {
 
 class JointDriveLanes {
  public:
-  using Answer = JointDrives::AnswerOf<Pack8>;
-
   /// Robots that are alike (JointDrives::are_alike); they outlive this.
   explicit JointDriveLanes(std::vector<const JointDrives*> robots);
 
   /// To be called once per step, after JointDrives::take_targets of these lanes: what their motors know, and have before them.
   void take_inputs(PoseLanes& poses, LaneMask lanes) noexcept;
   /// JointDrives::drive, for the joint of a link: an object of the model.
-  [[nodiscard]] Answer drive(std::size_t link, int object, const Pack8& q, const Pack8& qd, double dt) const noexcept;
+  DriveOf<Pack8> drive(std::size_t link, int object, const Pack8& q, const Pack8& qd, double dt,
+                       multibody::FrictionalJoint<Pack8>& joint) const noexcept;
 
  private:
   void take_tuning(PoseLanes& poses, LaneMask lanes) noexcept;

@@ -74,30 +74,30 @@ MotorTorque JointDrives::motor(int i, double q, double rate, double dt) const no
   return torque;
 }
 
-void JointDrives::drive_servo(int i, double q, double qd, double dt, Answer& answer) const noexcept {
+JointDrive JointDrives::drive(int i, double q, double qd, double dt,
+                              multibody::FrictionalJoint<double>& to) const noexcept {
   const Joint& joint = joints_[i];
-  const MotorTorque torque = motor(i, q, qd, dt);
-  answer.gear = joint.gear;
-  answer.motor_torque = torque.now;
-  JointDrive drive{torque.torque, torque.inertia};  // a copy from `answer` would wait for what was just written there
-  answer.motor = drive;
-  damp(drive, joint.viscous, qd, dt);
-  answer.servo = answer.all = drive;
-}
-
-JointDrives::Answer JointDrives::drive(int i, double q, double qd, double dt) const noexcept {
-  const Joint& joint = joints_[i];
-  Answer answer{.coulomb = joint.coulomb};
-  JointDrive& all = answer.all;
+  JointDrive viscous, rest;
+  to.coulomb = joint.coulomb;
+  to.rate = qd;
+  to.gear = nullptr;
+  to.motor = {};
   if (backlash_.touches(i)) {
-    if (joint.law) drive_servo(i, q, qd, dt, answer);
-    all.inertia += joint.rotor;
-    if (backlash_.at(i) && dt > 0) all.torque += backlash_.arrival(i, qd, dt);
+    if (joint.law) {
+      to.motor = motor(i, q, qd, dt);
+      to.gear = joint.gear;
+      damp(viscous, joint.viscous, qd, dt);
+      rest = viscous;
+    }
+    rest.inertia += joint.rotor;
+    if (backlash_.at(i) && dt > 0) rest.torque += backlash_.arrival(i, qd, dt);
   }
-  damp(all, joint.passive.damping, qd, dt);
-  if (joint.passive.stiffness > 0) pull(all, joint.passive, q, dt);
-  if (joint.end.stiffness > 0) stop(all, joint.end, q, qd, dt);
-  return answer;
+  damp(rest, joint.passive.damping, qd, dt);
+  if (joint.passive.stiffness > 0) pull(rest, joint.passive, q, dt);
+  if (joint.end.stiffness > 0) stop(rest, joint.end, q, qd, dt);
+  to.torque = rest.torque;
+  to.inertia = rest.inertia;
+  return viscous;
 }
 
 void JointDrives::finish(int i, const Outcome& outcome, double dt) noexcept {

@@ -26,6 +26,7 @@
 #include "murosimf/motion/servo_bus.h"
 #include "murosimf/motion/servo_condition.h"
 #include "murosimf/motion/servo_law.h"
+#include "murosimf/multibody/friction_solver.h"
 
 namespace murosimf::motion {
 
@@ -46,19 +47,9 @@ class JointDrives {
   /// Whether copies of the robot differ in numbers only: no wheels, and no servos with play or a temperature.
   [[nodiscard]] bool are_alike() const noexcept { return remembering_.empty() && bus_.turning().joints().empty(); }
 
-  /// What acts in a joint.
-  template <class S>
-  struct AnswerOf {
-    S motor_torque{};                    ///< [N m] of the motor, now
-    DriveOf<S> motor;                    ///< of the motor alone
-    DriveOf<S> servo;                    ///< motor and viscous friction of the gear, without rotor
-    DriveOf<S> all;                      ///< with rotor, damper, spring, and the end of the range
-    const GearFriction* gear = nullptr;  ///< dry friction of the servo; null: none
-    double coulomb = 0;                  ///< [N m | N] dry friction of the joint itself
-  };
-  using Answer = AnswerOf<double>;
-  /// Joint `i` (an object of the model), for a step of `dt` [s].
-  [[nodiscard]] Answer drive(int i, double q, double qd, double dt) const noexcept;
+  /// Fills what acts in joint `i` (an object of the model) from inside, for a step of `dt` [s]; returns the part of it that is viscous
+  /// friction of the servo's gear.
+  JointDrive drive(int i, double q, double qd, double dt, multibody::FrictionalJoint<double>& joint) const noexcept;
   /// The inertia [kg m^2 | kg] that always turns with the joint, besides links.
   [[nodiscard]] double firm_inertia(int i) const noexcept { return backlash_.at(i) ? 0 : joints_[i].rotor; }
 
@@ -88,7 +79,6 @@ class JointDrives {
   };
   [[nodiscard]] static Joint make_joint(const Model& model, int i, const std::string& law);
   [[nodiscard]] MotorTorque motor(int i, double q, double rate, double dt) const noexcept;
-  void drive_servo(int i, double q, double qd, double dt, Answer& answer) const noexcept;
 
   std::vector<Joint> joints_;  // by object
   std::span<const int> objects_;

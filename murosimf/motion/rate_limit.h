@@ -1,11 +1,11 @@
 /// rate_limit.h - the largest rate to which a joint is driven (joint_rate_limit): what URDF calls its velocity.
 ///
 /// A servo drives its joint up to the rate w with all the torque that it has, and not beyond it; where something else drives the joint
-/// beyond w, the servo brakes with up to its stall torque T. In a step of h, with tau the torque that the servo law makes, s its
-/// direction and m = w - s qd what is left of the rate,
+/// beyond w, the servo brakes with up to its stall torque T. In a step of h, with tau the most that the servo law makes in the direction
+/// s = +-1 (torque_line.h) and m = w - s qd what is left of the rate, that becomes
 ///
-///     m > 0:   b = min(s tau / m, B)    tau' = s b m - h b qdd       tau, and less for what the joint gets faster in the step
-///     m <= 0:  b = min(T / -m, B)       tau' = s b m - h b qdd       if tau was more than that
+///     m > 0:   b = min(tau / m, B)      tau' = b m - h b s qdd       tau, and less for what the joint gets faster in the step
+///     m <= 0:  b = min(T / -m, B)       tau' = b m - h b s qdd       it brakes
 ///
 /// with B = T / (w / 50): so at the end of a step a joint that its servo alone accelerates is never faster than w, whatever its
 /// inertia. Explicitly (h = 0), where a stiff line does not hold, B = T / (w / 5).
@@ -34,23 +34,21 @@ struct RateLimit {
 /// [rad/s | m/s] of a joint (an object of the model); infinite: none, as is a limit of 0. Throws SetupError for a negative one.
 [[nodiscard]] double joint_rate_limit(const Model& model, int joint);
 
-/// In one direction; a torque of the other one stays.
+/// The bound of a motor in one direction, and what it makes now.
 template <class S>
 void limit_rate_towards(double direction, const RateLimit& limit, const S& qd, double dt,
-                        multibody::MotorTorque<S>& torque) {
+                        multibody::TorqueLine<S>& bound, S& now) {
   const S line = dt > 0 ? limit.line : 0.1 * limit.line;
-  const S margin = limit.rate - direction * qd, driving = direction * torque.torque;
+  const S margin = limit.rate - direction * qd;
   const auto slower = margin > S(0.0);
   const S tiny = 1e-9, away = select(slower, margin, -1.0 * margin);
-  const S secant = select(slower, driving, S(limit.most)) / select(away < tiny, tiny, away);
+  const S secant = select(slower, direction * bound.torque, S(limit.most)) / select(away < tiny, tiny, away);
   const S slope = select(secant < line, secant, line);
-  const S now = slope * margin, inertia = dt * slope;
-  const auto acts = driving > select(slower, S(0.0), now);
-  const S larger = select(torque.inertia < inertia, inertia, torque.inertia);
-  const S present = direction * torque.now, most_now = select(slower, line * margin, now);
-  torque.now = select(acts, direction * select(present < most_now, present, most_now), torque.now);
-  torque.torque = select(acts, direction * now, torque.torque);
-  torque.inertia = select(acts, larger, torque.inertia);
+  const S most = slope * margin, inertia = dt * slope;
+  const S present = direction * now, most_now = select(slower, line * margin, most);
+  bound.torque = direction * most;
+  bound.inertia = select(bound.inertia < inertia, inertia, bound.inertia);
+  now = direction * select(present < most_now, present, most_now);
 }
 
 /// What is left of the torque of a servo that is switched on.
@@ -58,11 +56,15 @@ template <class S>
 void limit_rate(const RateLimit& limit, const S& enabled, const S& qd, double dt, multibody::MotorTorque<S>& torque) {
   if (!limit.limits()) return;
   const multibody::MotorTorque<S> off = torque;
-  limit_rate_towards(1.0, limit, qd, dt, torque);
-  limit_rate_towards(-1.0, limit, qd, dt, torque);
+  limit_rate_towards(1.0, limit, qd, dt, torque.highest, torque.now);
+  limit_rate_towards(-1.0, limit, qd, dt, torque.lowest, torque.now);
   const auto is_off = enabled == S(0.0);
-  torque = {select(is_off, off.now, torque.now), select(is_off, off.torque, torque.torque),
-            select(is_off, off.inertia, torque.inertia)};
+  const auto where_on = [&](S& number, const S& when_off) { number = select(is_off, when_off, number); };
+  where_on(torque.now, off.now);
+  where_on(torque.highest.torque, off.highest.torque);
+  where_on(torque.highest.inertia, off.highest.inertia);
+  where_on(torque.lowest.torque, off.lowest.torque);
+  where_on(torque.lowest.inertia, off.lowest.inertia);
 }
 
 }  // namespace murosimf::motion

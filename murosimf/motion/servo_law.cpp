@@ -39,12 +39,8 @@ class IdealPd final : public ServoLaw {
     const double error = by_rate_ ? 0 : position_error(in);
     const double stiffness = error == 0 && servo_.dead_band > 0 ? 0 : kp;
     const double wanted = by_rate_ ? kd * (in.target - in.rate) : kp * error - kd * in.rate;
-    const double linear = wanted - dt * stiffness * in.rate;
-    const double now = std::clamp(wanted, low, high);
-    // a stiff servo is not bounced from one limit to the other if the end of the step decides
-    if (linear > high) return {now, high, 0};
-    if (linear < low) return {now, low, 0};
-    return {now, linear, dt * kd + dt * dt * stiffness};
+    const multibody::TorqueLine<double> free{wanted - dt * stiffness * in.rate, dt * kd + dt * dt * stiffness};
+    return {std::clamp(wanted, low, high), free, {high}, {low}};
   }
   [[nodiscard]] double available(double qd, double direction) const noexcept override {
     return behind_gear(servo_, std::max(0.0, direction > 0 ? highest_ : -lowest_), qd);

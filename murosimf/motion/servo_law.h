@@ -5,8 +5,9 @@
 ///     tau = torque - inertia qdd
 ///
 /// that is, implicit Euler of the linearized servo: with e = target - q - h qd the error that would remain at the end of
-/// the step without acceleration, a spring kp and a damper b give torque = kp e - b qd, inertia = h b + h^2 kp.
-/// With h = 0 the answer is the plain torque of this instant.
+/// the step without acceleration, a spring kp and a damper b give torque = kp e - b qd, inertia = h b + h^2 kp. Its limits are lines of
+/// their own, between which the joint's inertia decides (multibody/torque_line.h): decided at the beginning of the step, a stiff servo
+/// drives a light limb from one limit to the other, for ever. With h = 0 `now` is the torque of this instant.
 ///
 /// ideal_pd:   tau = kp (target - q) - kd qd, between its shares of stall_torque if that is given; without kp, as a wheel's drive:
 ///             tau = kd (rate target - qd). No motor: neither supply nor heat matter

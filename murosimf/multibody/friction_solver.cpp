@@ -20,13 +20,31 @@ struct Axle {
   S inverse_D, u;
 };
 
-/// Decides about a joint of the inertia D, and takes its friction into account.
+/// sign(p) max(0, |p| - most)
 template <class S>
-MUROSIMF_INLINE Axle<S> decide(FrictionalJoint<S>& j, const S& D, Loads loads, double dt) {
-  j.drive = D * j.rate * (1 / dt) + j.torque;
+MUROSIMF_INLINE S shrink(const S& p, const S& most) {
+  const S left = abs(p) - most;
+  const S size = select(left > S(0.0), left, S(0.0));
+  return select(p > S(0.0), size, -size);
+}
+
+/// Decides about a joint of the inertia `rest` without its motor, and takes motor and friction into account.
+template <class S>
+MUROSIMF_INLINE Axle<S> decide(FrictionalJoint<S>& j, const S& rest, Loads loads, double dt) {
   if (loads != Loads::of_repeated_pass) {  // F follows the load, and would make joints change their minds once more
     j.budget = j.coulomb;
-    if (j.gear) j.budget = j.budget + dry_friction_with_share(*j.gear, j.share, j.motor_torque, j.load);
+    if (j.gear) j.budget = j.budget + dry_friction_with_share(*j.gear, j.share, j.motor.now, j.load);
+  }
+  S D = rest + j.motor.free.inertia, torque = j.torque + j.motor.free.torque;
+  const S to_stop = D * j.rate * (1 / dt);
+  j.drive = to_stop + torque;
+  j.line = j.motor.free;
+  const S moving = shrink(j.drive + j.load, j.budget) - to_stop;
+  if (any(is_over(j.motor, D, moving) | is_under(j.motor, D, moving))) {  // seldom, in whole packs
+    j.line = followed_line(j.motor, D, moving);
+    D = rest + j.line.inertia;
+    torque = j.torque + j.line.torque;
+    j.drive = D * j.rate * (1 / dt) + torque;
   }
   const S push = j.drive + j.load;
   const S size = abs(push);
@@ -35,12 +53,12 @@ MUROSIMF_INLINE Axle<S> decide(FrictionalJoint<S>& j, const S& D, Loads loads, d
   j.direction = select(sticks, S(0.0), sign);
   const S stop = -locked * (j.rate * (1 / dt));
   if (loads == Loads::of_last_pass) {
-    return {1.0 / select(sticks, S(locked), D), select(sticks, stop, j.torque - sign * j.budget + j.own_load)};
+    return {1.0 / select(sticks, S(locked), D), select(sticks, stop, torque - sign * j.budget + j.own_load)};
   }
   const S end_rate = (size - j.budget) * dt / D;
   const S damping = j.budget / select(end_rate < S(slow), S(slow), end_rate);
   return {1.0 / select(sticks, S(locked), D + dt * damping),
-          select(sticks, stop, j.torque - damping * j.rate + j.own_load)};
+          select(sticks, stop, torque - damping * j.rate + j.own_load)};
 }
 
 /// s of all joints, which their rates alone decide.

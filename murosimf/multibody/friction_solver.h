@@ -8,7 +8,7 @@
 ///     p = (D qd) / h + tau + tau_e         what would make the rate at the end of the step: D (qd + h qdd) = h p
 ///     |p| < F: it sticks, qdd = -qd / h;   else it slides, tau -= sign(p) F
 ///
-/// so one joint alone ends at the rate sign(p) max(0, |p| - F) h / D. a'_p is not known before the sweep is over: the sweep takes that
+/// A motor with limits has the line (torque_line.h) that it follows in the end if tau_e is right. So one joint alone ends at the rate sign(p) max(0, |p| - F) h / D. a'_p is not known before the sweep is over: the sweep takes that
 /// of the last pass. If with the true a'_p friction of some joint is off by more than a quarter of F, the pass has to be
 /// repeated; with less, the next step decides better. In a repeated pass a sliding joint feels -b (rate after the step), b = F
 /// over the rate at which it should end: should passes run out before all joints agree, friction has driven none.
@@ -25,6 +25,7 @@
 
 #include "murosimf/model/servo.h"
 #include "murosimf/multibody/articulated_body.h"
+#include "murosimf/multibody/torque_line.h"
 
 namespace murosimf::multibody {
 
@@ -33,9 +34,10 @@ struct FrictionalJoint {
   const GearFriction* gear = nullptr;  ///< of the servo, without its viscous part; null: none; in
   double coulomb = 0;                  ///< [N m | N] friction of the joint itself; in
   S rate{};                            ///< qd [rad/s | m/s]; in
-  S motor_torque{};                    ///< [N m | N] tau_m, for the budget; in
-  S torque{};                          ///< tau [N m | N] without dry friction; in
-  S inertia{};                         ///< A [kg m^2 | kg]; in
+  MotorTorque<S> motor;                ///< of the servo; in
+  S torque{};                          ///< [N m | N] of all else but dry friction; in
+  S inertia{};                         ///< [kg m^2 | kg] of all else; in
+  TorqueLine<S> line;                  ///< that the motor follows; out
   S load{};                            ///< tau_e [N m | N]; in for `Loads::of_last_step`; out
   S share{};                           ///< s of gear_friction.h at this rate; out
   S own_load{};                        ///< -s . pA [N m | N]; out

@@ -11,9 +11,8 @@
 /// The firmware can only move the duty, so the current limit clamps tau_0 to d w +- limit first and the duty limit, +-u T s c, last:
 /// at high rates the current is what it is. k_d is 0 until software sets it (firmware that takes the derivative of the position alone).
 /// With torque switched off the bridge is open: tau_m is 0, nothing brakes.
-/// In a step of h, tau_m falls with the acceleration by h d, and by h^2 kp s c more while no limit holds the duty at its
-/// end (decided at its beginning, a stiff servo bounces from one limit to the other); the encoder's steps count by
-/// their mean slope.
+/// In a step of h, tau_m falls with the acceleration by h d, and by h^2 kp s c more while no limit holds the duty at its end; at the current
+/// limit it does not fall. Which of these it is, the joint's inertia decides (torque_line.h). The encoder's steps count by their mean slope.
 ///
 /// Heat: C dT/dt = R i^2 - (T - T_a)/R_th with R = R_25/c, 1/c = 1 + 0.0039/K (T - 25 C), i = tau_m/k_t. Above a
 /// temperature the firmware lowers the current limit, in proportion, down to nothing at a higher one.
@@ -25,6 +24,7 @@
 
 #include "murosimf/math/scalar.h"
 #include "murosimf/model/servo.h"
+#include "murosimf/multibody/torque_line.h"
 
 namespace murosimf::multibody {
 
@@ -61,13 +61,6 @@ struct MotorInput {
 };
 
 template <class S>
-struct MotorTorque {
-  S now{};      ///< [N m] tau_m
-  S torque{};   ///< [N m] after a step without acceleration
-  S inertia{};  ///< [kg m^2] how fast that falls with the acceleration
-};
-
-template <class S>
 [[nodiscard]] S clamped(const S& x, const S& low, const S& high) {
   const S cut = select(x < low, low, x);
   return select(cut > high, high, cut);
@@ -101,16 +94,23 @@ template <class S>
   const S wanted = gain * error - ahead - braking * in.rate;
   const S cool = select(in.allowed < S(1.0), in.allowed * motor.warm_limit, S(motor.torque_limit));
   const S range = select(in.limit < cool, in.limit, cool);
-  const S for_current = clamped<S>(wanted, back_emf - range, back_emf + range);
-  const S given = clamped<S>(for_current, -most, most);
+  const S high_current = back_emf + range, low_current = back_emf - range;
+  const S high = clamped<S>(high_current, -most, most), low = clamped<S>(low_current, -most, most);
+  const S given = clamped<S>(wanted, low, high);
 
-  const auto free = given == wanted;
-  const S damping = select(free, d, select(given == for_current, S(0.0), d));
-  const S inertia = h * damping + select(free, (h * h) * slope + h * braking, S(0.0));
-  const S torque = given - back_emf;
+  const S now = select(given == wanted, wanted + ahead, given) - back_emf;
+  const S line = h * d;
+  MotorTorque<S> torque{now,
+                        {wanted - back_emf, line + (h * h) * slope + h * braking},
+                        {high - back_emf, select(high == high_current, S(0.0), line)},
+                        {low - back_emf, select(low == low_current, S(0.0), line)}};
   const auto off = in.enabled == S(0.0);
-  return {select(off, S(0.0), select(free, torque + ahead, torque)), select(off, S(0.0), torque),
-          select(off, S(0.0), inertia)};
+  if (!any(off)) return torque;
+  for (S* number : {&torque.now, &torque.free.torque, &torque.free.inertia, &torque.highest.torque,
+                    &torque.highest.inertia, &torque.lowest.torque, &torque.lowest.inertia}) {
+    *number = select(off, S(0.0), *number);
+  }
+  return torque;
 }
 
 /// c of a winding at a temperature [C].

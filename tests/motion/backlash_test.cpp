@@ -64,8 +64,8 @@ TEST(Backlash, StartsInTheMiddleAtTheRateOfTheJoint) {
 TEST(Backlash, MotorSideTurnsAloneAsItsEquationSays) {
   Gear gear;
   gear.start(2);
-  const MotorTorque motor{.now = 1.5, .torque = 1.2, .inertia = 0.004};
-  const double A = J + motor.inertia, D = A + h * 0.05;
+  const MotorTorque motor{.now = 1.5, .free = {1.2, 0.004}};
+  const double A = J + motor.free.inertia, D = A + h * 0.05;
   const double rate = (A * 2 + h * 1.2 - h * 0.3) / D;
   gear.part->turn(gear.loose, motor, 0.5, h);
   EXPECT_NEAR(gear.part->rate(gear.loose), rate, 1e-14);
@@ -82,9 +82,9 @@ TEST(Backlash, FrictionHoldsTheMotorSide) {
   gear.start(0.02);  // J w is less than h F
   gear.part->turn(gear.loose, {}, 0, h);
   EXPECT_EQ(gear.part->rate(gear.loose), 0);
-  gear.part->turn(gear.loose, {0.29, 0.29, 0}, 0, h);
+  gear.part->turn(gear.loose, {0.29, {0.29, 0}}, 0, h);
   EXPECT_EQ(gear.part->rate(gear.loose), 0);
-  gear.part->turn(gear.loose, {-0.31, -0.31, 0}, 0, h);
+  gear.part->turn(gear.loose, {-0.31, {-0.31, 0}}, 0, h);
   EXPECT_LT(gear.part->rate(gear.loose), 0);
 }
 

@@ -109,11 +109,12 @@ TEST(RateLimit, IsNoneOfAServoThatIsSwitchedOff) {
 }
 
 TEST(RateLimit, LeavesSlowMotionAlone) {
-  multibody::MotorTorque<double> torque{3, 2.9, 0.001};
+  multibody::MotorTorque<double> torque{3, {2.9, 0.001}, {5}, {-5}};
   limit_rate(rate_limit(ideal(5), 10), 1.0, 0.1, 0.0, torque);
   EXPECT_EQ(torque.now, 3);
-  EXPECT_DOUBLE_EQ(torque.torque, 2.9);
-  EXPECT_EQ(torque.inertia, 0.001);
+  const multibody::TorqueLine<double> line = line_at_rest(torque);
+  EXPECT_DOUBLE_EQ(line.torque, 2.9);
+  EXPECT_EQ(line.inertia, 0.001);
 }
 
 TEST(RateLimit, OfAFollowerIsThatOfItsLeader) {

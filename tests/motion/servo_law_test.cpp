@@ -18,12 +18,12 @@ TEST(IdealPd, IsLinearWithinItsLimit) {
   const auto law = make_servo_law(pd());
   const MotorTorque torque = law->torque({.target = 0.5, .q = 0.3, .rate = -1.1}, h);
   EXPECT_NEAR(torque.now, 20 * 0.2 + 0.6 * 1.1, 1e-14);
-  EXPECT_NEAR(torque.torque, torque.now + h * 20 * 1.1, 1e-14);
-  EXPECT_NEAR(torque.inertia, h * 0.6 + h * h * 20, 1e-16);
+  EXPECT_NEAR(torque.free.torque, torque.now + h * 20 * 1.1, 1e-14);
+  EXPECT_NEAR(torque.free.inertia, h * 0.6 + h * h * 20, 1e-16);
   const MotorTorque off = law->torque({.target = 0.5, .q = 0.3, .rate = -1.1, .enabled = 0}, h);
   EXPECT_EQ(off.now, 0);
-  EXPECT_EQ(off.torque, 0);
-  EXPECT_EQ(off.inertia, 0);
+  EXPECT_EQ(line_at_rest(off).torque, 0);
+  EXPECT_EQ(line_at_rest(off).inertia, 0);
 }
 
 TEST(IdealPd, HasTheGainsAndTheLimitOfSoftware) {
@@ -31,10 +31,10 @@ TEST(IdealPd, HasTheGainsAndTheLimitOfSoftware) {
   const MotorInput input{.target = 0.5, .q = 0.3, .rate = -1.1, .gain = 0.25, .damping = 0.3};
   const MotorTorque torque = law->torque(input, h);
   EXPECT_NEAR(torque.now, 5 * 0.2 + 0.9 * 1.1, 1e-14);
-  EXPECT_NEAR(torque.inertia, h * 0.9 + h * h * 5, 1e-16);
+  EXPECT_NEAR(torque.free.inertia, h * 0.9 + h * h * 5, 1e-16);
   const MotorTorque weak = law->torque({.target = 1, .q = 0.1, .limit = 1.5}, h);
   EXPECT_EQ(weak.now, 1.5);
-  EXPECT_EQ(weak.torque, 1.5);
+  EXPECT_EQ(line_at_rest(weak).torque, 1.5);
   EXPECT_EQ(law->torque({.target = 1, .q = 0.1, .limit = 100}, h).now, 7) << "its own limit holds, too";
 }
 
@@ -44,8 +44,8 @@ TEST(DcMotor, HasTheGainsAndTheLimitOfSoftware) {
   MotorInput input{.target = 0.5, .q = 0.4, .rate = 1.2, .supply = 0.5, .gain = 2, .damping = 0.3};
   const MotorTorque torque = law->torque(input, h);
   EXPECT_NEAR(torque.now, 0.5 * (40 * 0.1 - 0.3 * 1.2) - line * 1.2, 1e-14);
-  EXPECT_NEAR(torque.torque, torque.now - h * 0.5 * 40 * 1.2, 1e-14);
-  EXPECT_NEAR(torque.inertia, h * (line + 0.5 * 0.3) + h * h * 0.5 * 40, 1e-15);
+  EXPECT_NEAR(torque.free.torque, torque.now - h * 0.5 * 40 * 1.2, 1e-14);
+  EXPECT_NEAR(torque.free.inertia, h * (line + 0.5 * 0.3) + h * h * 0.5 * 40, 1e-15);
   input.limit = 0.2;  // of the motor's torque, not of the duty
   EXPECT_NEAR(law->torque(input, h).now, 0.2, 1e-14);
   input.target = -3;
@@ -57,14 +57,14 @@ TEST(IdealPd, GivesItsLimitAndNoMore) {
   for (const double side : {1.0, -1.0}) {
     const MotorTorque torque = law->torque({.target = side, .q = 0.1, .rate = 0.3}, h);
     EXPECT_EQ(torque.now, 7 * side);
-    EXPECT_EQ(torque.torque, 7 * side);
-    EXPECT_EQ(torque.inertia, 0);
+    EXPECT_EQ(line_at_rest(torque).torque, 7 * side);
+    EXPECT_EQ(line_at_rest(torque).inertia, 0);
   }
   // now beyond the limit, at the end of the step within it: the end decides
   const MotorTorque ahead = law->torque({.target = 0.55, .q = 0, .rate = 6.5}, h);
-  EXPECT_NEAR(ahead.torque, 20 * 0.55 - 0.6 * 6.5 - h * 20 * 6.5, 1e-13);
+  EXPECT_NEAR(line_at_rest(ahead).torque, 20 * 0.55 - 0.6 * 6.5 - h * 20 * 6.5, 1e-13);
   EXPECT_EQ(ahead.now, 7);
-  EXPECT_GT(ahead.inertia, 0);
+  EXPECT_GT(line_at_rest(ahead).inertia, 0);
 }
 
 TEST(IdealPd, KnowsStepsAndDeadBand) {
@@ -75,8 +75,8 @@ TEST(IdealPd, KnowsStepsAndDeadBand) {
   EXPECT_NEAR(law->torque({.target = 0.32, .q = 0.04}, 0).now, 20 * 0.15, 1e-12) << "0.3 less 0.15";
   const MotorTorque dead = law->torque({.target = 0.12, .q = 0.04, .rate = 0.5}, h);
   EXPECT_NEAR(dead.now, -0.6 * 0.5, 1e-14);
-  EXPECT_NEAR(dead.torque, dead.now, 1e-14) << "no spring inside the dead band";
-  EXPECT_NEAR(dead.inertia, h * 0.6, 1e-16);
+  EXPECT_NEAR(dead.free.torque, dead.now, 1e-14) << "no spring inside the dead band";
+  EXPECT_NEAR(dead.free.inertia, h * 0.6, 1e-16);
 }
 
 TEST(IdealPd, WithoutPositionGainFollowsTheRate) {
@@ -85,8 +85,8 @@ TEST(IdealPd, WithoutPositionGainFollowsTheRate) {
   EXPECT_TRUE(follows_rate(servo));
   const MotorTorque torque = make_servo_law(servo)->torque({.target = 4, .q = 100, .rate = 1.5}, h);
   EXPECT_NEAR(torque.now, 0.6 * 2.5, 1e-14);
-  EXPECT_NEAR(torque.torque, 0.6 * 2.5, 1e-14);
-  EXPECT_NEAR(torque.inertia, h * 0.6, 1e-16);
+  EXPECT_NEAR(torque.free.torque, 0.6 * 2.5, 1e-14);
+  EXPECT_NEAR(torque.free.inertia, h * 0.6, 1e-16);
 }
 
 TEST(ServoLaw, OnlyAPdWithoutPositionGainFollowsARate) {

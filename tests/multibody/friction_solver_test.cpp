@@ -58,13 +58,12 @@ struct Arms {
     for (std::size_t l = 1; l < links.size(); ++l) {
       const int i = tree.links[l].object;
       const MotorInput<S> input{.target = target[l], .q = state.q[i], .rate = state.qd[i]};
-      const MotorTorque<S> torque = motor_torque(motor, input, h);
       const double viscous = servo.friction.viscous;
       joints[l].gear = &servo.friction;
       joints[l].rate = state.qd[i];
-      joints[l].motor_torque = torque.now;
-      joints[l].torque = torque.torque - viscous * state.qd[i];
-      joints[l].inertia = torque.inertia + servo.rotor_inertia + h * viscous;
+      joints[l].motor = motor_torque(motor, input, h);
+      joints[l].torque = -viscous * state.qd[i];
+      joints[l].inertia = servo.rotor_inertia + h * viscous;
     }
   }
   S pass(Loads loads) {

@@ -56,7 +56,7 @@ TEST(ServoMotor, StepEndsWithTheTorqueOfItsEnd) {
   EXPECT_NEAR(found.now, gain * 0.07 + d * 0.8, 1e-14);
   for (const double a : {0.0, 30.0, -70.0}) {
     const double rate = -0.8 + h * a, q = 0.03 + h * rate;
-    EXPECT_NEAR(found.torque - found.inertia * a, gain * (0.1 - q) - d * rate, 1e-14) << a;
+    EXPECT_NEAR(found.free.torque - found.free.inertia * a, gain * (0.1 - q) - d * rate, 1e-14) << a;
   }
 }
 
@@ -66,8 +66,8 @@ TEST(ServoMotor, DutyLimitLeavesTheLine) {
   for (const double side : {1.0, -1.0}) {
     const MotorTorque<double> found = torque_of(motor, {.target = side * 9, .q = 0, .rate = side * 2.0});
     EXPECT_NEAR(found.now, side * (5.4 - 0.75 * 2), 1e-14);
-    EXPECT_NEAR(found.torque, found.now, 1e-15);
-    EXPECT_NEAR(found.inertia, h * 0.75, 1e-15);
+    EXPECT_NEAR(line_at_rest(found).torque, found.now, 1e-15);
+    EXPECT_NEAR(line_at_rest(found).inertia, h * 0.75, 1e-15);
   }
   EXPECT_NEAR(torque_of(motor, {.target = 9, .q = 0, .rate = 0.9 * 8.0}).now, 0, 1e-14) << "0.9 of the rate";
 }
@@ -80,7 +80,7 @@ TEST(ServoMotor, CurrentLimitIsATorque) {
   for (const double rate : {0.0, 1.8, -7.0}) {
     const MotorTorque<double> found = torque_of(motor, {.target = 9, .q = 0, .rate = rate});
     EXPECT_NEAR(found.now, 4, 1e-14) << rate;
-    EXPECT_EQ(found.inertia, 0) << "nothing falls with the rate";
+    EXPECT_EQ(line_at_rest(found).inertia, 0) << "nothing falls with the rate";
   }
   EXPECT_NEAR(torque_of(motor, {.target = 9, .q = 0, .rate = 3.0}).now, 5.4 - 0.75 * 3, 1e-14);
   EXPECT_NEAR(torque_of(motor, {.target = -9, .q = 0, .rate = 0.0}).now, -4, 1e-14);
@@ -93,8 +93,9 @@ TEST(ServoMotor, OpenBridgeMakesNothing) {
   const ServoMotor motor(servo());
   const MotorTorque<double> found = torque_of(motor, {.target = 1, .q = 0, .rate = 3.0, .enabled = 0.0});
   EXPECT_EQ(found.now, 0);
-  EXPECT_EQ(found.torque, 0);
-  EXPECT_EQ(found.inertia, 0);
+  const TorqueLine<double> line = followed_line(found, 0.01, 50.0);
+  EXPECT_EQ(line.torque, 0);
+  EXPECT_EQ(line.inertia, 0);
 }
 
 // Steps of 0.1 rad round target and angle, each by itself; of what is left, the dead band takes its part.
@@ -109,10 +110,10 @@ TEST(ServoMotor, FirmwareCountsInSteps) {
   const ServoMotor motor(lazy);
   const MotorTorque<double> inside = torque_of(motor, {.target = 0.01, .q = 0, .rate = 0.5});
   EXPECT_NEAR(inside.now, -0.75 * 0.5, 1e-15) << "only the back-EMF brakes";
-  EXPECT_NEAR(inside.inertia, h * 0.75, 1e-15) << "and nothing grows with the angle";
+  EXPECT_NEAR(inside.free.inertia, h * 0.75, 1e-15) << "and nothing grows with the angle";
   const MotorTorque<double> outside = torque_of(motor, {.target = 0.05, .q = 0, .rate = 0.0});
   EXPECT_NEAR(outside.now, 30 * 0.03, 1e-14);
-  EXPECT_NEAR(outside.inertia, h * 0.75 + h * h * 30, 1e-15);
+  EXPECT_NEAR(outside.free.inertia, h * 0.75 + h * h * 30, 1e-15);
 }
 
 TEST(ServoMotor, WarmWindingsConductLess) {

@@ -33,7 +33,7 @@ struct Wheel {
   double step(double rate, double torque, double motor_torque, double pushed, double load, Loads loads) {
     state.qd[1] = joints[1].rate = rate;
     joints[1].torque = torque;
-    joints[1].motor_torque = motor_torque;
+    joints[1].motor.now = motor_torque;
     joints[1].load = load;
     poses<double>(model.tree(), state.q, state.r, state.R);
     link_motions<double>(model.tree(), state.r, state.R, state.w[0], state.qd, links);
