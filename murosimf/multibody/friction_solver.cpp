@@ -40,7 +40,7 @@ MUROSIMF_INLINE Axle<S> decide(FrictionalJoint<S>& j, const S& rest, Loads loads
   j.drive = to_stop + torque;
   j.line = j.motor.free;
   const S moving = shrink(j.drive + j.load, j.budget) - to_stop;
-  if (any(is_over(j.motor, D, moving) | is_under(j.motor, D, moving))) {  // seldom, in whole packs
+  if (any(is_over(j.motor, D, moving)) || any(is_under(j.motor, D, moving))) {  // seldom, in whole packs
     j.line = followed_line(j.motor, D, moving);
     D = rest + j.line.inertia;
     torque = j.torque + j.line.torque;

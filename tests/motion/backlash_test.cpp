@@ -40,7 +40,7 @@ struct Gear : test::Alone<Backlash> {
   /// Until the motor side has reached the output, which moves at `qd`; its torque is constant.
   int arrive(double torque, double qd) {
     for (int i = 1; i < 10000; ++i) {
-      part->turn(loose, {torque, torque, 0}, qd, h);
+      part->turn(loose, {torque, {torque, 0}}, qd, h);
       if (part->touches(loose)) return i;
     }
     return 0;
