@@ -8,8 +8,8 @@
 ///     p = (D qd) / h + tau + tau_e         what would make the rate at the end of the step: D (qd + h qdd) = h p
 ///     |p| < F: it sticks, qdd = -qd / h;   else it slides, tau -= sign(p) F
 ///
-/// A motor with limits has the line (torque_line.h) that it follows in the end if tau_e is right. So one joint alone ends at the rate sign(p) max(0, |p| - F) h / D. a'_p is not known before the sweep is over: the sweep takes that
-/// of the last pass. If with the true a'_p friction of some joint is off by more than a quarter of F, the pass has to be
+/// so one joint alone ends at the rate sign(p) max(0, |p| - F) h / D. What tau and A have of a motor is the line (torque_line.h) that it
+/// follows at that end. a'_p is not known before the sweep is over: the sweep takes that of the last pass. If with the true a'_p friction of some joint is off by more than a quarter of F, the pass has to be
 /// repeated; with less, the next step decides better. In a repeated pass a sliding joint feels -b (rate after the step), b = F
 /// over the rate at which it should end: should passes run out before all joints agree, friction has driven none.
 ///

@@ -47,10 +47,4 @@ template <class S>
           select(over, motor.highest.inertia, select(under, motor.lowest.inertia, free.inertia))};
 }
 
-/// That of a step without acceleration.
-template <class S>
-[[nodiscard]] TorqueLine<S> line_at_rest(const MotorTorque<S>& motor) {
-  return followed_line(motor, S(1.0), S(0.0));
-}
-
 }  // namespace murosimf::multibody

@@ -112,7 +112,7 @@ TEST(RateLimit, LeavesSlowMotionAlone) {
   multibody::MotorTorque<double> torque{3, {2.9, 0.001}, {5}, {-5}};
   limit_rate(rate_limit(ideal(5), 10), 1.0, 0.1, 0.0, torque);
   EXPECT_EQ(torque.now, 3);
-  const multibody::TorqueLine<double> line = line_at_rest(torque);
+  const multibody::TorqueLine<double> line = followed_line(torque, 1.0, 0.0);
   EXPECT_DOUBLE_EQ(line.torque, 2.9);
   EXPECT_EQ(line.inertia, 0.001);
 }

@@ -22,8 +22,8 @@ TEST(IdealPd, IsLinearWithinItsLimit) {
   EXPECT_NEAR(torque.free.inertia, h * 0.6 + h * h * 20, 1e-16);
   const MotorTorque off = law->torque({.target = 0.5, .q = 0.3, .rate = -1.1, .enabled = 0}, h);
   EXPECT_EQ(off.now, 0);
-  EXPECT_EQ(line_at_rest(off).torque, 0);
-  EXPECT_EQ(line_at_rest(off).inertia, 0);
+  EXPECT_EQ(followed_line(off, 1.0, 0.0).torque, 0);
+  EXPECT_EQ(followed_line(off, 1.0, 0.0).inertia, 0);
 }
 
 TEST(IdealPd, HasTheGainsAndTheLimitOfSoftware) {
@@ -34,7 +34,7 @@ TEST(IdealPd, HasTheGainsAndTheLimitOfSoftware) {
   EXPECT_NEAR(torque.free.inertia, h * 0.9 + h * h * 5, 1e-16);
   const MotorTorque weak = law->torque({.target = 1, .q = 0.1, .limit = 1.5}, h);
   EXPECT_EQ(weak.now, 1.5);
-  EXPECT_EQ(line_at_rest(weak).torque, 1.5);
+  EXPECT_EQ(followed_line(weak, 1.0, 0.0).torque, 1.5);
   EXPECT_EQ(law->torque({.target = 1, .q = 0.1, .limit = 100}, h).now, 7) << "its own limit holds, too";
 }
 
@@ -57,14 +57,14 @@ TEST(IdealPd, GivesItsLimitAndNoMore) {
   for (const double side : {1.0, -1.0}) {
     const MotorTorque torque = law->torque({.target = side, .q = 0.1, .rate = 0.3}, h);
     EXPECT_EQ(torque.now, 7 * side);
-    EXPECT_EQ(line_at_rest(torque).torque, 7 * side);
-    EXPECT_EQ(line_at_rest(torque).inertia, 0);
+    EXPECT_EQ(followed_line(torque, 1.0, 0.0).torque, 7 * side);
+    EXPECT_EQ(followed_line(torque, 1.0, 0.0).inertia, 0);
   }
   // now beyond the limit, at the end of the step within it: the end decides
   const MotorTorque ahead = law->torque({.target = 0.55, .q = 0, .rate = 6.5}, h);
-  EXPECT_NEAR(line_at_rest(ahead).torque, 20 * 0.55 - 0.6 * 6.5 - h * 20 * 6.5, 1e-13);
+  EXPECT_NEAR(followed_line(ahead, 1.0, 0.0).torque, 20 * 0.55 - 0.6 * 6.5 - h * 20 * 6.5, 1e-13);
   EXPECT_EQ(ahead.now, 7);
-  EXPECT_GT(line_at_rest(ahead).inertia, 0);
+  EXPECT_GT(followed_line(ahead, 1.0, 0.0).inertia, 0);
 }
 
 TEST(IdealPd, KnowsStepsAndDeadBand) {

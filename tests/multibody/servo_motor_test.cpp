@@ -66,8 +66,8 @@ TEST(ServoMotor, DutyLimitLeavesTheLine) {
   for (const double side : {1.0, -1.0}) {
     const MotorTorque<double> found = torque_of(motor, {.target = side * 9, .q = 0, .rate = side * 2.0});
     EXPECT_NEAR(found.now, side * (5.4 - 0.75 * 2), 1e-14);
-    EXPECT_NEAR(line_at_rest(found).torque, found.now, 1e-15);
-    EXPECT_NEAR(line_at_rest(found).inertia, h * 0.75, 1e-15);
+    EXPECT_NEAR(followed_line(found, 1.0, 0.0).torque, found.now, 1e-15);
+    EXPECT_NEAR(followed_line(found, 1.0, 0.0).inertia, h * 0.75, 1e-15);
   }
   EXPECT_NEAR(torque_of(motor, {.target = 9, .q = 0, .rate = 0.9 * 8.0}).now, 0, 1e-14) << "0.9 of the rate";
 }
@@ -80,7 +80,7 @@ TEST(ServoMotor, CurrentLimitIsATorque) {
   for (const double rate : {0.0, 1.8, -7.0}) {
     const MotorTorque<double> found = torque_of(motor, {.target = 9, .q = 0, .rate = rate});
     EXPECT_NEAR(found.now, 4, 1e-14) << rate;
-    EXPECT_EQ(line_at_rest(found).inertia, 0) << "nothing falls with the rate";
+    EXPECT_EQ(followed_line(found, 1.0, 0.0).inertia, 0) << "nothing falls with the rate";
   }
   EXPECT_NEAR(torque_of(motor, {.target = 9, .q = 0, .rate = 3.0}).now, 5.4 - 0.75 * 3, 1e-14);
   EXPECT_NEAR(torque_of(motor, {.target = -9, .q = 0, .rate = 0.0}).now, -4, 1e-14);
