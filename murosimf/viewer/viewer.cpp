@@ -99,6 +99,7 @@ void Viewer::settle() {
   ask_for_inspection();
   wait([&] { return !inspection_.valid() || is_ready(inspection_); });
   take_inspection();
+  take_status();  // also where nothing had to be waited for
   branches_ = session().branches();
   take_frame();
 }
