@@ -100,17 +100,13 @@ template <class S>
 
   const S now = select(given == wanted, wanted + ahead, given) - back_emf;
   const S line = h * d;
-  MotorTorque<S> torque{now,
-                        {wanted - back_emf, line + (h * h) * slope + h * braking},
-                        {high - back_emf, select(high == high_current, S(0.0), line)},
-                        {low - back_emf, select(low == low_current, S(0.0), line)}};
   const auto off = in.enabled == S(0.0);
-  if (!any(off)) return torque;
-  for (S* number : {&torque.now, &torque.free.torque, &torque.free.inertia, &torque.highest.torque,
-                    &torque.highest.inertia, &torque.lowest.torque, &torque.lowest.inertia}) {
-    *number = select(off, S(0.0), *number);
-  }
-  return torque;
+  const bool any_off = any(off);
+  const auto when_on = [&](const S& number) { return any_off ? select(off, S(0.0), number) : number; };
+  return {when_on(now),
+          {when_on(wanted - back_emf), when_on(line + (h * h) * slope + h * braking)},
+          {when_on(high - back_emf), when_on(select(high == high_current, S(0.0), line))},
+          {when_on(low - back_emf), when_on(select(low == low_current, S(0.0), line))}};
 }
 
 /// c of a winding at a temperature [C].
