@@ -35,7 +35,7 @@ endif()
 if(MUROSIMF_FUZZ)
   target_compile_definitions(murosimf_options INTERFACE MUROSIMF_FUZZED)
 endif()
-# What is sanitized, for who has to know: the same names with every compiler.
+# Sanitizers under the same names with every compiler, for code that depends on them.
 if(CMAKE_CXX_FLAGS MATCHES "fsanitize=address")
   target_compile_definitions(murosimf_options INTERFACE MUROSIMF_ADDRESS_SANITIZER)
 elseif(CMAKE_CXX_FLAGS MATCHES "fsanitize=thread")

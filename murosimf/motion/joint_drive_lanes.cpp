@@ -63,9 +63,7 @@ DriveOf<Pack8> JointDriveLanes::drive(std::size_t link, int object, const Pack8&
     rest = viscous;
   }
   rest.inertia = rest.inertia + joint.rotor;
-  damp(rest, joint.passive.damping, qd, dt);
-  if (joint.passive.stiffness > 0) pull(rest, joint.passive, q, dt);
-  if (joint.end.stiffness > 0) stop(rest, joint.end, q, qd, dt);
+  JointDrives::add_passive(joint, q, qd, dt, rest);
   to.torque = rest.torque;
   to.inertia = rest.inertia;
   return viscous;

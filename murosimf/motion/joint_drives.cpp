@@ -92,9 +92,7 @@ JointDrive JointDrives::drive(int i, double q, double qd, double dt,
     rest.inertia += joint.rotor;
     if (backlash_.at(i) && dt > 0) rest.torque += backlash_.arrival(i, qd, dt);
   }
-  damp(rest, joint.passive.damping, qd, dt);
-  if (joint.passive.stiffness > 0) pull(rest, joint.passive, q, dt);
-  if (joint.end.stiffness > 0) stop(rest, joint.end, q, qd, dt);
+  add_passive(joint, q, qd, dt, rest);
   to.torque = rest.torque;
   to.inertia = rest.inertia;
   return viscous;

@@ -77,6 +77,13 @@ class JointDrives {
     const GearFriction* gear = nullptr;  // dry friction of the servo; null: none
     JointStop end;
   };
+  /// Damper and spring of the joint itself, and the ends of its range.
+  template <class S>
+  static void add_passive(const Joint& joint, const S& q, const S& qd, double dt, DriveOf<S>& rest) {
+    damp(rest, joint.passive.damping, qd, dt);
+    if (joint.passive.stiffness > 0) pull(rest, joint.passive, q, dt);
+    if (joint.end.stiffness > 0) stop(rest, joint.end, q, qd, dt);
+  }
   [[nodiscard]] static Joint make_joint(const Model& model, int i, const std::string& law);
   [[nodiscard]] MotorTorque motor(int i, double q, double rate, double dt) const noexcept;
 

@@ -53,6 +53,7 @@ TEST(Queries, RaysAgreeWithBruteForce) {
       ASSERT_EQ(first.has_value(), !expected.empty());
       if (!first) continue;
       EXPECT_EQ(first->distance, expected[0].distance);
+      // rounding of some products and sums of numbers up to ten meters, 2e-15 each
       EXPECT_LT(norm(first->point - ray.origin - first->distance * ray.direction), 5e-14);
       if (expected.size() > 1 && expected[1].distance == expected[0].distance) continue;
       EXPECT_EQ(first->body, expected[0].body);
