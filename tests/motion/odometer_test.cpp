@@ -55,6 +55,16 @@ struct Carried {
   Entity* robot = nullptr;
 };
 
+// Until an odometer's first step its columns hold no numbers; then what is counted reaches to where the base is, between samples too.
+TEST(Odometer, CountsFromNothingToWhereTheBaseIs) {
+  Carried robot([](double t) { return Transformd{{0.3 * t, 0, 1}, Mat3d{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}; });
+  EXPECT_EQ(way_and_falls(*robot.robot).walked, 0);
+  EXPECT_EQ(way_and_falls(*robot.robot).falls, 0);
+  robot.run_until(1.25);
+  EXPECT_NEAR(way_and_falls(*robot.robot).walked, 0.3 * 1.25, 1e-12);
+  EXPECT_LT(robot.way(), 0.3 * 1.25 - 0.01) << "the samples alone";
+}
+
 // A walk along (0.3, -0.4) m/s that also climbs and sways at 4 Hz: neither is way; samples are half a second apart.
 TEST(Odometer, WayIsHorizontalAndSwayingDoesNotCount) {
   Carried robot([](double t) {
