@@ -28,9 +28,10 @@ std::int64_t count_naive_tests(const std::vector<collision::MovingEntity>& movin
 CollisionProbe::CollisionProbe(Setup& setup, const std::vector<Entity*>& moving_entities,
                                const MaterialTable& materials)
     : moving_entities_(make_moving_entities(setup, moving_entities)),
-      pair_finder_(materials, {norm(setup.world().gravity), seconds(setup.period())}),
+      pair_finder_(materials, {seconds(setup.period())}, setup.world().gravity),
       naive_(count_naive_tests(moving_entities_, setup.entity())) {
   for (const collision::MovingEntity& moving_entity : moving_entities_) pair_finder_.add(moving_entity);
+  pairs_.parameters = pair_finder_.parameters();
   for (const Entity* entity : moving_entities) ground_finders_.emplace_back(*entity, &setup.entity());
 }
 

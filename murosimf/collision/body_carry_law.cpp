@@ -18,8 +18,8 @@ void find_carry_force(PairContact& c, const ContactParameters& p, double dt) {
   c.stretch = tangential(c.stretch, c.normal);
   if (c.state == ContactState::stick) c.stretch += dt * v_t;
   clear_force(c);
-  const double b_n = implicit_damping(c, p, dt), b_t = p.tangent_damping + dt * p.tangent_stiffness;
-  const double f_n = p.stiffness * c.depth - b_n * v_n;
+  const double b_n = implicit_damping(c, p, dt), b_t = implicit_tangent_damping(c, p, dt);
+  const double f_n = resting_force(c, p, dt) - b_n * v_n;
   if (f_n <= 0) {
     c.state = ContactState::open;
     c.stretch = {};

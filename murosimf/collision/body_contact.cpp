@@ -23,8 +23,9 @@ BodyContact::BodyContact(Setup& setup, const Entity* environment, const std::vec
                          const MaterialTable& materials, std::unique_ptr<BodyContactLaw> law)
     : law_(std::move(law)),
       moving_entities_(make_moving_entities(setup, moving_entities)),
-      finder_(materials, {norm(setup.world().gravity), seconds(setup.period()), law_->implicit()}),
+      finder_(materials, {seconds(setup.period()), law_->implicit()}, setup.world().gravity),
       period_(seconds(setup.period())),
+      gravity_(setup.world().gravity),
       set_(setup.write(pair_contacts)[0]),
       environment_(static_compound_of(environment)) {
   for (const MovingEntity& moving_entity : moving_entities_) finder_.add(moving_entity);
@@ -100,7 +101,7 @@ void BodyContact::step(const Instant& instant) noexcept {
   note_interpenetrations(moving_entities_, dt, instant.now, set_);
   for (PairContact& c : set_.points) end_lift(c, set_.parameters[c.surface], dt);
   kinematic_separation(moving_entities_, *environment_, finder_.within_reach(), dt, set_);
-  stop_at_touch(moving_entities_, *environment_, dt);
+  stop_at_touch(moving_entities_, set_, *environment_, gravity_, dt);
   NoHelpers nobody;
   law_->push(moving_entities_, set_, dt, instant.helpers ? *instant.helpers : nobody);
 }

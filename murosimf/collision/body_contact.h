@@ -44,6 +44,7 @@ class BodyContact final : public Algorithm {
   std::vector<MovingEntity> moving_entities_;
   PairFinder finder_;
   double period_;  // [s]
+  Vec3d gravity_;  // [m/s^2] world
   PairSet& set_;
   std::shared_ptr<const StaticCompound> environment_;
 };

@@ -59,7 +59,7 @@ bool BodyIslandLaw::start_member(MovingEntity& moving_entity, double dt) noexcep
     }
     for (const ContactPoint& c : ground.points) {
       moving_entity.external_force[c.object].n += c.moment;
-      moving_entity.external_damping[c.object].J += diagonal(c.angular_damping);
+      moving_entity.external_damping[c.object].J += angular_damping_matrix(c);
     }
   }
   return moving_entity.seam.response->free_pass(dt);

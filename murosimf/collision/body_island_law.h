@@ -18,7 +18,7 @@
 namespace murosimf::collision {
 
 struct BodyIslandOptions {
-  int sweeps = 10;  ///< of the solver in a step, at most
+  int sweeps = 300;  ///< of the solver in a step, at most
 };
 
 class BodyIslandLaw final : public BodyContactLaw {

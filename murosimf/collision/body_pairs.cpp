@@ -17,7 +17,7 @@ void append_hash(Hasher& hasher, const PairSet& set) {
 }
 
 void state(StateArchive& archive, PairSet& set) {
-  archive(set.entities, set.points, set.parameters, set.blocked, set.interpenetrations, set.tests);
+  archive(set.entities, set.points, set.parameters, set.blocked, set.interpenetrations);
 }
 
 }  // namespace murosimf::collision

@@ -12,6 +12,14 @@ void append_hash(Hasher& hasher, const ContactPoint& point) {
   append_hash(hasher, point.stretch);
   append_hash(hasher, point.slip_direction);
   if (point.lift > 0) hasher.add(point.lift);
+  if (point.bounce >= 0) hasher.add(point.bounce);
+}
+
+SymMat3d angular_damping_matrix(const ContactPoint& c) noexcept {
+  const SymMat3d isotropic = diagonal(c.angular_damping);
+  return c.spin_damping == c.angular_damping
+             ? isotropic
+             : isotropic + (c.spin_damping - c.angular_damping) * outer(c.normal);
 }
 
 void recall(const ContactPoint& old, ContactPoint& point) noexcept {
@@ -20,6 +28,7 @@ void recall(const ContactPoint& old, ContactPoint& point) noexcept {
   point.last_normal_force = old.last_normal_force;
   point.slip_direction = old.slip_direction;
   point.lift = old.lift;
+  point.bounce = old.bounce;
 }
 
 void append_hash(Hasher& hasher, const ContactSet& set) {
@@ -28,7 +37,7 @@ void append_hash(Hasher& hasher, const ContactSet& set) {
 }
 
 void state(StateArchive& archive, ContactSet& set) {
-  archive(set.points, set.environment, set.environment_objects, set.stiff, set.tests, set.interpenetration, set.solved,
+  archive(set.points, set.environment, set.environment_objects, set.stiff, set.interpenetration, set.solved,
           set.island_stands, set.rest_force, set.rest_damping, set.loaded);
 }
 
@@ -56,9 +65,9 @@ void write_loads(const ContactSet& set, std::span<const Vec3d> r, std::span<Wren
   for (const ContactPoint& c : set.points) {
     const Vec3d arm = c.point - r[c.object];
     external_force[c.object] += Wrenchd{c.moment + cross(arm, c.force), c.force};
-    if (c.normal_damping == 0 && c.tangent_damping == 0 && c.angular_damping == 0) continue;
+    if (c.normal_damping == 0 && c.tangent_damping == 0 && c.angular_damping == 0 && c.spin_damping == 0) continue;
     Sym6d damping = at_point(damping_matrix(c), arm);
-    damping.J += diagonal(c.angular_damping);
+    damping.J += angular_damping_matrix(c);
     external_damping[c.object] += damping;
   }
 }

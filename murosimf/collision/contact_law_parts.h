@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "murosimf/collision/contact.h"
@@ -11,7 +12,7 @@ namespace murosimf::collision {
 /// No force, no moment, and none of their dampings.
 inline void clear_force(ContactPoint& c) noexcept {
   c.force = c.moment = {};
-  c.normal_damping = c.tangent_damping = c.angular_damping = 0;
+  c.normal_damping = c.tangent_damping = c.angular_damping = c.spin_damping = 0;
 }
 
 /// Normal force [N] of a damped spring that cannot pull, explicit: max(0, k depth - d v_n); v_n [m/s] of separation.
@@ -34,9 +35,21 @@ inline void clear_force(ContactPoint& c) noexcept {
   return p.friction * f_n * (1 - dot(p.friction_direction, direction));
 }
 
-/// Rolling resistance of a round body, -rolling r f_n w / |w|, as a damping b [N m s]: moment = -b w. It falls linearly
-/// to zero below 0.5 rad/s. Zero for corners.
-[[nodiscard]] double rolling_damping(const ContactPoint& c, const ContactParameters& p, double f_n) noexcept;
+/// Resistance of a round body that is pressed with f_n [N] to rolling and spinning, as dampings [N m s]: with w_t and w_n the parts of
+/// its angular velocity across and along n
+///
+///     moment = -rolling r f_n w_t / |w_t| - torsional f_n w_n / |w_n|
+///
+/// Both fall linearly to zero below 0.5 rad/s. Zero for corners.
+inline void resist_turning(ContactPoint& c, const ContactParameters& p, double f_n) noexcept {
+  constexpr double slow_turn = 0.5;  // [rad/s]
+  if (c.radius == 0 || (p.rolling == 0 && p.torsional == 0)) return;
+  const double spin = dot(c.angular_velocity, c.normal);
+  const Vec3d roll = c.angular_velocity - spin * c.normal;
+  c.angular_damping = p.rolling * c.radius * f_n / std::max(norm(roll), slow_turn);
+  c.spin_damping = p.torsional * f_n / std::max(std::abs(spin), slow_turn);
+  c.moment = -c.angular_damping * roll - c.spin_damping * spin * c.normal;
+}
 
 /// One point for everything that touches: the deepest, as in the paper (5.3, "there is only one contact point").
 /// Keeps the deepest of those points that belong together, the first of equals; then sorts them by `before`.

@@ -1,19 +1,21 @@
 #include "murosimf/collision/contact_parameters.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
+#include "murosimf/geometry/volume.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::collision {
 namespace {
 
-constexpr double static_sink = 0.4e-3;  // [m]
-constexpr double robot_damping_ratio = 0.5;
-// c: dt^2 k / m at a point under an implicit law
-constexpr double resolved_on_ground = 0.25;
-constexpr double resolved_between_bodies = 1;
-constexpr double bounce_resolution = 0.15;
+constexpr double standard_gravity = 9.80665;   // [m/s^2]
+constexpr double explicit_deflection = 0.4e-3;  // [m] at least
+constexpr double least_pressure = 500;          // [Pa] that whatever stands there carries
+constexpr double implicit_damping_ratio = 1;
+constexpr double explicit_damping_ratio = 0.5;
+constexpr double bounce_resolution = 0.15;  // [1] dt^2 k / m
 // dt^2 k / m at a point: that of kid21 (4.3 kg, 13 kN/m at 8 points, 1 ms), with room for limbs that weigh less than it
 constexpr double explicit_resolution = 0.02;
 
@@ -26,50 +28,74 @@ bool is_round(const Model& model) {
 /// What meets: as in the head of the header.
 struct Masses {
   double moved = 0;    // [kg] m: of the entity, or reduced mass of two
-  double resting = 0;  // [kg] m_w or m_l: whose weight the points carry
+  double load = 0;     // [N] that the points carry
   double points = 1;   // n_c
   bool round = false;
-  double resolved = 0;  // [1] c
 };
 
 /// [kg] at a point.
 double mass_at_point(const Masses& masses) { return masses.moved / std::max(1.0, masses.points / 2); }
 
-double stiffness_of(const Masses& masses, const ContactConditions& given) {
-  // without gravity the weight on Earth still gives a sensible stiffness
-  const double weight = masses.resting * (given.gravity > 0.1 ? given.gravity : 9.81);
-  const double by_weight = weight / (masses.points * static_sink);
-  if (masses.round) return std::min(by_weight, bounce_resolution * masses.moved / (given.dt * given.dt));
-  if (!given.implicit_law) return by_weight;
-  return std::max(by_weight, masses.resolved * mass_at_point(masses) / (given.dt * given.dt));
+double stiffness_of(const Masses& masses, const PairSurface& pair, bool implicit_law) {
+  if (pair.stiffness > 0) return pair.stiffness;
+  const double deflection =
+      implicit_law ? pair.static_deflection : std::max(pair.static_deflection, explicit_deflection);
+  return masses.load / (masses.points * deflection);
 }
 
-/// Gives the spring and damper of a round body the numbers with which steps of dt follow the oscillation of those that it has. An
-/// implicit law takes the damper at the velocity after the step.
-void resolve_bounce(ContactParameters& p, double dt, bool implicit_law) {
-  const double w = std::sqrt(p.stiffness / p.mass), z = p.damping / (2 * p.mass * w);
+double weight(double mass) { return standard_gravity * mass; }
+
+/// [m^2] Of a body without joints: mean of the faces of the box about its shapes. Others are 0.
+double area(const Model& model) {
+  if (!model.joints().empty() || model.bodies().empty()) return 0;
+  const Shapes* shapes = model.find(properties::shapes, model.bodies()[0]);
+  if (!shapes) return 0;
+  std::optional<geometry::Aabb> box;
+  for (const PlacedShape& placed : *shapes) {
+    if (!placed.collides || std::holds_alternative<Plane>(placed.shape)) continue;
+    const auto own = geometry::fit<geometry::Aabb>(placed.shape, placed.place());
+    box = box ? geometry::merged(*box, own) : own;
+  }
+  if (!box) return 0;
+  const Vec3d half = box->half;
+  return 4.0 / 3 * (half.x * half.y + half.y * half.z + half.z * half.x);
+}
+
+/// [N]
+double load(const Model& model) { return std::max(weight(model.tree().mass), least_pressure * area(model)); }
+
+/// A spring and damper that lose what `p.restitution` says, as stiff as explicit steps of dt bear; the numbers with which such steps
+/// follow the oscillation of those that it has.
+void resolve_bounce(ContactParameters& p, double dt) {
+  p.stiffness = std::min(p.stiffness, bounce_resolution * p.mass / (dt * dt));
+  const double w = std::sqrt(p.stiffness / p.mass), z = damping_ratio(p.restitution);
   const double decay = std::exp(-z * w * dt);
-  const double scale = implicit_law ? p.mass / (decay * decay) : p.mass;
-  p.stiffness = scale * (1 + decay * decay - 2 * decay * std::cos(w * std::sqrt(1 - z * z) * dt)) / (dt * dt);
-  p.damping = scale * (1 - decay * decay) / dt;
+  p.stiffness =
+      p.mass * (1 + decay * decay - 2 * decay * std::cos(w * std::sqrt(1 - z * z) * dt)) / (dt * dt);
+  p.damping = p.mass * (1 - decay * decay) / dt;
+  p.theta = 0;
+  p.restitution = -1;  // the spring does it
+  p.tangent_stiffness = p.stiffness;
+  p.tangent_damping = z * std::sqrt(p.stiffness * p.mass);
 }
 
 ContactParameters parameters_of(const Masses& masses, const PairSurface& pair, const ContactConditions& given) {
   ContactParameters p;
   p.mass = mass_at_point(masses);
-  p.stiffness = pair.stiffness > 0 ? pair.stiffness : stiffness_of(masses, given);
-  const double ratio = masses.round ? damping_ratio(pair.restitution) : robot_damping_ratio;
+  p.stiffness = stiffness_of(masses, pair, given.implicit_law);
+  const double ratio = given.implicit_law ? implicit_damping_ratio : explicit_damping_ratio;
   p.damping = 2 * ratio * std::sqrt(p.stiffness * p.mass);
   p.tangent_stiffness = p.stiffness;
   p.tangent_damping = 0.5 * p.damping;
   p.friction = pair.friction;
   p.rolling = pair.rolling;
+  p.torsional = pair.torsional;
   p.rebound = pair.rebound;
   p.viscous_friction = pair.viscous_friction;
   p.spin_friction = pair.spin_friction;
-  if (!masses.round || !resolves_bounce(p.stiffness, p.mass, given.dt)) return p;
-  p.theta = 0;
-  resolve_bounce(p, given.dt, given.implicit_law);
+  if (!masses.round) return p;
+  p.restitution = pair.restitution;
+  if (!given.implicit_law) resolve_bounce(p, given.dt);
   return p;
 }
 
@@ -89,13 +115,12 @@ double damping_ratio(double e) {
   return 0.5 * (low + high);
 }
 
-bool resolves_bounce(double stiffness, double mass, double dt) { return dt * dt * stiffness / mass < 0.36; }
-
 ContactParameters contact_parameters(const Model& model, const PairSurface& pair, const ContactConditions& conditions) {
   const double mass = model.tree().mass;
-  if (is_round(model)) return parameters_of({mass, mass, 1, true, 0}, pair, conditions);
+  if (is_round(model)) return parameters_of({mass, weight(mass), 1, true}, pair, conditions);
   const double corners = 4.0 * static_cast<double>(model.having(properties::sole).size());
-  return parameters_of({mass, mass, std::max(4.0, corners), false, resolved_on_ground}, pair, conditions);
+  const double carried = conditions.implicit_law ? load(model) : weight(mass);
+  return parameters_of({mass, carried, std::max(4.0, corners), false}, pair, conditions);
 }
 
 ContactParameters contact_parameters(const Model& a, const Model& b, const PairSurface& pair,
@@ -104,16 +129,21 @@ ContactParameters contact_parameters(const Model& a, const Model& b, const PairS
   const bool b_is_lighter = mass_b > 0 && (mass_b < mass_a || mass_a == 0);
   const auto [light, heavy] = b_is_lighter ? std::pair{mass_b, mass_a} : std::pair{mass_a, mass_b};
   const double moved = heavy > 0 ? light * heavy / (light + heavy) : light;
-  if (is_round(b_is_lighter ? b : a)) return parameters_of({moved, light, 1, true, 0}, pair, conditions);
+  if (is_round(b_is_lighter ? b : a)) return parameters_of({moved, weight(light), 1, true}, pair, conditions);
   const bool limbs = !a.joints().empty() && !b.joints().empty();
-  const ContactConditions stiff{conditions.gravity, conditions.dt, conditions.implicit_law && !limbs};
+  const ContactConditions stiff{conditions.dt, conditions.implicit_law && !limbs};
   const bool heavy_rests = stiff.implicit_law && heavy > 0;
-  return parameters_of({moved, heavy_rests ? heavy : light, 4, false, resolved_between_bodies}, pair, stiff);
+  const double carried = heavy_rests ? std::max(load(a), load(b)) : weight(light);
+  return parameters_of({moved, carried, 4, false}, pair, stiff);
 }
 
 ContactParameters for_explicit_step(const ContactParameters& parameters, double dt) {
   ContactParameters p = parameters;
   if (p.theta == 0) return p;
+  if (p.restitution >= 0) {
+    resolve_bounce(p, dt);
+    return p;
+  }
   p.stiffness = std::min(p.stiffness, explicit_resolution * p.mass / (dt * dt));
   const double softer = std::sqrt(p.stiffness / parameters.stiffness);
   p.damping *= softer;

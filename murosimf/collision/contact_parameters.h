@@ -1,37 +1,37 @@
-/// contact_parameters.h - stiffness and damping of contact points from the masses that meet, their weight and the step.
+/// contact_parameters.h - stiffness and damping of contact points from what rests on them and the pair of materials.
 ///
-///     k = max(m_w g / (n_c * 0.4 mm), c m_p / dt^2)  laws that are implicit in the velocity after the step
-///     k = m_l g / (n_c * 0.4 mm)                     explicit laws
-///     d = 2 zeta sqrt(k m_p),  kt = k,  ct = d / 2
+///     k = F / (n_c delta_s),   F = max(m_w g0, p A),   d = 2 sqrt(k m_p)     laws that are implicit
+///     k = m_l g0 / (n_c max(delta_s, 0.4 mm)),         d = sqrt(k m_p)       explicit laws
+///     kt = k,   ct = d / 2
 ///
-/// n_c points share the weight; m_p = m / (n_c / 2) is the mass at each, since what lands meets the ground with half of its
-/// points. With the ground m = m_w = m_l is the mass of the entity. Between two bodies m = m_a m_b / (m_a + m_b), m_w is the
+/// delta_s is the static deflection of the pair of materials: how far the weight on Earth, g0 = 9.80665 m/s^2, presses the points in.
+/// A body without joints of area A, the mean face of the box about it, carries at least p = 0.5 kPa: else a light crate would give way
+/// under whatever stands on it.
+/// n_c points share the weight; m_p = m / (n_c / 2) is the mass at each, since what lands meets the ground with half of
+/// its points. With the ground m = m_w = m_l is the mass of the entity. Between two bodies m = m_a m_b / (m_a + m_b), m_w is the
 /// heavier one, which may rest upon the other, and m_l the lighter one. Two that both have joints are as under
 /// explicit laws: what moves at a point is a limb, and its mass is not known here. So are those on the ground whose
 /// joints move as told (ground_contact.h).
 ///
-/// First term: points sink 0.4 mm under the weight. Source: the project's prototype, which stood and walked with it on a robot
-/// of 4.3 kg (k = 13 kN/m, d = 120 N s/m), also explicitly at 1 ms.
-/// Second term: omega dt = sqrt(c), so that steps resolve an oscillation of the contact, and the compliance 1 / (dt
-/// b_n) of a point (island_solver.h) is of the order of its 1 / m_p, so that sweeps still converge. c = 1/4 with the
-/// ground: kid21 then climbs as with ever stiffer ground. c = 1 between bodies: softer contact buckles columns. A
-/// stack of N cubes of mass m and edge h stands on springs as long as N^3 < 7.837 K / (m g h), K = k n_c (h/2)^2
-/// (Greenhill, "Determination of the greatest height consistent with stability", Proc. Cambridge Phil. Soc. 4, 1881):
-/// 7 with the first term alone, 27 at 1 ms with the second.
+/// Nothing of that depends on the step: shorter steps approach the motion of one model. A contact oscillates with sqrt(g0 / (2
+/// delta_s)), 221 rad/s at 0.1 mm whatever the weight, critically damped; longer steps than that resolves are dead and stable.
+/// A stack of N cubes of edge h stands on springs as long as N^3 < 7.837 h / (4 delta_s), 12 cubes of 10 cm at 0.1 mm (Greenhill,
+/// "Determination of the greatest height consistent with stability", Proc. Cambridge Phil. Soc. 4, 1881).
+/// 0.4 mm under explicit laws: the project's prototype stood and walked with it on a robot of 4.3 kg (k = 13 kN/m, d = 120 N
+/// s/m) at 1 ms.
 ///
-/// zeta = 0.5. For a round body zeta follows from the restitution e of the pair, from the closed form of a damped spring
-/// that cannot pull (first zero of its force):
+/// Round bodies bounce with the restitution e of the pair: by an impulse under implicit laws (bounce.h), on a spring and damper
+/// that cannot pull under explicit ones (first zero of its force):
 ///
-///     e = exp(-(z/w) (pi - atan2(2 z w, w^2 - z^2))),   w = sqrt(1 - z^2)
+///     e = exp(-(z/w) (pi - atan2(2 z w, w^2 - z^2))),   w = sqrt(1 - z^2),  z = d / (2 sqrt(k m))
 ///
 /// Source: Schwager and Poeschel, "Coefficient of restitution and linear-dashpot model revisited", Granular Matter 9
-/// (2007), eq. for the force-zero condition. A bounce must be resolved by steps, so round bodies have the spring of explicit
-/// laws under every law, and k <= 0.15 m / dt^2: a bounce lasts for eight steps and more. Semi-implicit Euler gets
-/// another decay and frequency than the spring has; k and d are therefore those with which the trace and the
-/// determinant of its step, 2 - dt^2 k/m - dt d/m and 1 - dt d/m, are those of the exact flow, 2 E cos(w dt) and E^2
-/// with E = exp(-zeta omega dt) (pole matching; Franklin, Powell, Workman, "Digital Control of Dynamic Systems", 3rd
-/// ed., chapter 6). What is left is where in a step the bounce begins: e scatters by 5 % at dt^2 k/m = 0.15 and e =
-/// 0.8. theta is 0 for what bounces, 1 for all else.
+/// (2007), eq. for the force-zero condition. Steps must resolve such a bounce, so there k <= 0.15 m / dt^2: it lasts for eight
+/// steps and more. Semi-implicit Euler gets another decay and frequency than the spring has; k and d are therefore those
+/// with which the trace and the determinant of its step, 2 - dt^2 k/m - dt d/m and 1 - dt d/m, are those of the exact
+/// flow, 2 E cos(w dt) and E^2 with E = exp(-zeta omega dt) (pole matching; Franklin, Powell, Workman, "Digital Control of
+/// Dynamic Systems", 3rd ed., chapter 6). What is left is where in a step the bounce begins: e scatters by 5 % at dt^2
+/// k/m = 0.15 and e = 0.8. theta is 0 for such a spring, 1 for all else.
 #pragma once
 
 #include "murosimf/collision/contact.h"
@@ -45,13 +45,9 @@ namespace murosimf::collision {
 /// Damping ratio in [0, 1) with restitution `e`; restitutions below 0.15 give the largest ratio, 0.95.
 [[nodiscard]] double damping_ratio(double e);
 
-/// Whether steps of dt [s] are short enough for a bounce of `mass` [kg] on `stiffness` [N/m]; it is dead if not.
-[[nodiscard]] bool resolves_bounce(double stiffness, double mass, double dt);
-
 /// What the constants follow from besides models and surfaces.
 struct ContactConditions {
-  double gravity = 9.81;     ///< [m/s^2] magnitude
-  double dt = 1e-3;          ///< [s] of the motion step
+  double dt = 1e-3;          ///< [s] of the motion step: only bounces under explicit laws depend on it
   bool implicit_law = true;  ///< the law is implicit in the velocity after the step
 };
 
@@ -62,7 +58,7 @@ struct ContactConditions {
 [[nodiscard]] ContactParameters contact_parameters(const Model& a, const Model& b, const PairSurface& pair,
                                                    const ContactConditions& conditions);
 
-/// The same contact for a step of `dt` [s] that is explicit: its spring as soft as such a step bears, unless it bounces.
+/// The same contact for a step of `dt` [s] that is explicit: its spring as soft as such a step bears.
 [[nodiscard]] ContactParameters for_explicit_step(const ContactParameters& parameters, double dt);
 
 }  // namespace murosimf::collision

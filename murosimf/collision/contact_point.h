@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "murosimf/math/hash.h"
-#include "murosimf/math/vec3.h"
+#include "murosimf/math/mat3.h"
 
 namespace murosimf::collision {
 
@@ -30,6 +30,8 @@ struct ContactParameters {
   double tangent_damping = 0;    ///< [N s/m] ct
   double friction = 0;           ///< [1] mu
   double rolling = 0;            ///< [1] rolling resistance
+  double torsional = 0;          ///< [m] resistance of a round body to spinning
+  double restitution = -1;       ///< [1] of a body that bounces; negative: it has none
   Vec3d friction_direction;  ///< [1] world frame: friction towards the unit vector d is mu (1 - friction_direction . d)
   double mass = 0;           ///< [kg] that moves at the point, as the constants were chosen for
   double theta = 1;          ///< [1] 1: depth after the step counts, 0: depth before it
@@ -47,7 +49,7 @@ struct ContactTerms {
 enum class ContactState : std::uint8_t { open, stick, slip };
 
 /// A contact with the law's memory and its present linearization: force on A for a velocity v+ after the step is
-///     f = force - (b_n n n^T + b_t (1 - n n^T - d d^T)) (v+ - v),     moment = moment - b_w (w+ - w)
+///     f = force - (b_n n n^T + b_t (1 - n n^T - d d^T)) (v+ - v),     moment = moment - (b_w (1 - n n^T) + b_s n n^T) (w+ - w)
 /// with d the direction of sliding, along which friction does not depend on the speed; zero while sticking.
 struct ContactPoint : Contact {
   Vec3d velocity;          ///< [m/s] v: A's point against B's, world frame, at the beginning of the step
@@ -57,15 +59,20 @@ struct ContactPoint : Contact {
   Vec3d force;                                     ///< [N] world frame
   Vec3d moment;                                    ///< [N m] world frame, besides what the force does at the point
   double normal_damping = 0, tangent_damping = 0;  ///< [N s/m] b_n, b_t
-  double angular_damping = 0;                      ///< [N m s] b_w
+  double angular_damping = 0;                      ///< [N m s] b_w, about axes across n
+  double spin_damping = 0;                         ///< [N m s] b_s, about n
   double last_normal_force = 0;                    ///< [N] of the pass before: a sliding force follows it
   Vec3d slip_direction;                            ///< [1] d, unit or zero
-  double lift = 0;  ///< [m/s] contact lets the point out no faster (soft_start.h); 0: no bound
+  double lift = 0;     ///< [m/s] contact lets the point out no faster (soft_start.h); 0: no bound
+  double bounce = -1;  ///< [m/s] at which it leaves at least (bounce.h); negative: what its spring gives
 };
 
 static_assert(std::is_trivially_copyable_v<ContactPoint>);
 
 void append_hash(Hasher& hasher, const ContactPoint& point);
+
+/// b_w (1 - n n^T) + b_s n n^T [N m s].
+[[nodiscard]] SymMat3d angular_damping_matrix(const ContactPoint& point) noexcept;
 
 /// The law's memory of a point goes on: what `old` has at the end of its step.
 void recall(const ContactPoint& old, ContactPoint& point) noexcept;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "murosimf/collision/bounce.h"
 #include "murosimf/collision/moving_entity.h"
 #include "murosimf/collision/static_compound.h"
 #include "murosimf/geometry/distance.h"
@@ -10,7 +11,7 @@ namespace murosimf::collision {
 namespace {
 
 constexpr double fast = 0.5;   // [1] of the thinner one's radius in a step
-constexpr double soft = 0.25;  // [1] of that radius that is left to contact
+constexpr double soft = 0.1;  // [1] of that radius that is left to contact
 
 /// A body on its way through a step.
 struct Flight {
@@ -29,7 +30,30 @@ bool can_fly(const MovingEntity& body) {
   return !body.apart() && body.can_be_pushed() && body.compound.shapes().size() == 1 && body.model().joints().empty();
 }
 
-Flight flight_of(const MovingEntity& body) { return {body, 0.5 * body.thickness(0), body.sphere(0).center, body.v[0]}; }
+Flight flight_of(const MovingEntity& body, const Vec3d& velocity) {
+  return {body, 0.5 * body.thickness(0), body.sphere(0).center, velocity};
+}
+
+/// [m/s] That a bounce makes to a body; `normal` out of what it bounces off, `share` of the change that is its own.
+Vec3d change_by_bounce(const ContactPoint& c, const Vec3d& normal, double share) {
+  return is_bouncing(c) ? (share * std::max(0.0, c.bounce - dot(c.velocity, c.normal))) * normal : Vec3d{};
+}
+
+/// [m/s] Without friction, and as if the others were free.
+Vec3d change_by_bounces(const MovingEntity& body, std::span<const MovingEntity> moving_entities, const PairSet& set) {
+  Vec3d change;
+  for (const ContactPoint& c : body.contacts.points) change += change_by_bounce(c, c.normal, 1);
+  const double mass = body.model().tree().mass;
+  for (const PairContact& c : set.points) {
+    const MovingEntity &a = moving_entities[c.a], &b = moving_entities[c.b];
+    if (&a != &body && &b != &body) continue;
+    const MovingEntity& other = &a == &body ? b : a;
+    const double other_mass = other.model().tree().mass;
+    const double share = other.can_be_pushed() ? other_mass / (mass + other_mass) : 1;
+    change += change_by_bounce(c, &a == &body ? c.normal : -c.normal, share);
+  }
+  return change;
+}
 
 /// The first touch so far, and the velocity [m/s] of what is touched.
 struct Stop {
@@ -73,8 +97,9 @@ bool is_near(const Flight& flight, const MovingEntity& other, double dt) {
   return dot(apart, apart) < near * near;
 }
 
-void look_at(const Flight& flight, MovingEntity& other, double dt, std::optional<Stop>& first) {
-  const Vec3d stopped = (1 / dt) * other.separation[0];  // it has met something before
+/// `change` [m/s] of the other one's velocity in this step.
+void look_at(const Flight& flight, MovingEntity& other, const Vec3d& change, double dt, std::optional<Stop>& first) {
+  const Vec3d stopped = (1 / dt) * other.separation[0] + change;  // it has met something before
   for (int i = 0; i < static_cast<int>(other.compound.shapes().size()); ++i) {
     const CollidingShape& shape = other.compound.shapes()[i];
     const Vec3d velocity = other.velocity_at(shape.object, flight.start - other.r[shape.object]) + stopped;
@@ -82,6 +107,13 @@ void look_at(const Flight& flight, MovingEntity& other, double dt, std::optional
     if (norm(flight.body.v[0] - velocity) * dt <= fast * std::min(flight.radius, radius)) continue;
     look(flight, {shape.placed.shape, other.pose(i), radius, velocity}, dt, first);
   }
+}
+
+/// [m/s] What gravity would do along the normal in the rest of the step.
+Vec3d take_gravity_back(MovingEntity& body, const FirstTouch& touch, const Vec3d& gravity, double dt) {
+  const Vec3d lost = (dt - touch.time) * dot(gravity, touch.normal) * touch.normal;
+  body.push(0, body.sphere(0).center, (-body.model().tree().mass / dt) * lost, dt);
+  return lost;
 }
 
 /// To the touch, and along the other one's surface from there on.
@@ -113,25 +145,31 @@ std::optional<FirstTouch> first_touch(const Vec3d& center, double radius, const 
   return touch;
 }
 
-void stop_at_touch(std::span<MovingEntity> moving_entities, const StaticCompound& environment, double dt) noexcept {
+void stop_at_touch(std::span<MovingEntity> moving_entities, const PairSet& set, const StaticCompound& environment,
+                   const Vec3d& gravity, double dt) noexcept {
   constexpr int most_touches = 4;  // of one body in a step; after the last one it moves with what it touches
   for (MovingEntity& body : moving_entities) {
     if (!can_fly(body)) continue;
-    Flight flight = flight_of(body);
+    // that places follow
+    Vec3d end_velocity = body.v[0] + dt * gravity + change_by_bounces(body, moving_entities, set);
+    Flight flight = flight_of(body, end_velocity);
     bool touched = false;
     for (int i = 0; i < most_touches; ++i) {
       std::optional<Stop> first;
       look_at_statics(flight, environment, dt, first);
       for (MovingEntity& other : moving_entities) {
-        if (&other != &body && !other.apart() && is_near(flight, other, dt)) look_at(flight, other, dt, first);
+        if (&other == &body || other.apart() || !is_near(flight, other, dt)) continue;
+        const Vec3d change = can_fly(other) ? change_by_bounces(other, moving_entities, set) : Vec3d{};
+        look_at(flight, other, change, dt, first);
       }
       if (!first) break;
+      if (!touched) end_velocity -= take_gravity_back(body, first->touch, gravity, dt);
       touched = true;
       turn_aside(flight, *first);
       if (i + 1 == most_touches) flight.velocity = first->other;
     }
     if (!touched) continue;
-    body.separation[0] += flight.moved + (dt - flight.elapsed) * flight.velocity - dt * body.v[0];
+    body.separation[0] += flight.moved + (dt - flight.elapsed) * flight.velocity - dt * end_velocity;
   }
 }
 

@@ -10,10 +10,14 @@
 ///
 /// From then on the body moves along that plane, where it may meet the next shape, to the end of the step:
 ///
-///     v <- v - ((v - v_other) . n) n        separation = sum of t v over the parts of the step - dt v_0
+///     v <- v - ((v - v_other) . n) n        separation = sum of t v over the parts of the step - dt v_end
 ///
-/// Its velocity stays, and contact, which the smaller core leaves room for, changes it from step to step. What is lost is way, less than
-/// |v| dt. A body that is no sphere is taken for the largest sphere about its middle that is as thick as it. Of two
+/// Its velocity stays, and contact, which the smaller core leaves room for, changes it in the next step. What is lost is the rest of the
+/// step along n: way, less than |v| dt, and what gravity g would do to the velocity meanwhile, which a force takes back,
+///
+///     f = -m (g . n) n (dt - t) / dt,       v_end = v_0 + dt (g + f / m),
+///
+/// else a ball would gain energy at every bounce. What bounces in this step (bounce.h) flies as it will leave. A body that is no sphere is taken for the largest sphere about its middle that is as thick as it. Of two
 /// such bodies the first one stops, and the second one sees it where it is then.
 /// Assumes: the other one moves with the velocity of its point that is below the body's middle; contact forces of this step, which are
 /// not known yet, bend the way by less than the core's distance from the surface.
@@ -29,6 +33,7 @@
 namespace murosimf::collision {
 
 struct MovingEntity;
+struct PairSet;
 class StaticCompound;
 
 /// The first touch of a moving sphere and a shape.
@@ -43,6 +48,8 @@ struct FirstTouch {
                                                     const Shape& shape, const Transformd& at, double dt);
 
 /// Adds to `separation` of the fast ones; after contacts of the step have been found.
-void stop_at_touch(std::span<MovingEntity> moving_entities, const StaticCompound& environment, double dt) noexcept;
+/// `set`: its contacts; gravity [m/s^2], world frame.
+void stop_at_touch(std::span<MovingEntity> moving_entities, const PairSet& set, const StaticCompound& environment,
+                   const Vec3d& gravity, double dt) noexcept;
 
 }  // namespace murosimf::collision

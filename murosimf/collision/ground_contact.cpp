@@ -22,7 +22,7 @@ GroundContact::GroundContact(Setup& setup, const Entity* environment, std::share
     : entity_(setup.entity()),
       environment_entity_(environment),
       materials_(materials),
-      gravity_(norm(setup.world().gravity)),
+      gravity_(setup.world().gravity),
       law_(std::move(law)),
       finder_(setup.entity(), environment),
       number_(setup.world().index_of(&setup.entity())),
@@ -49,7 +49,7 @@ void GroundContact::make_terms() {
   finder_.for_meetings([&](const GroundFinder::Meeting& meeting) {
     const PairSurface pair = materials_.find(meeting.own, meeting.other);
     for (ContactTerms* terms : {&soft_terms_, &stiff_terms_}) {
-      ContactParameters p = contact_parameters(model(), pair, {gravity_, terms->dt, terms == &stiff_terms_});
+      ContactParameters p = contact_parameters(model(), pair, {terms->dt, terms == &stiff_terms_});
       p.friction_direction = pair.friction_anisotropy * meeting.friction_direction;
       terms->parameters.push_back(p);
     }
@@ -230,8 +230,10 @@ void GroundContact::remember() {
     while (old != previous_.end() && old->feature < c.feature) ++old;
     if (old == previous_.end() || old->feature != c.feature) {
       begin_lift(c);
+      begin_bounce(c, seam_.terms.parameters[c.surface], gravity_, seam_.terms.dt);
     } else {
       recall(*old, c);
+      go_on_bouncing(c);
       end_lift(c, seam_.terms.parameters[c.surface], seam_.terms.dt);
     }
   }

@@ -66,7 +66,7 @@ class GroundContact final : public Algorithm {
   const Entity& entity_;
   const Entity* environment_entity_;
   MaterialTable materials_;
-  double gravity_;  // [m/s^2] magnitude
+  Vec3d gravity_;  // [m/s^2] world
   std::shared_ptr<const ContactLaw> law_;
   GroundFinder finder_;
   int number_;                              // of the entity in the world

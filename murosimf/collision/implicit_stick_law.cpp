@@ -14,18 +14,18 @@ constexpr double normal_tolerance = 0.05;  // a sliding force is renewed if the 
 
 /// Normal force after a step that ends with normal velocity v_n.
 double normal_force(const ContactPoint& c, const ContactParameters& p, double dt, double v_n) {
-  return p.stiffness * c.depth - implicit_damping(c, p, dt) * v_n;
+  return resting_force(c, p, dt) - implicit_damping(c, p, dt) * v_n;
 }
 
 Vec3d stick_force(const ContactPoint& c, const ContactParameters& p, double dt, const Vec3d& v_t) {
-  return -p.tangent_stiffness * c.stretch - (p.tangent_damping + dt * p.tangent_stiffness) * v_t;
+  return -p.tangent_stiffness * c.stretch - implicit_tangent_damping(c, p, dt) * v_t;
 }
 
 void linearize_stick(ContactPoint& c, const ContactParameters& p, double dt) {
   const double v_n = dot(c.velocity, c.normal);
   const Vec3d v_t = c.velocity - v_n * c.normal;
   c.normal_damping = implicit_damping(c, p, dt);
-  c.tangent_damping = p.tangent_damping + dt * p.tangent_stiffness;
+  c.tangent_damping = implicit_tangent_damping(c, p, dt);
   c.force = normal_force(c, p, dt, v_n) * c.normal + stick_force(c, p, dt, v_t);
 }
 
@@ -50,8 +50,7 @@ void linearize(ContactPoint& c, const ContactParameters& p, double dt) {
   } else {
     linearize_stick(c, p, dt);
   }
-  c.angular_damping = rolling_damping(c, p, p.stiffness * c.depth);
-  c.moment = -c.angular_damping * c.angular_velocity;
+  if (!is_bouncing(c)) resist_turning(c, p, p.stiffness * c.depth);
 }
 
 /// Friction that the present linearization gives for the tangential velocity v_t after the step.
@@ -119,7 +118,7 @@ void ImplicitStick::prepare(std::vector<ContactPoint>& points, const ContactTerm
   for (ContactPoint& c : points) {
     const ContactParameters& p = terms.parameters[c.surface];
     c.stretch = tangential(c.stretch, c.normal);
-    if (c.state == ContactState::open) close(c, c.velocity);
+    if (c.state == ContactState::open && !is_bouncing(c)) close(c, c.velocity);  // what bounced leaves by itself
     linearize(c, p, terms.dt);
   }
 }

@@ -15,7 +15,7 @@
 /// resistance (contact_law_parts.h).
 /// Source: measured with the project's prototype; elastoplastic friction as in Dupont, Hayward, Armstrong,
 /// Altpeter, IEEE Trans. Automatic Control 47(5), 2002, with a rigid-plastic cone.
-/// theta = 0 keeps a ball's bounce; theta = 1 damps stiff feet.
+/// theta = 1 for all but springs that bounce (contact_parameters.h); round bodies bounce by an impulse instead (bounce.h).
 #pragma once
 
 #include "murosimf/collision/contact_law.h"

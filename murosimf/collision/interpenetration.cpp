@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "murosimf/collision/body_pairs.h"
+#include "murosimf/collision/bounce.h"
 #include "murosimf/collision/moving_entity.h"
 
 namespace murosimf::collision {
@@ -57,6 +58,7 @@ Depth depth_of(const ContactPoint& point, double thickness, double dt, bool turn
   const double most = 0.5 * thickness;
   if (point.lift > 0) return norm(point.velocity) * dt > most ? Depth::through : Depth::usual;
   if (turned) return Depth::through;
+  if (is_bouncing(point)) return Depth::usual;  // it leaves in the next steps
   return point.depth > most ? Depth::too_deep : Depth::usual;
 }
 

@@ -105,12 +105,12 @@ void IslandSolver::add(ContactPoint& point, const ContactParameters& p, const Si
   for (const Vec3d& row : response_.value) c.W += outer(row);
   keep_response(c);
   const double b_n = std::max(least_damping, implicit_damping(point, p, dt_));
-  const double b_t = std::max(least_damping, p.tangent_damping + dt_ * p.tangent_stiffness);
+  const double b_t = std::max(least_damping, implicit_tangent_damping(point, p, dt_));
   c.R_n = 1 / (dt_ * b_n);
   c.R_t = 1 / (dt_ * b_t);
   invert(c);
   const Vec3d spring = (-p.tangent_stiffness / b_t) * tangential(point.stretch, point.normal);
-  c.wish_n = p.stiffness * point.depth / b_n;
+  c.wish_n = resting_force(point, p, dt_) / b_n;
   c.wish_1 = dot(spring, c.frame.y);
   c.wish_2 = dot(spring, c.frame.z);
   // start from the memory of the step before: its normal force, and what the spring holds
@@ -197,7 +197,7 @@ int IslandSolver::sweep(int sweeps) noexcept {
     for (std::size_t k = 0; k < count; ++k) {
       change = std::max(change, solve(contacts_[i % 2 == 0 ? k : count - 1 - k]));
     }
-    if (change < settled) return i + 1;
+    if (change < (i < usual_sweeps ? settled : nearly_settled)) return i + 1;
   }
   return sweeps;
 }

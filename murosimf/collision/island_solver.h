@@ -49,7 +49,9 @@ class IslandSolver {
   void finish_points() noexcept;
   void apply(int member) const noexcept;
 
-  static constexpr double settled = 1e-7;  ///< [m/s]
+  static constexpr double settled = 1e-7;         ///< [m/s]
+  static constexpr int usual_sweeps = 10;         ///< which most islands settle within
+  static constexpr double nearly_settled = 1e-5;  ///< [m/s] enough after these
 
  private:
   struct Member {

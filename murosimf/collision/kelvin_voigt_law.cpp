@@ -30,7 +30,8 @@ void find_force(ContactPoint& c, const ContactParameters& p, double dt) {
     return;
   }
   c.force = f_n * c.normal + friction(c, p, f_n, c.velocity - v_n * c.normal);
-  c.moment = -rolling_damping(c, p, f_n) * c.angular_velocity;
+  resist_turning(c, p, f_n);
+  c.angular_damping = c.spin_damping = 0;  // it is explicit
 }
 
 }  // namespace

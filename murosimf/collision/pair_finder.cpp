@@ -32,22 +32,30 @@ void begin_lift(PairContact& point, const std::vector<PairContact>& previous, do
   point.lift = other->lift;
 }
 
-void remember(PairSet& set, double dt) {
+/// [m/s^2] Of A against B: who stands on something does not fall.
+Vec3d falls_with(const MovingEntity& a, const MovingEntity& b, const Vec3d& gravity) {
+  const double stands_a = a.contacts.points.empty() ? 0 : 1, stands_b = b.contacts.points.empty() ? 0 : 1;
+  return (stands_b - stands_a) * gravity;
+}
+
+void remember(const std::vector<MovingEntity>& moving_entities, PairSet& set, const Vec3d& gravity, double dt) {
   auto old = set.previous.begin();
   for (PairContact& c : set.points) {
     while (old != set.previous.end() && comes_before(*old, c)) ++old;
     if (old == set.previous.end() || comes_before(c, *old)) {
       begin_lift(c, set.previous, dt);
+      begin_bounce(c, set.parameters[c.surface], falls_with(moving_entities[c.a], moving_entities[c.b], gravity), dt);
     } else {
       recall(*old, c);
+      go_on_bouncing(c);
     }
   }
 }
 
 }  // namespace
 
-PairFinder::PairFinder(const MaterialTable& materials, const ContactConditions& conditions)
-    : materials_(materials), conditions_(conditions) {}
+PairFinder::PairFinder(const MaterialTable& materials, const ContactConditions& conditions, const Vec3d& gravity)
+    : materials_(materials), conditions_(conditions), gravity_(gravity) {}
 
 void PairFinder::add(const MovingEntity& moving_entity) {
   limbs_.emplace_back();
@@ -129,7 +137,7 @@ void PairFinder::find(std::vector<MovingEntity>& moving_entities, PairSet& set) 
       if (!out && !moving_entities[b].apart()) find_between(moving_entities, a, b, neighbors_[pair], set);
     }
   }
-  remember(set, conditions_.dt);
+  remember(moving_entities, set, gravity_, conditions_.dt);
 }
 
 void PairFinder::forget_neighbors() noexcept {

@@ -21,8 +21,8 @@ namespace murosimf::collision {
 
 class PairFinder {
  public:
-  /// gravity [m/s^2] magnitude, dt [s] of the step.
-  PairFinder(const MaterialTable& materials, const ContactConditions& conditions);
+  /// gravity [m/s^2], world frame.
+  PairFinder(const MaterialTable& materials, const ContactConditions& conditions, const Vec3d& gravity);
 
   /// Of those that find() will be called with, in their order.
   void add(const MovingEntity& moving_entity);
@@ -35,7 +35,7 @@ class PairFinder {
 
   /// Constants of all pairs of surfaces that can meet; of kinds i and j at i * kinds + j.
   [[nodiscard]] std::vector<ContactParameters> parameters() const;
-  /// Renews set.points and set.blocked; points of the step before go to set.previous.
+  /// Renews set.points and set.blocked; points of the step before go to set.previous. set.parameters must be those of parameters().
   void find(std::vector<MovingEntity>& moving_entities, PairSet& set) noexcept;
   /// The next find() looks for shapes that are near each other as if everything had moved; what it finds is the same.
   void forget_neighbors() noexcept;
@@ -65,6 +65,7 @@ class PairFinder {
 
   MaterialTable materials_;
   ContactConditions conditions_;
+  Vec3d gravity_;  // [m/s^2] world
   std::vector<Kind> kinds_;
   std::vector<std::vector<std::size_t>> kinds_of_shapes_;  // by moving entity and shape
   std::vector<std::pair<int, int>> pairs_;                 // of the last find(): within_reach()

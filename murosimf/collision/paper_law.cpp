@@ -29,7 +29,7 @@ void PaperLaw::prepare(std::vector<ContactPoint>& points, const ContactTerms& te
     if (!options_.bounded) continue;
     c.slip_direction = {};
     c.tangent_damping = f.rub;
-    c.angular_damping = f.spin;
+    c.angular_damping = c.spin_damping = f.spin;
   }
 }
 

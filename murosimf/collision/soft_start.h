@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "murosimf/collision/bounce.h"
 #include "murosimf/collision/contact_point.h"
 
 namespace murosimf::collision {
@@ -24,8 +25,20 @@ inline constexpr double lift_speed = 0.5;   ///< [m/s] of what was found deep in
 
 /// b_n [N s/m] of a law that is implicit in the velocity after the step.
 [[nodiscard]] inline double implicit_damping(const ContactPoint& c, const ContactParameters& p, double dt) noexcept {
+  if (is_bouncing(c)) return bounce_damping(p, dt);
   const double b_n = p.damping + p.theta * dt * p.stiffness;
   return c.lift > 0 ? std::max(b_n, p.stiffness * c.depth / c.lift) : b_n;
+}
+
+/// [N] of that law on a point that would not move along the normal: f_n = resting_force - b_n v_n+.
+[[nodiscard]] inline double resting_force(const ContactPoint& c, const ContactParameters& p, double dt) noexcept {
+  return is_bouncing(c) ? bounce_damping(p, dt) * c.bounce : p.stiffness * c.depth;
+}
+
+/// b_t [N s/m] of that law while a point sticks.
+[[nodiscard]] inline double implicit_tangent_damping(const ContactPoint& c, const ContactParameters& p,
+                                                     double dt) noexcept {
+  return is_bouncing(c) ? bounce_damping(p, dt) : p.tangent_damping + dt * p.tangent_stiffness;
 }
 
 /// Largest force [N] of an explicit law on a point that leaves with v_n [m/s].

@@ -116,7 +116,7 @@ SimplifiedDynamics::Course SimplifiedDynamics::find_course(const Instant& instan
       return true;
     });
   }
-  multibody::FreeBody<double> body{center_, velocity_, columns_.Q[0], columns_.w[0]};
+  multibody::FreeBody<double> body{center_ + separation_, velocity_, columns_.Q[0], columns_.w[0]};
   Vec3d angular_momentum = inertia_ * columns_.w[0] + dt_ * outer_moment();
   multibody::advance(body, acceleration_, dt_);
   if (!is_sane(body)) {
@@ -171,7 +171,8 @@ void SimplifiedDynamics::step_rk4(double dt) noexcept {
         [&](int joint) { return reference_.acceleration(columns_, joint); }, dy);
   });
   const bool sane = is_sane_state(row_);
-  const auto end = read_state(sane ? row_ : start, columns_);
+  auto end = read_state(sane ? row_ : start, columns_);
+  end.position += separation_;
   reference_.stop_at_limits(columns_);
   place(end);
   columns_.remember_base();
@@ -180,7 +181,7 @@ void SimplifiedDynamics::step_rk4(double dt) noexcept {
 
 void SimplifiedDynamics::begin_step(double dt) noexcept {
   dt_ = dt;
-  center_ += columns_.take_displacement() + separation_;
+  center_ += columns_.take_displacement();
   velocity_ += columns_.take_velocity_change();
 }
 

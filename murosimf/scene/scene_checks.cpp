@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "murosimf/catalog/algorithm_catalog.h"
-#include "murosimf/collision/contact_parameters.h"
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/mimic_joints.h"
@@ -82,27 +81,14 @@ void warn_about_steps(SceneParts& parts, const std::string& entity, const Contac
                                          use.contact, use.level, 1e3 * longest, 1e3 * use.step));
 }
 
-/// Of a sphere on the ground.
-void warn_about_bounce(SceneParts& parts, const std::string& entity, const std::string& material, double mass) {
-  const double stiffness = parts.spec.materials.find({material}, {parts.spec.field.surface}).stiffness;
-  if (stiffness == 0 || collision::resolves_bounce(stiffness, mass, 1 / parts.spec.rate)) return;
-  parts.remarks.warn(
-      entity, fmt::format("steps of {:.3g} ms are too long for its bounce on a 'stiffness' of {:g} N/m: it has no "
-                          "restitution",
-                          1e3 / parts.spec.rate, stiffness));
-}
-
 void warn_about_things(SceneParts& parts) {
   const double step = 1 / parts.spec.rate;
   if (const auto& ball = parts.spec.ball) {
     warn_about_steps(parts, "ball", {ball->contact, {}, "simplified_dynamics", step});
-    warn_about_ball(parts);
   }
   for (const scene_file::BodySpec& body : parts.spec.bodies) {
     if (body.is_static) continue;
     warn_about_steps(parts, body.name, {body.contact, {}, "simplified_dynamics", step});
-    const bool sphere = body.shape && std::holds_alternative<Sphere>(*body.shape);
-    if (sphere) warn_about_bounce(parts, body.name, body.material, body.mass);
   }
 }
 
@@ -150,11 +136,6 @@ void note_other_gravity(SceneParts& parts) {
 }
 
 }  // namespace
-
-void warn_about_ball(SceneParts& parts) {
-  const scene_file::BallSpec& ball = *parts.spec.ball;
-  warn_about_bounce(parts, "ball", ball.material, ball.mass);
-}
 
 void warn_about_settings(SceneParts& parts) {
   const scene_file::SceneSpec& spec = parts.spec;

@@ -19,9 +19,6 @@ void warn_about_start(SceneParts& parts);
 /// Who cannot walk on what stands on the field.
 void warn_about_static_bodies(SceneParts& parts);
 
-/// A ball, now or after a change, that cannot bounce.
-void warn_about_ball(SceneParts& parts);
-
 /// What a user may have overlooked in a robot's level: steps too long for it, joints without servos.
 void warn_about_level(SceneParts& parts, const scene_file::RobotSpec& robot);
 

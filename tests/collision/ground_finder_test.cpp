@@ -180,7 +180,7 @@ ContactSet set_after_a_step(double height) {
   Entity& high = rig.add("high", model, {.position = {0, 0, height + 0.198}});
   rig.attach_together({{&low, {}}, {&high, {}}});
   rig.simulation.initialize();
-  test::Rig::launch(high, {0, 0, -0.3});
+  test::Rig::launch(high, {0, 0, -0.09});  // too slow for a bounce
   rig.simulation.step();
   const auto& points = rig.simulation.world().common().find(pair_contacts)->values[0].points;
   EXPECT_EQ(points.size(), 1U);
@@ -188,7 +188,7 @@ ContactSet set_after_a_step(double height) {
   // the force is the law's at the end of the step: k (depth - theta h v) - d v
   const ContactParameters& p =
       rig.simulation.world().common().find(pair_contacts)->values[0].parameters[points[0].surface];
-  const double v = std::abs(test::Rig::velocity(low).z - test::Rig::velocity(high).z) * -1;
+  const double v = test::Rig::velocity(high).z - test::Rig::velocity(low).z;
   EXPECT_NEAR(norm(points[0].force), p.stiffness * (points[0].depth - p.theta * 1e-3 * v) - p.damping * v,
               1e-3 * norm(points[0].force));
   return high.find(contacts)->values[0];

@@ -55,7 +55,7 @@ struct Meeting : Movers {
   [[nodiscard]] const std::vector<Interpenetration>& found() const { return set.interpenetrations; }
 
   static constexpr double dt = 1e-3;
-  PairFinder finder{MaterialTable{}, ContactConditions{}};
+  PairFinder finder{MaterialTable{}, ContactConditions{}, Vec3d{}};
 };
 
 // In numbers: the ball's surface is 10 mm in the plate when its middle is 40 mm from the plate's.

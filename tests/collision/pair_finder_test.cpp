@@ -16,7 +16,7 @@ using fixtures::placed;
 struct Found : Movers {
   void find() {
     if (!finder) {
-      finder.emplace(materials, ContactConditions{});
+      finder.emplace(materials, ContactConditions{}, Vec3d{});
       for (const MovingEntity& one : all) finder->add(one);
       set.parameters = finder->parameters();
     }

@@ -16,8 +16,9 @@ using Touching = std::set<std::uint64_t>;
 class Judge final : public Algorithm {
  public:
   Judge(Setup& setup, const std::vector<Entity*>& entities)
-      : moving_entities_(make_moving_entities(setup, entities)), finder_(MaterialTable::standard(), {}) {
+      : moving_entities_(make_moving_entities(setup, entities)), finder_(MaterialTable::standard(), {}, {}) {
     for (const collision::MovingEntity& moving_entity : moving_entities_) finder_.add(moving_entity);
+    set_.parameters = finder_.parameters();
   }
 
   [[nodiscard]] Phase phase() const noexcept override { return Phase::observe; }

@@ -24,16 +24,16 @@ std::string press(double heavy) {
          std::to_string(heavy) + "\n";
 }
 
-// 100:1 holds at 1 ms; 1000:1 presses the plate into the ground, and so do steps that are too long.
+// 100:1 holds in steps of any length; 1000:1 presses the plate into the ground.
 TEST(InterpenetrationWarnings, OfWhatIsPressedIntoTheGround) {
-  Scene good(fixtures::write_scene(press(50)));
-  good.simulation().run(2s);
-  EXPECT_TRUE(warnings_of(good).empty());
-  for (const auto& [heavy, rate] : {std::pair{500.0, "1000"}, {50.0, "200"}}) {
-    Scene scene(fixtures::write_scene(press(heavy)), {.overrides = {std::string("rate=") + rate}});
+  for (const std::string rate : {"rate=1000", "rate=200"}) {
+    Scene good(fixtures::write_scene(press(50)), {.overrides = {rate}});
+    good.simulation().run(2s);
+    EXPECT_TRUE(warnings_of(good).empty());
+    Scene scene(fixtures::write_scene(press(500)), {.overrides = {rate}});
     scene.simulation().run(2s);
     const auto warnings = warnings_of(scene);
-    ASSERT_FALSE(warnings.empty()) << heavy << " at " << rate;
+    ASSERT_FALSE(warnings.empty()) << rate;
     EXPECT_TRUE(says(warnings[0], {"light and field", "mm in each other", "20.0 mm thick"})) << warnings[0];
     EXPECT_TRUE(says(make_report(scene).warnings.back(), {"in each other"}));
   }

@@ -198,10 +198,6 @@ TEST(SceneMistakes, ThatOnlyWeakenAResultAreWarnings) {
   EXPECT_TRUE(
       warned({"ball.contact=kelvin_voigt", "rate=100"},
              "ball: kelvin_voigt under simplified_dynamics is stable with steps up to 2 ms; these are 10 ms long"));
-  EXPECT_FALSE(warned({"materials.stiffness=3500"}, "restitution"));
-  EXPECT_TRUE(
-      warned({"materials.stiffness=3500", "rate=200"},
-             "ball: steps of 5 ms are too long for its bounce on a 'stiffness' of 3500 N/m: it has no restitution"));
 }
 
 // Gaits and motions for the earth: with other gravity somebody should know. At kinematic_walking, and where the controller asks how large
