@@ -10,8 +10,9 @@
     stack   ten cubes, the topmost: place after 5 s
     kick    `murosimf run kick`, the ball at five places: its place after 5 s
 
-The error is the median over the variants, in mm, and the microseconds are the median of a step. MuJoCo simulates the first two and the
-stack too, if this Python has it: boxes of the same size, mass and friction, solref of 0.02 s at every step, against its own run at 16 kHz.
+The error is the median over the variants, in mm, and the microseconds are the median of a step. MuJoCo simulates the first
+two and the stack too, if this Python has it: boxes of the same size, mass and friction, solref of 0.02 s at every step, against
+its own run at 16 kHz.
 """
 import argparse
 import json

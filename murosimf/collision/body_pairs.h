@@ -34,7 +34,7 @@ struct PairSet {
   std::vector<PairContact> blocked;           ///< between two that cannot be pushed: no force (kinematic_separation.h)
   std::vector<PairContact> previous;          ///< of the step before; working memory
   std::vector<Interpenetration> interpenetrations;  ///< so far, for warnings
-  TestCounts tests;                                 ///< of this step; no state: they depend on what is remembered of neighbors
+  TestCounts tests;  ///< of this step; no state: they depend on what is remembered of neighbors
 };
 
 void append_hash(Hasher& hasher, const PairSet& set);

@@ -17,9 +17,8 @@ void append_hash(Hasher& hasher, const ContactPoint& point) {
 
 SymMat3d angular_damping_matrix(const ContactPoint& c) noexcept {
   const SymMat3d isotropic = diagonal(c.angular_damping);
-  return c.spin_damping == c.angular_damping
-             ? isotropic
-             : isotropic + (c.spin_damping - c.angular_damping) * outer(c.normal);
+  return c.spin_damping == c.angular_damping ? isotropic
+                                             : isotropic + (c.spin_damping - c.angular_damping) * outer(c.normal);
 }
 
 void recall(const ContactPoint& old, ContactPoint& point) noexcept {

@@ -10,7 +10,7 @@
 namespace murosimf::collision {
 namespace {
 
-constexpr double standard_gravity = 9.80665;   // [m/s^2]
+constexpr double standard_gravity = 9.80665;    // [m/s^2]
 constexpr double explicit_deflection = 0.4e-3;  // [m] at least
 constexpr double least_pressure = 500;          // [Pa] that whatever stands there carries
 constexpr double implicit_damping_ratio = 1;
@@ -27,9 +27,9 @@ bool is_round(const Model& model) {
 
 /// What meets: as in the head of the header.
 struct Masses {
-  double moved = 0;    // [kg] m: of the entity, or reduced mass of two
-  double load = 0;     // [N] that the points carry
-  double points = 1;   // n_c
+  double moved = 0;   // [kg] m: of the entity, or reduced mass of two
+  double load = 0;    // [N] that the points carry
+  double points = 1;  // n_c
   bool round = false;
 };
 
@@ -70,8 +70,7 @@ void resolve_bounce(ContactParameters& p, double dt) {
   p.stiffness = std::min(p.stiffness, bounce_resolution * p.mass / (dt * dt));
   const double w = std::sqrt(p.stiffness / p.mass), z = damping_ratio(p.restitution);
   const double decay = std::exp(-z * w * dt);
-  p.stiffness =
-      p.mass * (1 + decay * decay - 2 * decay * std::cos(w * std::sqrt(1 - z * z) * dt)) / (dt * dt);
+  p.stiffness = p.mass * (1 + decay * decay - 2 * decay * std::cos(w * std::sqrt(1 - z * z) * dt)) / (dt * dt);
   p.damping = p.mass * (1 - decay * decay) / dt;
   p.theta = 0;
   p.restitution = -1;  // the spring does it

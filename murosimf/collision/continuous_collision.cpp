@@ -10,7 +10,7 @@
 namespace murosimf::collision {
 namespace {
 
-constexpr double fast = 0.5;   // [1] of the thinner one's radius in a step
+constexpr double fast = 0.5;  // [1] of the thinner one's radius in a step
 constexpr double soft = 0.1;  // [1] of that radius that is left to contact
 
 /// A body on its way through a step.

@@ -19,7 +19,8 @@ struct PairSurface {
   double torsional = 0.0;    ///< [m] resistance of a round body to spinning: moment = torsional * normal force
   double restitution = 0.5;  ///< [1] speed kept by a round body that bounces, 0..1
   double stiffness = 0.0;    ///< [N/m] per contact point; 0: chosen from the weight (contact_parameters.h)
-  double static_deflection = 1e-4;  ///< [m] how far a body presses its points in by its weight on Earth, without a stiffness
+  double static_deflection =
+      1e-4;  ///< [m] how far a body presses its points in by its weight on Earth, without a stiffness
   double friction_anisotropy =
       0;  ///< [1] g, 0 <= g < 1: friction (1 - g) along the pile of the ground, (1 + g) against it
   // of the paper's laws (paper_law.h); figures of the project's prototype, the paper gives none

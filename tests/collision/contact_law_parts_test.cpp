@@ -45,7 +45,8 @@ Vec3d resistance(const Vec3d& angular_velocity, double radius = 0.05) {
   c.radius = radius;
   c.angular_velocity = angular_velocity;
   resist_turning(c, p, 10);
-  EXPECT_LT(difference(c.moment, -(angular_damping_matrix(c) * angular_velocity)), 1e-16) << "the damping is that of the moment";
+  EXPECT_LT(difference(c.moment, -(angular_damping_matrix(c) * angular_velocity)), 1e-16)
+      << "the damping is that of the moment";
   return c.moment;
 }
 

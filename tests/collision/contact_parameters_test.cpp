@@ -156,7 +156,8 @@ TEST(ContactParametersTest, TwoBodies) {
 // 0.5 kPa on the mean face of 0.2 x 0.2 x 0.2 m, if that is more than its weight.
 TEST(ContactParametersTest, ALightThingIsNoSofterThanWhatMayStandOnIt) {
   const auto force = [](const ContactParameters& p) { return 4 * p.stiffness * 0.1e-3; };
-  expect_weight("crate of 100 g and 20 cm", "4 points, 0.5 kPa", force(contact_parameters(crate_of(0.1), {}, {})), 20, 1e-12);
+  expect_weight("crate of 100 g and 20 cm", "4 points, 0.5 kPa", force(contact_parameters(crate_of(0.1), {}, {})), 20,
+                1e-12);
   expect_weight("crate of 5 kg and 20 cm", "4 points", force(contact_parameters(crate_of(5), {}, {})), 5 * g, 1e-12);
   expect_weight("crates of 100 and 50 g", "4 points, 0.5 kPa",
                 force(contact_parameters(crate_of(0.1), crate_of(0.05), {}, {})), 20, 1e-12);
@@ -195,11 +196,11 @@ TEST(ContactParametersTest, BallBouncesOnASpringInLongSteps) {
       const ContactParameters p = contact_parameters(ball, {.restitution = e}, {dt, false});
       error.see(std::abs(bounce_in_steps(p, 0.1, dt) / e - 1), "step [s]", dt);
     }
-    law::expect_below(
-        {.law = fmt::format("ball, explicit law: relative error of restitution {}, steps of 0.5 to 10 ms", e),
-         .level = "contact parameters",
-         .source = "the restitution of the pair of materials"},
-        error, 0.02, "");
+    law::expect_below({.law = fmt::format("ball, explicit law: relative error of restitution {}, steps of 0.5 to 10 ms",
+                                          e),
+                       .level = "contact parameters",
+                       .source = "the restitution of the pair of materials"},
+                      error, 0.02, "");
   }
 }
 

@@ -120,10 +120,11 @@ double height_in_the_end(const LevelAndLaw& names, double rate_hz) {
 TEST_P(Ball, NeverGainsEnergy) {
   if (std::get<1>(GetParam()) == "kelvin_voigt") return;  // its spring is explicit
   for (const int ms : {2, 5, 8}) {
-    law::expect_near({.law = fmt::format("ball of restitution 1 falls from 1 m, steps of {} ms: highest after 30 to 60 s", ms),
-                      .level = words_of(GetParam()),
-                      .source = "energy: as high as at first"},
-                     height_in_the_end(GetParam(), 1000.0 / ms), 1, 2e-3, "m");
+    law::expect_near(
+        {.law = fmt::format("ball of restitution 1 falls from 1 m, steps of {} ms: highest after 30 to 60 s", ms),
+         .level = words_of(GetParam()),
+         .source = "energy: as high as at first"},
+        height_in_the_end(GetParam(), 1000.0 / ms), 1, 2e-3, "m");
   }
 }
 
@@ -142,7 +143,8 @@ TEST_P(Ball, WithoutRestitutionStaysDown) {
       rig.simulation.step();
       highest = std::max(highest, Rig::place(ball).z - ground);
     }
-    law::expect_below({.law = fmt::format("ball of restitution 0 falls from 1 m, steps of {} ms: how high it rises", ms),
+    law::expect_below({.law =
+                           fmt::format("ball of restitution 0 falls from 1 m, steps of {} ms: how high it rises", ms),
                        .level = words_of(GetParam()),
                        .source = "not at all"},
                       highest, 1e-4, "m");
@@ -162,8 +164,8 @@ TEST_P(Ball, TorsionalFrictionEndsItsSpin) {
   law::expect_near({.law = "solid ball spins on the spot, torsional 2 mm: rate after 0.2 s, from 10 rad/s",
                     .level = words_of(GetParam()),
                     .source = "w - torsional g t / (2/5 r^2)"},
-                   ball.base().get(properties::angular_velocity).z, spin - torsional * g * 0.2 / (0.4 * radius * radius),
-                   0.01 * spin, "rad/s");
+                   ball.base().get(properties::angular_velocity).z,
+                   spin - torsional * g * 0.2 / (0.4 * radius * radius), 0.01 * spin, "rad/s");
   rig.run(1.0);
   EXPECT_LT(std::abs(ball.base().get(properties::angular_velocity).z), 1e-2);
 }

@@ -169,7 +169,7 @@ TEST(TallStacks, OfTenCubesStandAMinute) {
 // The same at every step: with springs of m / dt^2 neither stood at 5 ms. Tolerance: what the sweeps leave.
 TEST(TallStacks, LightCubeCarriesAHeavyOne) {
   for (const int ms : {1, 2, 5, 10}) {
-    const double mass = 30, between = 0.1e-3;         // [kg], [m] deflection: under the weight of the heavy one
+    const double mass = 30, between = 0.1e-3;   // [kg], [m] deflection: under the weight of the heavy one
     const double below = between * (1 + mass);  // the light one's springs: its own weight presses them by as much
     Stack stack("simplified_dynamics", 1000.0 / ms, {cube(1), cube(mass)}, 0, 0);
     law::expect_near({.law = fmt::format("cube of {} kg on one of 1 kg: how far it has sunk in 10 s", mass),
