@@ -5,7 +5,7 @@
 ///
 ///     u_n+ = e u_n-         f_n = b (u_n+ - v_n+) >= 0,  b = 10^6 m_p / dt
 ///
-/// with Coulomb's cone for the impulse along the surface. The force stays linear in the velocity, so laws and the island solver take it
+/// with Coulomb's cone for the impulse along the surface; b is so large that v_n+ misses u_n+ by a millionth of its change. The force stays linear in the velocity, so laws and the island solver take it
 /// as any other. On static ground the body is found at the depth delta already, and gravity, g_n into the surface, has changed its
 /// velocity since the touch and will do so until it is out again. Semi-implicit Euler's places lie on the parabola of u = v - g_n dt / 2, so
 ///

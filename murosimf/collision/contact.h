@@ -33,7 +33,7 @@ struct ContactSet {
   int environment = -1;                  ///< what is touched: number of the entity in the world (World::index_of)
   std::vector<int> environment_objects;  ///< by Contact::surface: which body of the environment
   bool stiff = false;                    ///< what constants the points have (ground_contact.h)
-  TestCounts tests;                      ///< of collision detection in this step
+  TestCounts tests;                      ///< of collision detection in this step; no state (body_pairs.h)
   std::optional<Interpenetration> interpenetration;  ///< the first so far, for a warning
   bool solved = false;         ///< an island solver has settled this step already; motion takes it over and resets this
   bool island_stands = false;  ///< in that case: somebody in the island touches the environment

@@ -5,7 +5,7 @@
 ///     kt = k,   ct = d / 2
 ///
 /// delta_s is the static deflection of the pair of materials: how far the weight on Earth, g0 = 9.80665 m/s^2, presses the points in.
-/// A body without joints of area A, the mean face of the box about it, carries at least p = 0.5 kPa: else a light crate would give way
+/// A body without joints of area A, the mean face of the box about it, carries at least p = 0.5 kPa (the project's choice; kid21's soles have 1.6 kPa): else a light crate would give way
 /// under whatever stands on it.
 /// n_c points share the weight; m_p = m / (n_c / 2) is the mass at each, since what lands meets the ground with half of
 /// its points. With the ground m = m_w = m_l is the mass of the entity. Between two bodies m = m_a m_b / (m_a + m_b), m_w is the

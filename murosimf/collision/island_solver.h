@@ -10,7 +10,7 @@
 /// other, a number for the normal and two for the tangent, with the direction of sweeping alternating; impulses start
 /// from those of the step before. A point that sticks is solved exactly; one that slides takes a step against its
 /// residual, as far as the cone lets it, so that friction ends up straight against the motion. Sweeps end early when a whole one changes no
-/// velocity by more than `settled`.
+/// velocity by more than `settled`, after `usual_sweeps` by more than `nearly_settled`.
 /// Source: projected Gauss-Seidel with regularization as in Catto, "Iterative dynamics with temporal coherence", GDC
 /// 2005, and Todorov, "Convex and analytically-invertible dynamics with contacts and constraints", ICRA 2014; on articulated
 /// bodies without the mass matrix, measured with the project's prototype.
