@@ -33,6 +33,7 @@ std::vector<Finding> examine(const robot::RobotFile& robot) {
   append(findings, examine_symmetry(robot.description));
   append(findings, examine_shapes(robot.description));
   append(findings, examine_legs(robot.description, *robot.model));
+  append(findings, examine_gait(robot.description, *robot.model));
   return findings;
 }
 

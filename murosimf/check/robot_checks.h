@@ -26,5 +26,7 @@ namespace murosimf::check {
 [[nodiscard]] std::vector<Finding> examine_sensors(const robot::RobotFile& robot);
 /// Soles, and legs that can be walked with.
 [[nodiscard]] std::vector<Finding> examine_legs(const description::RobotDescription& description, const Model& model);
+/// Joints that the walk engine, at its fastest forward, asks for higher rates than their servos have without load; for how much of the time.
+[[nodiscard]] std::vector<Finding> examine_gait(const description::RobotDescription& description, const Model& model);
 
 }  // namespace murosimf::check

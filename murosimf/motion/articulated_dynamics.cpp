@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/motion/coulomb_damping.h"
 #include "murosimf/motion/motion_properties.h"
+#include "murosimf/motion/passive_joint.h"
 #include "murosimf/multibody/gear_friction.h"
 
 namespace murosimf::motion {
@@ -21,6 +21,7 @@ ArticulatedDynamics::ArticulatedDynamics(Setup& setup, const MovingTreeOptions& 
       motor_torque_(setup.write_if_wanted(properties::motor_torque)),
       joint_load_(setup.write(properties::joint_load)),
       felt_acceleration_(setup.write(properties::felt_acceleration)),
+      saturation_(setup),
       viscous_(tree_.links.size()),
       friction_(tree_.links.size()),
       bodies_(tree_.links.size()),
@@ -54,6 +55,7 @@ void ArticulatedDynamics::take_over(const Momentum& momentum) {
 /// Friction expects that everything is held.
 void ArticulatedDynamics::start_loads() {
   couplings_.start();
+  saturation_.initialize();
   std::fill(joint_torque_.begin(), joint_torque_.end(), 0.0);
   std::fill(motor_torque_.begin(), motor_torque_.end(), 0.0);
   std::fill(joint_load_.begin(), joint_load_.end(), 0.0);
@@ -111,6 +113,7 @@ bool ArticulatedDynamics::end_step() noexcept {
   if (!targets_sane_ || !accelerations_are_sane()) return false;
   report_torques();
   keep_loads();
+  watch_saturation(dt_);
   tree_.contacts.commit();
   if (!tree_.advance_base(bodies_[0].acceleration, dt_)) return false;
   advance_joints(dt_);
@@ -139,6 +142,7 @@ void ArticulatedDynamics::step_rk4(double dt) noexcept {
   drives_.wrap(tree_.columns.q);
   report_torques();
   keep_loads();
+  watch_saturation(dt);
   tree_.finish_step();
 }
 
@@ -310,6 +314,14 @@ void ArticulatedDynamics::report_torques() noexcept {
     }
     joint_torque_[links[l].object] = torque;
     if (!motor_torque_.empty()) motor_torque_[links[l].object] = motor_torque(l);
+  }
+}
+
+void ArticulatedDynamics::watch_saturation(double dt) noexcept {
+  saturation_.begin(dt);
+  const auto& links = tree_.columns.model.tree().links;
+  for (std::size_t l = 1; l < links.size(); ++l) {
+    if (!multibody::is_free(friction_[l])) saturation_.add(links[l].object, dt);
   }
 }
 

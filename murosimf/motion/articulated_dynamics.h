@@ -4,7 +4,7 @@
 /// enter linearly implicit, as inertia of the joint or of the body. Joints: qd += h qdd, q += h qd.
 /// Friction of joints sticks (multibody/friction_solver.h): which joint sticks and which slides is settled together with the contacts of the
 /// step. In an island of touching robots the step before decides. rk4 has it as a damper, which lets loaded joints creep
-/// (motion/coulomb_damping.h). Coupled joints are held together after every pass (coupling_forces.h).
+/// (motion/passive_joint.h). Coupled joints are held together after every pass (coupling_forces.h).
 /// Source: paper, outlook (7); Featherstone 2008, ch. 7.
 #pragma once
 
@@ -12,6 +12,7 @@
 #include "murosimf/motion/coupling_forces.h"
 #include "murosimf/motion/joint_drives.h"
 #include "murosimf/motion/moving_tree.h"
+#include "murosimf/motion/saturation_watch.h"
 #include "murosimf/multibody/articulated_body.h"
 #include "murosimf/multibody/friction_solver.h"
 
@@ -61,6 +62,7 @@ class ArticulatedDynamics final : public MotionLevel, private collision::Impulse
   void predict_contacts(double dt) noexcept;
   void start_loads();
   void report_torques() noexcept;
+  void watch_saturation(double dt) noexcept;
   [[nodiscard]] double motor_torque(std::size_t link) const noexcept;
   void finish_drives() noexcept;
   void advance_joints(double dt) noexcept;
@@ -75,6 +77,7 @@ class ArticulatedDynamics final : public MotionLevel, private collision::Impulse
   std::span<double> motor_torque_;  // empty if nobody reads it
   std::span<double> joint_load_;
   std::span<Twistd> felt_acceleration_;
+  SaturationWatch saturation_;
   std::vector<JointDrive> viscous_;                           // by link: friction of the servo's gear
   std::vector<multibody::FrictionalJoint<double>> friction_;  // by link
   std::vector<multibody::ArticulatedLink<double>> bodies_;

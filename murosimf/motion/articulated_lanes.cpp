@@ -210,6 +210,7 @@ LaneMask ArticulatedLanes::end(LaneMask lanes) noexcept {
   });
   report_torques(together);
   keep_loads(together);
+  watch_saturation(together);
   for_lanes(together, [&](int lane) { member(lane).tree_.contacts.commit(); });
   const LaneMask moved = trees_.advance_bases(bodies_[0].acceleration, dt_, together);
   for_lanes(together & ~moved, [&](int lane) { member(lane).tree_.halt(too_fast); });
@@ -253,6 +254,20 @@ void ArticulatedLanes::report_torques(LaneMask lanes) noexcept {
   put_back(joint_torque_, [&](int lane) { return member(lane).joint_torque_.data(); });
   if (members_.front()->motor_torque_.empty()) return;
   put_back(motor_torque_, [&](int lane) { return member(lane).motor_torque_.data(); });
+}
+
+/// ArticulatedDynamics::watch_saturation.
+void ArticulatedLanes::watch_saturation(LaneMask lanes) noexcept {
+  for_lanes(lanes, [&](int lane) { member(lane).saturation_.begin(dt_); });
+  const auto& links = trees_.poses.structure.links;
+  for (std::size_t l = 1; l < links.size(); ++l) {
+    const auto free = multibody::is_free(friction_[l]);
+    if (all(free)) continue;
+    const Pack8 at_bound = select(free, Pack8(0.0), Pack8(1.0));
+    for_lanes(lanes, [&](int lane) {
+      if (at_bound.lane(lane) != 0) member(lane).saturation_.add(links[l].object, dt_);
+    });
+  }
 }
 
 void ArticulatedLanes::keep_loads(LaneMask lanes) noexcept {

@@ -46,6 +46,7 @@ class ArticulatedLanes final : public LaneGroup {
   [[nodiscard]] LaneMask advance_alone(LaneMask lanes) noexcept;
   [[nodiscard]] LaneMask lanes_of_sane_rates() const noexcept;
   void report_torques(LaneMask lanes) noexcept;
+  void watch_saturation(LaneMask lanes) noexcept;
   void keep_loads(LaneMask lanes) noexcept;
   void advance_joints(LaneMask lanes) noexcept;
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <utility>
 
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
@@ -12,12 +14,17 @@ namespace murosimf::motion {
 namespace {
 
 constexpr double offset_fading_time = 0.1;  // [s] of what a joint is away from its reference when that takes over
+constexpr double catch_up_time = 1.0;       // [s] in which no joint is faster than its servo on the way back
+constexpr double catch_up_share = 0.75;     // [1] of a servo's no-load rate, which it has without any load only
 
 constexpr ReferenceEntry reference_entries[] = {
     {"filter", "a critically damped filter follows the target", ReferenceKind::filter},
     {"linear", "at constant rate, in one control cycle (paper 4.3)", ReferenceKind::linear},
     {"exact", "the target is the position (paper 4.1, 4.2)", ReferenceKind::exact},
 };
+
+/// What properties::joint_reference_kind says.
+double number_of(ReferenceKind kind) { return 1 + static_cast<int>(kind); }
 
 /// What targets are held to, by object: ranges of joints, and the target ranges of those that follow positions.
 std::vector<MimicJoints::Range> target_ranges(const Model& model, const MimicJoints& coupled,
@@ -32,6 +39,13 @@ std::vector<MimicJoints::Range> target_ranges(const Model& model, const MimicJoi
     highest = std::clamp(held->y, lowest, highest);
   }
   return ranges;
+}
+
+/// [rad/s | m/s] Infinite for a joint whose servo's no-load rate is not known.
+double catch_up_rate(const Model& model, int joint) {
+  const Servo* servo = model.find(properties::servo, joint);
+  const bool known = servo && servo->no_load_speed > 0;
+  return known ? catch_up_share * servo->no_load_speed : std::numeric_limits<double>::infinity();
 }
 
 /// What is left of an offset [rad | m] after dt [s]; implicit Euler.
@@ -50,6 +64,8 @@ JointReference::JointReference(Setup& setup, const JointReferenceOptions& option
       coupled_(setup.model()),
       target_(setup.input(properties::joint_target, 0.0)),
       offset_(setup.write(properties::joint_offset)),
+      kind_(setup.write(properties::joint_reference_kind)[0]),
+      catch_up_time_(setup.write(properties::catch_up_time)[0]),
       target_range_(target_ranges(setup.model(), coupled_, turning_)),
       leader_(target_.size()),
       ratio_(target_.size()) {
@@ -58,12 +74,15 @@ JointReference::JointReference(Setup& setup, const JointReferenceOptions& option
     leader_[pair.follower] = pair.leader;
     ratio_[pair.follower] = pair.ratio;
   }
+  for (int i = 0; i < setup.model().size(); ++i) catch_up_rate_.push_back(catch_up_rate(setup.model(), i));
   limited_ = std::ranges::any_of(setup.model().joints(), [&](int i) { return std::isfinite(coupled_.rate_limit(i)); });
   if (options_.kind == ReferenceKind::linear) cycle_target_ = setup.write(properties::cycle_target);
 }
 
 void JointReference::initialize(PoseColumns& columns) noexcept {
   std::fill(offset_.begin(), offset_.end(), 0.0);
+  catch_up_time_ = 0;
+  kind_ = number_of(options_.kind);
   for (std::size_t i = 0; i < target_.size(); ++i) {
     const auto& [lowest, highest] = coupled_.range(static_cast<int>(i));
     columns.q[i] = std::clamp(target_[i], lowest, highest) + offset_[i];
@@ -74,10 +93,13 @@ void JointReference::initialize(PoseColumns& columns) noexcept {
 }
 
 void JointReference::take_over(const PoseColumns& columns) noexcept {
-  const double lag = options_.kind == ReferenceKind::filter ? 2 / options_.filter_frequency : 0;  // [s]
+  const double before = std::exchange(kind_, number_of(options_.kind));
+  if (before == kind_) return;
   std::fill(offset_.begin(), offset_.end(), 0.0);
+  const bool after_servos = !(before >= 1);  // a new column may hold NaN
+  catch_up_time_ = after_servos && options_.carries ? catch_up_time : 0;
   for (const int i : turning_.others()) {
-    if (leader_[i] == i) offset_[i] = columns.q[i] + lag * columns.qd[i] - limited_target(i);
+    if (leader_[i] == i) offset_[i] = offset_of(columns, i);
     if (!std::isfinite(offset_[i])) offset_[i] = 0;
     if (!cycle_target_.empty()) cycle_target_[i] = limited_target(i);
   }
@@ -88,9 +110,27 @@ MUROSIMF_INLINE double JointReference::limited_target(int joint) const noexcept 
   return std::clamp(target_[joint], lowest, highest);
 }
 
+double JointReference::offset_of(const PoseColumns& columns, int joint) const noexcept {
+  const double lag = options_.kind == ReferenceKind::filter ? 2 / options_.filter_frequency : 0;  // [s]
+  return columns.q[joint] + lag * columns.qd[joint] - limited_target(joint);
+}
+
 MUROSIMF_INLINE double JointReference::limited_rate(int joint, double rate) const noexcept {
   if (!limited_) return rate;
   const double most = coupled_.rate_limit(joint);
+  return std::clamp(rate, -most, most);
+}
+
+/// `now`: the joint's rate before.
+MUROSIMF_INLINE double JointReference::largest_rate(int joint, double now) const noexcept {
+  const double most = coupled_.rate_limit(joint);
+  return catches_up() ? std::min(most, std::max(catch_up_rate_[joint], std::abs(now))) : most;
+}
+
+/// The same of a joint that may be on its way to its reference.
+MUROSIMF_INLINE double JointReference::limited_rate(int joint, double rate, double now) const noexcept {
+  if (!catches_up()) return limited_rate(joint, rate);
+  const double most = largest_rate(joint, now);
   return std::clamp(rate, -most, most);
 }
 
@@ -98,7 +138,12 @@ MUROSIMF_INLINE double JointReference::target(int joint) const noexcept {
   return limited_target(joint) + offset_[joint];
 }
 
+void JointReference::count_down(double dt) noexcept {
+  if (catch_up_time_ > 0) catch_up_time_ = std::max(0.0, catch_up_time_ - dt);
+}
+
 void JointReference::fade_offsets(double dt) noexcept {
+  count_down(dt);
   for (const int i : turning_.others()) {
     if (offset_[i] != 0) offset_[i] = faded(offset_[i], dt);
   }
@@ -130,7 +175,10 @@ bool JointReference::advance(PoseColumns& columns, double dt) noexcept {
       fade_offsets(dt);
       filter(columns, dt);
       break;
-    case ReferenceKind::linear: linear(columns, dt); break;
+    case ReferenceKind::linear:
+      count_down(dt);
+      linear(columns, dt);
+      break;
     case ReferenceKind::exact:
       fade_offsets(dt);
       follow_exactly(columns, dt);
@@ -148,7 +196,7 @@ double JointReference::acceleration(const PoseColumns& columns, int joint) const
   const double qd = columns.qd[joint];
   const double qdd = turning_.contains(joint) ? wf * (turning_.target(joint) - qd)
                                               : wf * wf * (target(joint) - columns.q[joint]) - 2 * wf * qd;
-  return std::abs(qd) >= coupled_.rate_limit(joint) && qd * qdd > 0 ? 0 : qdd;
+  return std::abs(qd) >= largest_rate(joint, 0) && qd * qdd > 0 ? 0 : qdd;
 }
 
 void JointReference::check(Integrator integrator) const {
@@ -157,25 +205,32 @@ void JointReference::check(Integrator integrator) const {
   }
 }
 
-void JointReference::filter(PoseColumns& columns, double dt) const noexcept {
+void JointReference::filter(PoseColumns& columns, double dt) noexcept {
   const double wf = options_.filter_frequency;
   const double inverse = 1.0 / (1 + 2 * wf * dt + wf * wf * dt * dt);
   for (const int i : turning_.others()) {
     double& q = columns.q[i];
     double& qd = columns.qd[i];
-    qd += dt * (wf * wf * (target(i) - q - dt * qd) - 2 * wf * qd) * inverse;
-    qd = limited_rate(i, qd);
+    const double rate = qd + dt * (wf * wf * (target(i) - q - dt * qd) - 2 * wf * qd) * inverse;
+    qd = limited_rate(i, rate, qd);
     q += dt * qd;
+    if (qd != rate) fall_behind(columns, i);
   }
 }
 
-void JointReference::follow_exactly(PoseColumns& columns, double dt) const noexcept {
+void JointReference::follow_exactly(PoseColumns& columns, double dt) noexcept {
   for (const int i : turning_.others()) {
     const double goal = target(i);
-    const double rate = (goal - columns.q[i]) / dt, limited = limited_rate(i, rate);
+    const double rate = (goal - columns.q[i]) / dt, limited = limited_rate(i, rate, columns.qd[i]);
     columns.qd[i] = limited;
     columns.q[i] = limited == rate ? goal : columns.q[i] + dt * limited;
+    if (limited != rate) fall_behind(columns, i);
   }
+}
+
+/// A joint that may not be as fast as its reference takes it has farther to go.
+void JointReference::fall_behind(const PoseColumns& columns, int joint) noexcept {
+  if (catches_up()) offset_[joint] = offset_of(columns, joint);
 }
 
 void JointReference::turn(PoseColumns& columns, double dt) const noexcept {
@@ -201,8 +256,13 @@ void JointReference::linear(PoseColumns& columns, double dt) noexcept {
     }
     const double rest = goal - q;
     q = std::abs(rest) <= std::abs(qd) * dt * (1 + 1e-9) ? goal : q + dt * qd;
+    qd -= offset_[i] / offset_fading_time;
+    if (const double limited = limited_rate(i, qd, columns.qd[i]); limited != qd && catches_up()) {
+      offset_[i] = columns.q[i] + dt * limited - q;
+      qd = limited;
+    }
     columns.q[i] = q + offset_[i];
-    columns.qd[i] = qd - offset_[i] / offset_fading_time;
+    columns.qd[i] = qd;
   }
 }
 

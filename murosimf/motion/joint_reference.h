@@ -13,11 +13,13 @@
 ///
 ///     qdd = wf (rate target - qd) / (1 + wf dt)
 ///
-/// A level that takes over finds joints beside their reference: servos have let them sag. The offset o = q - reference then,
+/// A level that takes over finds joints beside their reference: servos have let them sag, or the reference before was of another kind. The offset o = q - reference then,
 ///
 ///     o = q + lag - target        lag = 2 qd / wf (filter: its acceleration begins at 0), 0 (linear, exact)      o' = -o / 0.1 s
 ///
-/// is added to the target (filter, exact) or to the line (linear), and fades: nothing jerks the base. Implicit Euler.
+/// is added to the target (filter, exact) or to the line (linear), and fades: nothing jerks the base. Implicit Euler. For a second
+/// after servos no joint gets faster than they are under load, |qd| <= 0.75 w_0 with the servo's no-load rate w_0, unless it is so already;
+/// what it is behind then is added to o. Else limbs that carry the robot throw it up when they catch up (docs/levels.md has the measure).
 /// A joint that follows another one (mimic_joints.h) is where that takes it; its own target means nothing.
 /// Targets are held to the joint's range and its joint_target_range.
 /// No joint is faster than its largest rate (joint_rate_limit): the filter's rate is cut off there, a line is as steep as it may be, and
@@ -50,6 +52,7 @@ struct JointReferenceOptions {
   ReferenceKind kind = ReferenceKind::filter;
   double filter_frequency = 120.0;  ///< [rad/s] wf
   double control_period = 0.01;     ///< [s] one control cycle, for `linear`
+  bool carries = true;  ///< limbs push the robot; at kinematic walking they do not, and nothing holds them back
 };
 
 class JointReference {
@@ -58,7 +61,8 @@ class JointReference {
 
   /// Joints start at their targets, at rest.
   void initialize(PoseColumns& columns) noexcept;
-  /// Goes on from the joints as they are; what they are away from their reference fades.
+  /// Goes on from the joints as they are; what they are away from their reference fades. After a level with a reference of the same
+  /// kind nothing changes.
   void take_over(const PoseColumns& columns) noexcept;
   /// Positions and targets are sensible numbers.
   [[nodiscard]] bool is_sane(const PoseColumns& columns) const noexcept;
@@ -78,10 +82,16 @@ class JointReference {
  private:
   [[nodiscard]] double limited_target(int joint) const noexcept;
   [[nodiscard]] double limited_rate(int joint, double rate) const noexcept;
+  [[nodiscard]] double limited_rate(int joint, double rate, double now) const noexcept;
   [[nodiscard]] double target(int joint) const noexcept;
-  void filter(PoseColumns& columns, double dt) const noexcept;
+  [[nodiscard]] double offset_of(const PoseColumns& columns, int joint) const noexcept;
+  [[nodiscard]] bool catches_up() const noexcept { return catch_up_time_ > 0; }
+  [[nodiscard]] double largest_rate(int joint, double now) const noexcept;
+  void count_down(double dt) noexcept;
+  void filter(PoseColumns& columns, double dt) noexcept;
   void linear(PoseColumns& columns, double dt) noexcept;
-  void follow_exactly(PoseColumns& columns, double dt) const noexcept;
+  void follow_exactly(PoseColumns& columns, double dt) noexcept;
+  void fall_behind(const PoseColumns& columns, int joint) noexcept;
   void turn(PoseColumns& columns, double dt) const noexcept;
 
   JointReferenceOptions options_;
@@ -89,6 +99,9 @@ class JointReference {
   MimicJoints coupled_;
   std::span<const double> target_;                // [rad | m] desired positions
   std::span<double> offset_;                      // [rad | m] o, by object
+  double& kind_;                                  // properties::joint_reference_kind
+  double& catch_up_time_;                         // [s] left in which joints with an offset are as slow as their servos
+  std::vector<double> catch_up_rate_;             // [rad/s | m/s] by object, of these
   std::vector<MimicJoints::Range> target_range_;  // by object
   std::vector<int> leader_;                       // [objects] whom a joint follows; itself if nobody
   std::vector<double> ratio_;                     // [objects] to that one

@@ -21,6 +21,11 @@ constexpr double steepest = 30 * pi / 180;  // [rad] lean of a robot that can be
 constexpr double highest_sole = 0.02;       // [m] of its lower foot, from the plane
 constexpr double largest_margin = 1e-3;     // [m] by which a foot must be lower than one that still turns flat
 
+JointReferenceOptions without_load(JointReferenceOptions options) {
+  options.carries = false;
+  return options;
+}
+
 std::vector<Foot> two_feet(const Model& model) {
   auto feet = feet_of(model);
   if (feet.size() != 2) {
@@ -37,7 +42,7 @@ std::vector<Foot> two_feet(const Model& model) {
 KinematicWalking::KinematicWalking(Setup& setup, const JointReferenceOptions& reference)
     : entity_(setup.entity()),
       columns_(setup),
-      reference_(setup, reference),
+      reference_(setup, without_load(reference)),
       stance_pose_(setup.write(properties::stance_pose)[0]),
       stance_foot_(setup.write(properties::stance_foot)[0]),
       remaining_shift_(setup.write(properties::remaining_shift)[0]),
@@ -179,7 +184,9 @@ void KinematicWalking::swap_if_other_foot_lands() noexcept {
   const int other = stance_foot_ != 0 ? 0 : 1;
   const double still_to_turn = norm(remaining_turn_) * standing_foot().sole.half_length;
   const double lower = penetration - std::min(largest_margin, still_to_turn);
-  if (lowest_corner(feet_[other]) < lowest_corner(standing_foot()) + lower) stand_on(other);
+  if (lowest_corner(feet_[other]) >= lowest_corner(standing_foot()) + lower) return;
+  stand_on(other);
+  keep_moving();
 }
 
 double KinematicWalking::lowest_corner(const Foot& foot) const noexcept {

@@ -9,11 +9,11 @@
 ///     t' = u_t - t / 0.1 s          s' = u_s - s / 0.1 s          u' = -u / 0.02 s
 ///
 /// A foot is hardly ever exactly flat and at height 0 when it lands, or when this level takes over a robot that moves
-/// (model/motion_level.h; the lower foot stands then). Its tilt t and height s are what remains; they decay, x and y stay,
-/// and nobody sees a jump: the velocity says where the base goes. A sole that moves when the robot is taken over stops within
-/// 0.02 s: u is what its velocity is then more than that decay, so base and limbs go on as they were, and a level that takes
-/// over a few steps later finds the momentum that was there. The foot that lands has u = 0. The velocity is analytic, and
-/// in the step in which the feet swap
+/// (model/motion_level.h; the lower foot stands then), nor at rest. Its tilt t and height s are what remains; they decay, x and y stay,
+/// and nothing jumps: the velocity says where the base goes. A sole that moves when it lands or when the robot is taken over stops within
+/// 0.02 s: u is what its velocity is then more than that decay, so base and limbs go on as they were: a level that takes
+/// over a few steps later finds the momentum that was there, and an accelerometer shows no step of the velocity. A sole that lands
+/// in a walk of kid21 slides by 2 mm meanwhile, and back. The velocity is analytic, and in the step in which the feet swap
 /// that of the stance before, which has led there. The other foot is lower when its lowest corner is 1 um below that of the
 /// standing one, and as long as that one turns also below what this moves the ends of the sole by, |t| half_length, at
 /// most 1 mm: else two feet that cannot both be flat would swap roles in every step.

@@ -46,10 +46,14 @@ inline constexpr Property<double> servo_torque_limit {{"servo_torque_limit", "N 
 inline constexpr Property<double> servo_led        {{"servo_led", "1", "joint", "brightness of the LED at a servo, 0 to 1, set by control software"}};
 inline constexpr Property<double> torque_need      {{"torque_need", "N m | N", "joint", "joint_torque, smoothed over 20 ms"}};
 inline constexpr Property<Overload> overload       {{"overload", "N m, N m, rad/s, s", "joint", "where torque_need exceeded the servo the most: needed, given, rate, time"}};
+inline constexpr Property<double> saturated_time  {{"saturated_time", "s", "joint", "how long its servo has given all that it has, since its level began"}};
 inline constexpr Property<double> cycle_target       {{"cycle_target", "rad | m", "joint", "target that the present control cycle runs to"}};
 inline constexpr Property<double> joint_offset     {{"joint_offset", "rad | m", "joint", "what is left of its way from its reference when a level without servos took it over", Scope::object, true}};
 
 // ---- variable: one for the whole entity ----
+inline constexpr Property<double> joint_reference_kind {{"joint_reference_kind", "1", "-", "of a level without servos: 1 filter, 2 linear, 3 exact; nothing else is one", Scope::wiring}};
+inline constexpr Property<double> watched_time     {{"watched_time", "s", "-", "in which saturated_time was counted", Scope::base}};
+inline constexpr Property<double> catch_up_time    {{"catch_up_time", "s", "-", "left of the second in which joints that a level without servos took over are no faster than their servos", Scope::base, true}};
 inline constexpr Property<Quaterniond> base_quaternion {{"base_quaternion", "1", "base axes to world axes", "w x y z", Scope::base}};
 inline constexpr Property<Vec3d>  robot_led          {{"robot_led", "1", "red, green, blue", "brightness of the robot's LED, 0 to 1 each, set by control software", Scope::base}};
 inline constexpr Property<double> total_mass         {{"total_mass", "kg", "-", "mass of all objects", Scope::base}};

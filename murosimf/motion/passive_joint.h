@@ -1,9 +1,12 @@
-/// passive_joint.h - what acts in a joint of itself, whatever its servo does: a damper and a spring.
+/// passive_joint.h - what acts in a joint of itself, whatever its servo does: a damper, a spring and Coulomb friction.
 ///
 ///     torque = -d qd - k (q - rest)
 ///
 /// Properties joint_damping, joint_stiffness and joint_spring_reference.
 #pragma once
+
+#include <algorithm>
+#include <cmath>
 
 #include "murosimf/model/model.h"
 
@@ -24,5 +27,13 @@ struct PassiveJoint {
 
 /// Of a joint (an object of the model). Throws SetupError if its spring is no spring.
 [[nodiscard]] PassiveJoint passive_joint(const Model& model, int joint);
+
+/// Coulomb friction as a damper that follows the joint's rate: b [N m s/rad | N s/m] of the friction -b qd that is F [N m | N] against
+/// the motion, and falls linearly to zero below 0.05 rad/s (m/s). Taken at the beginning of a step, so a loaded joint creeps with that
+/// part of 0.05 rad/s that its load is of F.
+[[nodiscard]] inline double coulomb_damping(double friction, double rate) {
+  constexpr double slow = 0.05;  // [rad/s | m/s]
+  return friction / std::max(std::abs(rate), slow);
+}
 
 }  // namespace murosimf::motion

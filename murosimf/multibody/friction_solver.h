@@ -65,6 +65,12 @@ template <class S>
 template <class S>
 [[nodiscard]] S wrong_decisions(std::span<const FrictionalJoint<S>> joints) noexcept;
 
+/// The motor is at none of its bounds in this step; in lanes: where.
+template <class S>
+[[nodiscard]] auto is_free(const FrictionalJoint<S>& joint) noexcept {
+  return joint.line == joint.motor.free;
+}
+
 /// What friction does [N m | N] at the end of the step, for what the joint feels in the end (`load`).
 template <class S>
 [[nodiscard]] S friction_torque(const FrictionalJoint<S>& joint) noexcept {

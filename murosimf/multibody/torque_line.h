@@ -13,6 +13,11 @@ template <class S>
 struct TorqueLine {
   S torque{};   ///< [N m | N] after a step without acceleration
   S inertia{};  ///< [kg m^2 | kg] how fast that falls with the acceleration
+
+  /// In lanes: where they are the same.
+  [[nodiscard]] friend auto operator==(const TorqueLine& a, const TorqueLine& b) {
+    return (a.torque == b.torque) & (a.inertia == b.inertia);
+  }
 };
 
 /// What a motor makes: `free` as far as it stays between `lowest` and `highest`, else the one of these that it would cross.

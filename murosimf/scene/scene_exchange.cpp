@@ -7,6 +7,7 @@
 
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/collision/ground_contact.h"
+#include "murosimf/motion/saturation_watch.h"
 #include "murosimf/motion/servo_law.h"
 #include "murosimf/motion/torque_watch.h"
 #include "murosimf/scene/model_constants.h"
@@ -28,10 +29,12 @@ void renew_level(SceneParts& parts, const scene_file::RobotSpec& robot) {
   Entity& entity = parts.simulation->world().entity(robot.name);
   const catalog::LevelType& level = find_entry(catalog::levels(), "level", robot.level);
   const catalog::LevelOptions options = scene_file::level_options(robot);
-  std::string overload = motion::overload_message(entity);  // the level that goes takes it along
+  std::string overload = motion::overload_message(entity);  // the level that goes takes both along
+  std::string saturation = motion::saturation_message(entity);
   parts.simulation->exchange(robot.level, entity,
                              [&](Setup& setup) { return catalog::make_level(robot.level, setup, options); });
   if (!overload.empty()) parts.remarks.warn(std::move(overload));
+  if (!saturation.empty()) parts.remarks.note(std::move(saturation));
   entity.contact = level.traits.dynamic ? robot.contact : "";
   warn_about_level(parts, robot);
   note_about_sensors(parts, robot);

@@ -9,6 +9,7 @@
 #include "murosimf/connect/controller_task.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/odometer.h"
+#include "murosimf/motion/saturation_watch.h"
 #include "murosimf/motion/torque_watch.h"
 #include "murosimf/scene/interpenetration_warnings.h"
 
@@ -46,6 +47,15 @@ void add_control_warnings(const Scene& scene, std::vector<std::string>& lines) {
 }
 
 /// Those of the scene, then those of the run.
+std::vector<std::string> notes_of(const Scene& scene) {
+  std::vector<std::string> all = scene.parts().remarks.notes();
+  for (const Entity* entity : scene.moving_entities()) {
+    if (auto line = motion::saturation_message(*entity); !line.empty()) all.push_back(std::move(line));
+  }
+  return all;
+}
+
+/// Likewise.
 std::vector<std::string> warnings_of(const Scene& scene, const Lateness& lateness) {
   std::vector<std::string> all = scene.parts().remarks.warnings();
   const auto& frozen = scene.simulation().warnings();
@@ -86,7 +96,7 @@ RunReport make_report(const Scene& scene, Duration wall, const Lateness& latenes
   }
   report.algorithms = simulation.statistics();
   report.events = simulation.events();
-  report.notes = scene.parts().remarks.notes();
+  report.notes = notes_of(scene);
   report.warnings = warnings_of(scene, lateness);
   return report;
 }

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/motion/coulomb_damping.h"
+#include "murosimf/motion/passive_joint.h"
 #include "murosimf/motion/sanity.h"
 #include "tests/fixtures.h"
 #include "tests/motion/part.h"

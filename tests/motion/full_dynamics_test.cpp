@@ -140,6 +140,7 @@ TEST(FullDynamicsTakeOver, OffsetFades) {
   for (int i = 0; i < 20; ++i) simulation.step();
   EXPECT_EQ(joint.get(properties::joint_position), 0.4);
   joint.set(properties::joint_position, 0.1);
+  robot.base().set(properties::joint_reference_kind, 0.0);  // as if servos had moved it
   level.take_over({});
   simulation.step();
   EXPECT_NEAR(joint.get(properties::joint_velocity), 0.3 / 1.01 / 0.1, 1e-9);

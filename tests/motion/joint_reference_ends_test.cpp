@@ -36,6 +36,19 @@ struct Reference : test::Alone<JointReference> {
   PoseColumns& columns;
 };
 
+/// A hinge whose servo turns with 4 rad/s without load.
+struct Servoed : test::Alone<JointReference> {
+  explicit Servoed(const JointReferenceOptions& options)
+      : Alone(Chain{}
+                  .base("base")
+                  .revolute("hinge", {0, 1, 0})
+                  .with(properties::servo, {.stall_torque = 2, .no_load_speed = 4}),
+              options),
+        columns(holder.columns) {}
+  [[nodiscard]] double rate() const { return columns.qd[index("hinge")]; }
+  PoseColumns& columns;
+};
+
 TEST(JointReferenceEnds, StopsThereAtRest) {
   for (const ReferenceKind kind : {ReferenceKind::filter, ReferenceKind::linear}) {
     for (const auto& [target, end] : {std::pair{3.0, 0.8}, {-3.0, -0.3}}) {
@@ -125,10 +138,57 @@ TEST(JointReferenceFilter, StepIsThatOfItsEquation) {
   EXPECT_NEAR(reference.q("wheel"), 0.2 + h * rate, 1e-15);
 }
 
+// Rule: for a second after servos a joint is no faster on its way to the reference than 0.75 of its servo's no-load rate, then it is.
+TEST(JointReferenceTakeOver, CatchesUpNoFasterThanItsServo) {
+  constexpr double most = 0.75 * 4;
+  for (const ReferenceEntry& entry : joint_references()) {
+    Servoed reference({.kind = entry.kind, .filter_frequency = wf, .control_period = h});
+    reference.part->take_over(reference.columns);
+    double& q = reference.columns.q[reference.index("hinge")];
+    double before = 0;
+    for (int step = 1; step <= 1000; ++step) {
+      reference.object("hinge").set(properties::joint_target, std::min(2.5, 5 * h * step));  // faster than the servo
+      ASSERT_TRUE(reference.part->advance(reference.columns, h));
+      if (h * step < 1) {
+        EXPECT_LE(q - before, most * h + 1e-12) << entry.name << step;
+      }
+      if (step == 400) {
+        EXPECT_NEAR(q, most * h * step, 0.1) << entry.name << ": that fast it is";
+      }
+      before = q;
+    }
+    EXPECT_NEAR(q, 2.5, 1e-3) << entry.name;
+    reference.object("hinge").set(properties::joint_target, -2.5);
+    ASSERT_TRUE(reference.part->advance(reference.columns, h));
+    for (int step = 0; step < 5; ++step) ASSERT_TRUE(reference.part->advance(reference.columns, h));
+    EXPECT_LT(reference.columns.q[reference.index("hinge")], 2.5 - 2 * most * 6 * h)
+        << entry.name << ": the second is over";
+  }
+}
+
+// Rule: kinematic walking has no limbs that push, and a level after one with the same reference goes on where that was, to the bit.
+TEST(JointReferenceTakeOver, IsFreeWithoutLoadAndAfterTheSameReference) {
+  Servoed free({.filter_frequency = wf, .carries = false}), alone({.filter_frequency = wf}),
+      again({.filter_frequency = wf});
+  free.part->take_over(free.columns);
+  alone.part->initialize(alone.columns);
+  again.part->initialize(again.columns);
+  double fastest = 0;
+  for (int step = 0; step < 100; ++step) {
+    for (Servoed* one : {&free, &alone, &again}) {
+      one->object("hinge").set(properties::joint_target, 2.5);
+      ASSERT_TRUE(one->part->advance(one->columns, h));
+    }
+    fastest = std::max(fastest, free.rate());
+    again.part->take_over(again.columns);
+    EXPECT_EQ(again.rate(), alone.rate()) << step;
+  }
+  EXPECT_GT(fastest, 2 * 4);
+}
+
 // Rule: after a take-over a joint comes to its line as its offset from it fades; a new target begins a cycle all the same.
 TEST(JointReferenceLinear, OffsetOfATakeOverFadesBesideTheCycles) {
   Reference reference(ReferenceKind::linear);
-  reference.part->initialize(reference.columns);
   reference.want("free", 0.4);
   reference.q("free") = 0.3;
   reference.qd("free") = -7;

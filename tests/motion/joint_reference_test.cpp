@@ -168,10 +168,10 @@ TEST(JointReference, ExactKeepsMomentum) {
 // A joint hangs beside its target when a level without servos takes it over: this fades by itself, and not the filter's way.
 TEST(JointReference, OffsetOfATakeOverFades) {
   for (const ReferenceEntry& entry : joint_references()) {
-    Arm arm({.kind = entry.kind});
+    Arm arm({.kind = entry.kind}, {.law = "ideal_pd", .position_gain = 1, .rotor_inertia = 0.01});
     arm.entity.object("hinge").set(properties::joint_target, 0.4);
     arm.entity.object("hinge").set(properties::joint_position, 0.3);
-    for (const char* level : {"full_dynamics", "simplified_dynamics"}) {
+    for (const char* level : {"articulated_dynamics", "simplified_dynamics"}) {
       arm.rig.exchange(arm.entity, level, {.reference = {.kind = entry.kind}});
     }
     law::Worst way, target;

@@ -64,8 +64,10 @@ TEST(SparkNao, WalksTwoMetersOnKinematicFeet) {
                         result.moved.x, 2, 2.25, "m");
     law::expect_below({.law = name + "aberration on 2 m", .level = level, .source = "none"}, std::abs(result.moved.y),
                       0.1, "m");
-    law::expect_below({.law = name + "slip of the standing sole", .level = level, .source = "it is fixed to the plane"},
-                      result.slip, 1e-9, "m");
+    law::expect_below({.law = name + "slip of the standing sole",
+                       .level = level,
+                       .source = "it is fixed, but for what it moves while it stops: 0.02 s, and back"},
+                      result.slip, 0.0025, "m");
   }
 }
 

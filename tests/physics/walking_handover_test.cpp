@@ -237,6 +237,24 @@ TEST(WalkingHandover, DISABLED_KinematicWalkingForAnyWhile) {
   EXPECT_EQ(all.falls, 0) << "of " << all.count;
 }
 
+// Rule: a foot that lands is no step of the velocity, which accelerometers would show.
+TEST(WalkingHandover, KinematicFeetLandWithoutAStepOfTheVelocity) {
+  law::Worst acceleration;
+  for (const auto& walk : walks_of_scan) {
+    ScannedWalk walker(walk.command, "kinematic_walking");
+    walker.run(1000);
+    for (int i = 0; i < 2000; ++i) {
+      const Vec3d before = walker.velocity();
+      walker.run(1);
+      acceleration.see(1e3 * norm(walker.velocity() - before), walk.name, "phase", walker.phase());
+    }
+  }
+  law::expect_below({.law = "three walks: acceleration of the base in a step of 1 ms",
+                     .level = "kinematic_walking",
+                     .source = "other levels have peaks of 30 to 80 m/s^2 at the head; a step of the velocity 270"},
+                    acceleration, 40, "m/s^2");
+}
+
 // Rule: what a robot at kinematic_walking does is what its velocity says, also while a foot lands.
 TEST(WalkingHandover, KinematicVelocityExplainsTheWay) {
   law::Worst jump, missing;

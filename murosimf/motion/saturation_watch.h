@@ -1,0 +1,34 @@
+/// saturation_watch.h - how long servos have given all that they have: at the end of their duty, current, torque or rate.
+///
+/// A servo at such a bound does not follow its target. In an articulated step the motor is there if the line that it followed
+/// (multibody/torque_line.h) is not the free one. Counted for each joint, as a share of the time since the level began.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "murosimf/model/entity.h"
+#include "murosimf/model/setup.h"
+
+namespace murosimf::motion {
+
+class SaturationWatch {
+ public:
+  explicit SaturationWatch(Setup& setup);
+
+  void initialize() noexcept;
+  /// A step of `dt` [s] begins to count.
+  void begin(double dt) noexcept { watched_ += dt; }
+  /// The servo of a joint (an object of the model) was at a bound in this step.
+  void add(int object, double dt) noexcept { saturated_[object] += dt; }
+
+ private:
+  std::span<double> saturated_;  // [s] by object
+  double& watched_;              // [s]
+};
+
+/// One line about the servos that gave all they have for at least 1 % of the time: "blue1: servos give all they have: r_shin in 24 % of
+/// the time, l_shin 23 %, l_thigh 3 %, r_thigh 3 % and 2 more". Empty if there are none, and at levels without servos.
+[[nodiscard]] std::string saturation_message(const Entity& entity);
+
+}  // namespace murosimf::motion
