@@ -68,6 +68,7 @@ json entry_object(const Comparison& c, std::size_t i) {
   if (!e.frozen.empty()) object["frozen"] = e.frozen;
   object["others"] = others_array(e.outcome);
   object["deviations"] = deviations_object(e.deviations);
+  object["compared_until_s"] = std::isinf(e.compared_until) ? c.end : e.compared_until;
   return object;
 }
 
@@ -77,7 +78,8 @@ json recommendation_object(const Comparison& c, const Recommendation& r) {
     levels.push_back({{"level", c.entries[i].level},
                       {"contact", c.entries[i].contact},
                       {"adequate", r.verdicts[i].adequate},
-                      {"reasons", r.verdicts[i].reasons}});
+                      {"reasons", r.verdicts[i].reasons},
+                      {"remarks", r.verdicts[i].remarks}});
   }
   return {{"sentence", r.sentence}, {"level", r.level}, {"contact", r.contact}, {"levels", std::move(levels)}};
 }

@@ -203,6 +203,14 @@ void measure_cost(const CompareOptions& options, Comparison& result) {
   }
 }
 
+/// Only up to where one of both begins to fall: after a fall, runs drift apart at any level.
+void compare_with(const CompareEntry& reference, CompareEntry& entry) {
+  const double fall = std::min(fall_begins(entry.record), fall_begins(reference.record));
+  entry.compared_until = fall;
+  entry.deviations = deviations_of(part_until(entry.record, fall), part_until(reference.record, fall));
+  compare_outcome(entry.outcome, reference.outcome, fall, entry.deviations);
+}
+
 double checked_end(const CompareOptions& options, const scene_file::SceneSpec& spec, double start) {
   const double end = options.end.value_or(spec.duration);
   if (!(end > 0) || end > longest_record) {
@@ -247,9 +255,7 @@ Comparison compare(const CompareOptions& options) {
   result.reference = find_reference(result.entries);
   const CompareEntry& reference = result.entries[result.reference];
   for (CompareEntry& entry : result.entries) {
-    if (!entry.ran()) continue;
-    entry.deviations = deviations_of(entry.record, reference.record);
-    compare_outcome(entry.outcome, reference.outcome, entry.deviations);
+    if (entry.ran()) compare_with(reference, entry);
   }
   measure_cost(options, result);
   result.stopped = asked_to_stop(options);

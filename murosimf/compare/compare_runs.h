@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,7 +48,9 @@ struct CompareEntry {
   OutcomeRecord outcome;
   Measures measures;
   Deviations deviations;  ///< from the reference
-  double cost = 0;        ///< [us] of processor time per simulated second, of the whole scene; 0: not measured
+  /// [s] Up to when the robot was compared: one of both begins to fall there; infinity: none does.
+  double compared_until = std::numeric_limits<double>::infinity();
+  double cost = 0;  ///< [us] of processor time per simulated second, of the whole scene; 0: not measured
   [[nodiscard]] bool ran() const { return refusal.empty(); }
   /// "could not start: ...", "stopped at 1.234 s".
   [[nodiscard]] std::string why_not() const { return (stopped ? "" : "could not start: ") + refusal; }

@@ -44,7 +44,8 @@ class Sentence {
 
   [[nodiscard]] std::string preface() const {
     if (!fell()) return {};
-    return fmt::format("{} falls, so falls alone are compared: ", label(c_, reference_));
+    return fmt::format("{} falls at {:.2f} s, compared is what comes before: ", label(c_, reference_),
+                       first_fall(reference_.measures.events));
   }
 
   [[nodiscard]] bool others_are_adequate() const {
@@ -61,7 +62,7 @@ class Sentence {
       return apart < 0.01 ? "falls at the same time," : fmt::format("falls within {:.2f} s of it,", apart);
     }
     const std::string center = fmt::format("center of mass within {:.0f} mm", 1e3 * entry.deviations.center_max);
-    if (reference_.measures.path_length < shortest_path) return center;
+    if (reference_.measures.path_length < shortest_way) return center;
     return fmt::format("within {:.0f} % of the path, {},", 100 * entry.deviations.path_length, center);
   }
 
@@ -94,7 +95,7 @@ class Sentence {
         return;
       }
     };
-    for (std::size_t q = 0; !fell() && q < quantities().size(); ++q) {
+    for (std::size_t q = 0; q < quantities().size(); ++q) {
       const ComparedQuantity& quantity = quantities()[q];
       look(quantity.words, [&](const auto& e) { return quantity.of(e.deviations) > thresholds_.values[q]; });
     }

@@ -23,8 +23,7 @@ std::string head(const Comparison& c) {
 /// "1, 0.52 s": how often, and when first.
 std::string falls(const Measures& m) {
   if (m.falls == 0) return "0";
-  const std::size_t first = m.events[1].down ? 1 : 2;
-  return fmt::format("{}, {:.2f} s", m.falls, m.events[first].time);
+  return fmt::format("{}, {:.2f} s", m.falls, first_fall(m.events));
 }
 
 std::string servos(const CompareEntry& e) {

@@ -41,7 +41,8 @@ struct Thresholds {
 
   std::vector<double> values;  ///< as quantities(), in their units
   double fall_time = 0.25;     ///< [s] between the falls of two levels
-  double contact_duty = 20;    ///< [%] of the time around touches in which servos may ask for all that they have
+  double contact_duty =
+      20;  ///< [%] of the time around touches in which servos ask for all that they have: more is a remark
 };
 
 }  // namespace murosimf::compare

@@ -12,12 +12,12 @@ namespace murosimf::compare {
 struct LevelVerdict {
   bool adequate = false;
   std::vector<std::string> reasons;  ///< why not
+  std::vector<std::string> remarks;  ///< what is worth knowing, and refuses nothing
 };
 
 /// Adequate is what ran to its end, fell and got up when the reference did, touched and threw over whom the reference did, and deviates
-/// by less than the thresholds, also in what became of others. Runs after a fall drift apart at any level: if the reference fell,
-/// falls and touches alone are compared. A level without servos is not adequate where the reference's give all they have
-/// around its touches: what they hit feels that.
+/// by less than the thresholds, also in what became of others. Runs after a fall drift apart at any level: deviations are those of the
+/// part before it (CompareEntry::compared_until), and of what the robot had touched by then.
 [[nodiscard]] LevelVerdict judge(const CompareEntry& entry, const CompareEntry& reference,
                                  const Thresholds& thresholds);
 
