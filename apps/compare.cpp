@@ -21,6 +21,7 @@ struct CompareArguments {
   std::vector<std::string> thresholds;  ///< NAME=VALUE
   std::string json;                     ///< file, "-" for standard output
   std::string plots;                    ///< folder for PNG files
+  bool details = false;                 ///< tables, too
   std::string from;                     ///< file with a state; empty: the scene's beginning
   std::vector<std::string> plugins;
 };
@@ -39,6 +40,11 @@ void define(const Command& command, CompareArguments& arguments) {
   add_seed(command, options.seed);
   command.add("--repeat", options.repeat, "Timed runs per level; their median counts").within(1, 1000).shows_default();
   command.add("--threshold", arguments.thresholds, "NAME=VALUE: what still counts as the same").one_at_a_time();
+  command
+      .add("--outcome", options.outcomes,
+           "NAME.QUANTITY or NAME.QUANTITY=TOLERANCE: what alone decides, for example 'ball.end=0.3'")
+      .one_at_a_time();
+  command.add("--details", arguments.details, "Print tables: what happened at each level, and how far it is off");
   add_json(command, arguments.json);
   command.add("--plots", arguments.plots, "Write PNG plots to this folder");
   add_lenient(command, options.lenient);
@@ -65,9 +71,10 @@ int compare(const CompareArguments& arguments) {
   progress.reset();
   if (comparison.stopped) say_error(fmt::format("stopped by {}; what had not ended is missing", signal_name()));
   const compare::Recommendation recommendation = compare::recommend(comparison, thresholds);
+  const std::string details = arguments.details ? compare::details(comparison, recommendation) : "";
   Results results;
   results.write([&] {
-    write_result(arguments.json, compare::to_text(comparison, recommendation),
+    write_result(arguments.json, compare::summary(comparison, recommendation) + details,
                  compare::to_json(comparison, recommendation, thresholds));
   });
   if (!arguments.plots.empty() && !comparison.stopped) {

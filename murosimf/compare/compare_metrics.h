@@ -39,7 +39,7 @@ struct Measures {
 /// What was recorded up to `end` [s].
 [[nodiscard]] motion::MotionRecord part_until(const motion::MotionRecord& record, double end);
 
-/// Of all other entities, the one that is off by most.
+/// Of all other entities, or of all sensors, the one that is off by most.
 struct OfAnother {
   double value = 0;
   std::string name{};  ///< empty: none is off
@@ -61,6 +61,10 @@ struct Deviations {
   OfAnother others_way{};    ///< [1] difference of the lengths of their ways (of shortest_way at least)
   OfAnother others_end{};    ///< [1] distance of their last places, of the same
   OfAnother others_speed{};  ///< [1] difference of their peak speeds (of slowest_speed at least)
+  // What inertial sensors show (compare_sensors.h), likewise:
+  OfAnother accelerometer{};       ///< [1] difference of the rms of |a| - g
+  OfAnother accelerometer_peak{};  ///< [1] of its largest size
+  OfAnother gyroscope{};           ///< [1] of the rms of |w|
   double torque = 0;  ///< [1] difference of peak torques as a share of the reference's; NaN if one level knows none
 };
 

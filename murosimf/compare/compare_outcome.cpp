@@ -17,12 +17,6 @@ void see(double value, const std::string& name, OfAnother& worst) {
   if (value > worst.value) worst = {value, name};
 }
 
-Posture posture_of(const OtherRecord& record) {
-  Posture posture;
-  for (const OtherSample& sample : record.samples) posture.see(sample.time, sample.cos_lean);
-  return posture;
-}
-
 /// Until when [s] it shows what both robots have done before one of them fell.
 double judged_until(const OtherRecord& mine, const OtherRecord& reference, double fall) {
   const auto untouched_since = [&](const OtherRecord& other) { return other.touched_last.value_or(0) <= fall; };
@@ -32,6 +26,12 @@ double judged_until(const OtherRecord& mine, const OtherRecord& reference, doubl
 }
 
 }  // namespace
+
+std::vector<PostureEvent> postures_of(const OtherRecord& record) {
+  Posture posture;
+  for (const OtherSample& sample : record.samples) posture.see(sample.time, sample.cos_lean);
+  return posture.events();
+}
 
 OtherMeasures measures_of(const OtherRecord& record) {
   return measures_of(record, std::numeric_limits<double>::infinity());
@@ -82,8 +82,7 @@ std::vector<std::string> different_falls_of_others(const OutcomeRecord& mine, co
   std::vector<std::string> differences;
   for (std::size_t i = 0; i < mine.others.size(); ++i) {
     if (!mine.others[i].can_fall) continue;
-    const auto line =
-        difference(posture_of(mine.others[i]).events(), posture_of(reference.others[i]).events(), tolerance);
+    const auto line = difference(postures_of(mine.others[i]), postures_of(reference.others[i]), tolerance);
     if (!line.empty()) differences.push_back(fmt::format("{}: {}", mine.others[i].name, line));
   }
   return differences;

@@ -26,6 +26,9 @@ struct OtherMeasures {
 
 [[nodiscard]] OtherMeasures measures_of(const OtherRecord& record, double until);
 
+/// When it fell and got up.
+[[nodiscard]] std::vector<PostureEvent> postures_of(const OtherRecord& record);
+
 /// Fills in what is told of others: of each quantity the one that is off by most. Both runs have the same entities. `fall` [s] is
 /// when one of the robots begins to fall first. What the robot had touched before, and has not touched since, shows what was
 /// done before the fall: it counts to its end; all others count up to the fall.

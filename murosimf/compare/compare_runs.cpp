@@ -8,6 +8,7 @@
 
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/compare/compare_outcome.h"
+#include "murosimf/compare/compare_sensors.h"
 #include "murosimf/motion/torque_watch.h"
 #include "murosimf/scene/scene.h"
 
@@ -89,6 +90,16 @@ std::vector<CompareEntry> entries_for(const CompareOptions& options, const scene
   return entries;
 }
 
+std::vector<NamedOutcome> named_outcomes(const CompareOptions& options, const scene::Scene& scene) {
+  std::vector<OutcomeOwner> owners;
+  for (const Entity* entity : scene.moving_entities()) {
+    owners.push_back({entity->name(), entity->name() == options.entity, !entity->model().joints().empty()});
+  }
+  std::vector<NamedOutcome> outcomes;
+  for (const std::string& text : options.outcomes) outcomes.push_back(named_outcome(text, owners));
+  return outcomes;
+}
+
 /// A level that changes on the way is none that could be compared.
 void check_events(const scene_file::SceneSpec& spec, const std::string& robot) {
   for (const scene_file::SceneEvent& event : spec.events) {
@@ -128,6 +139,7 @@ void observe(const CompareOptions& options, const Comparison& comparison, Compar
   std::erase(others, &robot);
   const auto& outcome =
       simulation.attach<OutcomeRecorder>("outcome_recorder", scene->spec().rate, robot, others, longest);
+  const auto& sensors = simulation.attach<InertialRecorder>("inertial_recorder", robot, scene->spec().rate, longest);
   simulation.run(end - start);
   if (simulation.now() < end) {
     entry.stopped = true;
@@ -136,6 +148,7 @@ void observe(const CompareOptions& options, const Comparison& comparison, Compar
   }
   entry.record = recorder.record();
   entry.outcome = outcome.record();
+  entry.sensors = sensors.records();
   entry.measures = measures_of(entry.record);
   if (robot.frozen()) entry.frozen = *robot.frozen_reason();
   entry.overload = motion::overload_message(robot);
@@ -209,6 +222,7 @@ void compare_with(const CompareEntry& reference, CompareEntry& entry) {
   entry.compared_until = fall;
   entry.deviations = deviations_of(part_until(entry.record, fall), part_until(reference.record, fall));
   compare_outcome(entry.outcome, reference.outcome, fall, entry.deviations);
+  compare_sensors(entry.sensors, reference.sensors, fall, entry.deviations);
 }
 
 double checked_end(const CompareOptions& options, const scene_file::SceneSpec& spec, double start) {
@@ -232,7 +246,7 @@ std::string label(const Comparison& comparison, const CompareEntry& entry) {
 }
 
 Comparison compare(const CompareOptions& options) {
-  if (options.repeat < 1) throw SetupError(fmt::format("--repeat {}: must be at least 1", options.repeat));
+  if (options.repeat < 0) throw SetupError(fmt::format("--repeat {}: must be at least 0", options.repeat));
   Comparison result;
   {
     scene::Scene scene(options.scene, scene_options(options));
@@ -241,6 +255,7 @@ Comparison compare(const CompareOptions& options) {
     result.entity = options.entity;
     const std::vector<CompareEntry> entries = entries_for(options, find_robot(spec, options.entity));
     check_events(spec, options.entity);
+    result.outcomes = named_outcomes(options, scene);
     if (options.go_to_start) {
       scene.simulation().initialize();
       options.go_to_start(scene);

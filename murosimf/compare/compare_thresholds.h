@@ -10,6 +10,9 @@
 
 namespace murosimf::compare {
 
+/// What a deviation is one of.
+enum class Concern { robot, others, sensors };
+
 /// One deviation that has a threshold.
 struct ComparedQuantity {
   std::string_view name;   ///< for --threshold
@@ -19,12 +22,13 @@ struct ComparedQuantity {
   int decimals;            ///< that are worth printing
   double threshold;        ///< default, in that unit
   double Deviations::*deviation = nullptr;
-  OfAnother Deviations::*of_another = nullptr;  ///< instead, if it is one of others
+  OfAnother Deviations::*of_another = nullptr;  ///< instead, if it is one of others or of sensors
+  Concern concern = Concern::robot;
 
   [[nodiscard]] double of(const Deviations& deviations) const {
     return scale * (of_another ? (deviations.*of_another).value : deviations.*deviation);
   }
-  /// Whose it is; empty: the robot's.
+  /// Whose it is: another's, or a sensor; empty: the robot's.
   [[nodiscard]] const std::string& who(const Deviations& deviations) const;
 };
 

@@ -36,11 +36,17 @@ void judge_outcome(const CompareEntry& entry, const CompareEntry& reference, con
   add(different_falls_of_others(entry.outcome, reference.outcome, thresholds.fall_time), reasons);
 }
 
+std::vector<std::string> not_comparable(const CompareEntry& entry, const CompareEntry& reference) {
+  if (!entry.ran()) return {entry.why_not()};
+  return {entry.frozen.empty() ? "" : "froze: " + entry.frozen, reference.frozen.empty() ? "" : "the reference froze"};
+}
+
 /// What is over its threshold, the worst first.
-std::vector<std::string> excesses(const Deviations& deviations, const Thresholds& thresholds) {
+std::vector<std::string> excesses(const Deviations& deviations, const Thresholds& thresholds, bool of_sensors) {
   std::vector<std::pair<double, std::string>> found;
   for (std::size_t q = 0; q < quantities().size(); ++q) {
     const ComparedQuantity& quantity = quantities()[q];
+    if ((quantity.concern == Concern::sensors) != of_sensors) continue;
     const double value = quantity.of(deviations), limit = thresholds.values[q];
     if (value <= limit) continue;  // NaN is not
     const std::string& who = quantity.who(deviations);
@@ -56,18 +62,28 @@ std::vector<std::string> excesses(const Deviations& deviations, const Thresholds
 
 }  // namespace
 
-LevelVerdict judge(const CompareEntry& entry, const CompareEntry& reference, const Thresholds& thresholds) {
+LevelVerdict judge_sensors(const CompareEntry& entry, const CompareEntry& reference, const Thresholds& thresholds) {
   LevelVerdict verdict;
-  if (!entry.ran()) {
-    verdict.reasons.push_back(entry.why_not());
-    return verdict;
+  add(not_comparable(entry, reference), verdict.reasons);
+  if (entry.ran()) add(excesses(entry.deviations, thresholds, true), verdict.reasons);
+  verdict.adequate = verdict.reasons.empty();
+  return verdict;
+}
+
+LevelVerdict judge(const CompareEntry& entry, const CompareEntry& reference, const Thresholds& thresholds,
+                   const std::vector<NamedOutcome>& outcomes) {
+  LevelVerdict verdict;
+  add(not_comparable(entry, reference), verdict.reasons);
+  if (!entry.ran()) return verdict;
+  if (outcomes.empty()) {
+    add({difference(entry.measures.events, reference.measures.events, thresholds.fall_time)}, verdict.reasons);
+    judge_outcome(entry, reference, thresholds, verdict.reasons);
+    add(excesses(entry.deviations, thresholds, false), verdict.reasons);
   }
-  if (!entry.frozen.empty()) verdict.reasons.push_back("froze: " + entry.frozen);
-  if (!reference.frozen.empty()) verdict.reasons.emplace_back("the reference froze");
-  add({difference(entry.measures.events, reference.measures.events, thresholds.fall_time)}, verdict.reasons);
-  judge_outcome(entry, reference, thresholds, verdict.reasons);
+  for (const NamedOutcome& outcome : outcomes) {
+    add({outcome_off(outcome, entry, reference, thresholds).reason}, verdict.reasons);
+  }
   add({missing_servos(entry, reference, thresholds.contact_duty)}, verdict.remarks);
-  add(excesses(entry.deviations, thresholds), verdict.reasons);
   verdict.adequate = verdict.reasons.empty();
   return verdict;
 }

@@ -18,13 +18,22 @@ struct LevelVerdict {
 /// Adequate is what ran to its end, fell and got up when the reference did, touched and threw over whom the reference did, and deviates
 /// by less than the thresholds, also in what became of others. Runs after a fall drift apart at any level: deviations are those of the
 /// part before it (CompareEntry::compared_until), and of what the robot had touched by then.
-[[nodiscard]] LevelVerdict judge(const CompareEntry& entry, const CompareEntry& reference,
-                                 const Thresholds& thresholds);
+/// If `outcomes` are named, they alone decide, over the whole run.
+[[nodiscard]] LevelVerdict judge(const CompareEntry& entry, const CompareEntry& reference, const Thresholds& thresholds,
+                                 const std::vector<NamedOutcome>& outcomes = {});
+
+/// The same for software that reads the accelerometer or the gyroscope: what they show deviates by less than the thresholds.
+[[nodiscard]] LevelVerdict judge_sensors(const CompareEntry& entry, const CompareEntry& reference,
+                                         const Thresholds& thresholds);
 
 struct Recommendation {
-  std::string sentence;
+  std::string verdict;             ///< which level is adequate, and how close it is; or why nothing can be said
+  std::vector<std::string> needs;  ///< "full_dynamics and up are needed for joint torques"
+  std::string sensors;   ///< for which level inertial sensors are right; empty: there are none, or nothing can be said
+  std::string sentence;  ///< the verdict, why others are not adequate, and the needs
   std::string level, contact;          ///< adequate at the lowest cost; empty if nothing can be said
   std::vector<LevelVerdict> verdicts;  ///< as the entries
+  std::vector<LevelVerdict> of_sensors;
 };
 
 /// Costs that differ by less than a fifth count as equal: then the simpler level is recommended.

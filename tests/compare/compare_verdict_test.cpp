@@ -59,6 +59,7 @@ TEST(Verdict, WhateverIsOverItsThresholdDisqualifies) {
   for (std::size_t q = 0; q < quantities().size(); ++q) {
     Comparison c = four_levels();
     const ComparedQuantity& quantity = quantities()[q];
+    if (quantity.concern == Concern::sensors) continue;
     set(c.entries[0].deviations, quantity, 1.01 * quantity.threshold / quantity.scale);
     set(c.entries[1].deviations, quantity, 0.99 * quantity.threshold / quantity.scale);
     const Recommendation r = recommend(c, {});
@@ -73,6 +74,26 @@ TEST(Verdict, NotANumberIsNotWithinAThreshold) {
   Comparison c = four_levels();
   c.entries[0].deviations.pitch = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(recommend(c, {}).level, "simplified_dynamics");
+}
+
+// What inertial sensors show decides about those who read them, not about the motion.
+TEST(Verdict, SensorsHaveAVerdictOfTheirOwn) {
+  for (const ComparedQuantity& quantity : quantities()) {
+    if (quantity.concern != Concern::sensors) continue;
+    Comparison c = four_levels();
+    for (CompareEntry& e : c.entries) e.sensors.resize(1);
+    set(c.entries[0].deviations, quantity, 1.01 * quantity.threshold / quantity.scale);
+    set(c.entries[1].deviations, quantity, 0.99 * quantity.threshold / quantity.scale);
+    const Recommendation r = recommend(c, {});
+    EXPECT_EQ(r.level, "kinematic_walking");
+    EXPECT_FALSE(r.of_sensors[0].adequate) << quantity.name;
+    EXPECT_TRUE(r.of_sensors[1].adequate) << quantity.name;
+    EXPECT_EQ(r.sensors.find("simplified_dynamics, full_dynamics are adequate; kinematic_walking is not: " +
+                             std::string(quantity.words)),
+              0U)
+        << r.sensors;
+  }
+  EXPECT_EQ(recommend(four_levels(), {}).sensors, "") << "it has none";
 }
 
 TEST(Verdict, TheWorstReasonComesFirst) {
