@@ -5,6 +5,7 @@
 
 #include "murosimf/compare/compare_outcome.h"
 #include "murosimf/compare/compare_report.h"
+#include "murosimf/compare/compare_seeds.h"
 #include "murosimf/compare/compare_sensors.h"
 #include "murosimf/files/json_document.h"
 
@@ -113,26 +114,61 @@ json recommendation_object(const Comparison& c, const Recommendation& r) {
           {"level", r.level},       {"contact", r.contact}, {"levels", std::move(levels)}};
 }
 
-}  // namespace
-
-std::string to_json(const Comparison& c, const Recommendation& recommendation, const Thresholds& thresholds) {
+json document(const Comparison& c, const Recommendation& recommendation, const Thresholds& thresholds) {
   json limits;
   for (std::size_t q = 0; q < thresholds.values.size(); ++q) limits[quantities()[q].name] = thresholds.values[q];
   limits["fall_time"] = thresholds.fall_time;
   limits["contact_duty"] = thresholds.contact_duty;
   json entries = json::array();
   for (std::size_t i = 0; i < c.entries.size(); ++i) entries.push_back(entry_object(c, i, thresholds));
-  return files::json_text({{"schema", files::json_schema("compare")},
-                           {"scene", c.scene},
-                           {"entity", c.entity},
-                           {"start_s", c.start},
-                           {"end_s", c.end},
-                           {"seed", c.seed},
-                           {"timed_runs", c.repeat},
-                           {"stopped", c.stopped},
-                           {"entries", std::move(entries)},
-                           {"thresholds", std::move(limits)},
-                           {"recommendation", recommendation_object(c, recommendation)}});
+  return {{"schema", files::json_schema("compare")},
+          {"scene", c.scene},
+          {"entity", c.entity},
+          {"start_s", c.start},
+          {"end_s", c.end},
+          {"seed", c.seed},
+          {"timed_runs", c.repeat},
+          {"stopped", c.stopped},
+          {"entries", std::move(entries)},
+          {"thresholds", std::move(limits)},
+          {"recommendation", recommendation_object(c, recommendation)}};
+}
+
+json seeds_verdict(const SeedsVerdict& verdict) {
+  return {{"name", verdict.name},
+          {"adequate", verdict.adequate},
+          {"reasons", verdict.reasons},
+          {"share", verdict.share.mean},
+          {"low_95", verdict.share.low},
+          {"high_95", verdict.share.high},
+          {"judgement", to_string(verdict.judgement)}};
+}
+
+json seeds_object(const SeedsComparison& s) {
+  json levels = json::array(), yardstick = nullptr;
+  for (std::size_t i = 0; i < s.levels.size(); ++i) {
+    if (i != s.first.reference) levels.push_back(seeds_verdict(s.levels[i]));
+  }
+  for (const SeedsVerdict& verdict : s.yardstick) yardstick = seeds_verdict(verdict);
+  return {{"first", s.seed},
+          {"count", s.seeds()},
+          {"seeds_differ", s.seeds_differ},
+          {"servo_tolerance_percent", 100 * s.servo_tolerance},
+          {"verdict", s.verdict},
+          {"levels", std::move(levels)},
+          {"yardstick", std::move(yardstick)}};
+}
+
+}  // namespace
+
+std::string to_json(const Comparison& c, const Recommendation& recommendation, const Thresholds& thresholds) {
+  return files::json_text(document(c, recommendation, thresholds));
+}
+
+std::string to_json(const SeedsComparison& s, const Thresholds& thresholds) {
+  json all = document(s.first, s.of_first, thresholds);
+  all["seeds"] = seeds_object(s);
+  return files::json_text(all);
 }
 
 }  // namespace murosimf::compare

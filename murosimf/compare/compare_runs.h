@@ -32,6 +32,8 @@ struct CompareOptions {
   std::vector<std::string>
       outcomes;          ///< OWNER.QUANTITY or OWNER.QUANTITY=TOLERANCE: they alone decide; empty: everything
   bool lenient = false;  ///< accept unknown elements in model files
+  double servo_tolerance =
+      0;  ///< [1] share by which gains of the robot's servos are off, at levels that have servos: at most
   /// Brings a scene that was just built to where all runs begin, for example to a saved state; empty: its own beginning.
   std::function<void(scene::Scene& scene)> go_to_start{};
   /// Told what runs, and the share of the work that is done; may be empty.
@@ -68,8 +70,10 @@ struct Comparison {
   int repeat = 0;
   std::vector<NamedOutcome> outcomes;
   std::vector<CompareEntry> entries;  ///< levels from simple to detailed, laws as they were asked for
-  std::size_t reference = 0;          ///< the most detailed level that ran, under the first law
-  bool stopped = false;               ///< before all had run and been timed: maybe none ran, maybe no cost is known
+  /// If gains of servos vary: the reference with those of the model, compared with the reference that has others.
+  std::optional<CompareEntry> as_modeled{};
+  std::size_t reference = 0;  ///< the most detailed level that ran, under the first law
+  bool stopped = false;       ///< before all had run and been timed: maybe none ran, maybe no cost is known
 };
 
 /// "full_dynamics", or "full_dynamics with paper" if the level ran under several laws.

@@ -9,8 +9,6 @@
 namespace murosimf::compare {
 namespace {
 
-constexpr double clearly_cheaper = 0.8;  // [1] repeated timings of one level differ by a tenth
-
 class Sentence {
  public:
   Sentence(const Comparison& comparison, const Thresholds& thresholds, const std::vector<LevelVerdict>& verdicts)

@@ -9,6 +9,9 @@
 
 namespace murosimf::compare {
 
+/// [1] A level costs less than another if it costs less than this share of it: repeated timings of one level differ by a tenth.
+inline constexpr double clearly_cheaper = 0.8;
+
 struct LevelVerdict {
   bool adequate = false;
   std::vector<std::string> reasons;  ///< why not
