@@ -106,9 +106,9 @@ class Sentence {
       }
       return apart < 0.01 ? "falls at the same time," : fmt::format("falls within {:.2f} s of it,", apart);
     }
-    const std::string center = fmt::format("center of mass within {:.0f} mm", 1e3 * entry.deviations.center_max);
+    const std::string center = fmt::format("center of mass within {:.0f} mm,", 1e3 * entry.deviations.center_max);
     if (reference_.measures.path_length < shortest_way) return center;
-    return fmt::format("within {:.0f} % of the path, {},", 100 * entry.deviations.path_length, center);
+    return fmt::format("within {:.0f} % of the path, {}", 100 * entry.deviations.path_length, center);
   }
 
   [[nodiscard]] std::string failures() const {

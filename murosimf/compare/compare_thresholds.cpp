@@ -28,7 +28,7 @@ constexpr std::array all{
                      Concern::others},
     ComparedQuantity{"others_speed", "peak speed of what is around", "%", 100, 1, 20, nullptr,
                      &Deviations::others_speed, Concern::others},
-    ComparedQuantity{"accelerometer", "accelerometer", "%", 100, 0, 25, nullptr, &Deviations::accelerometer,
+    ComparedQuantity{"accelerometer", "accelerometer", "%", 100, 0, 30, nullptr, &Deviations::accelerometer,
                      Concern::sensors},
     ComparedQuantity{"accelerometer_peak", "peak of the accelerometer", "%", 100, 0, 50, nullptr,
                      &Deviations::accelerometer_peak, Concern::sensors},
