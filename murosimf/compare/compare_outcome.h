@@ -24,6 +24,7 @@ struct OtherMeasures {
 
 [[nodiscard]] OtherMeasures measures_of(const OtherRecord& record);
 
+/// Up to `until` [s].
 [[nodiscard]] OtherMeasures measures_of(const OtherRecord& record, double until);
 
 /// When it fell and got up.

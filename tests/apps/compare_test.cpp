@@ -63,6 +63,28 @@ TEST(CompareCommand, WritesJsonWithOneEntryPerLevel) {
   EXPECT_EQ(entries, 2U);
 }
 
+TEST(CompareCommand, SaysHowSureItIs) {
+  const std::string run = short_push + "--levels kinematic_walking,articulated_dynamics ";
+  const Result one = murosimf(run + "--seeds 2");
+  EXPECT_EQ(one.exit_code, 0) << one.errors;
+  for (const char* part : {"Push: only articulated_dynamics is adequate\n", "not adequate: in 0 of 2 seeds; seed 1: ",
+                           "robot for 1 s, seeds 1 to 2; ", "seeds had no effect: all runs of a level are the same"}) {
+    EXPECT_NE(one.output.find(part), std::string::npos) << part << " in " << one.output;
+  }
+  const Result many = murosimf(run + "--seeds 4 --servo-tolerance 5 --outcome robot.falls");
+  for (const char* part :
+       {"not adequate: in 0 of 4 seeds (0 %, 0 to 49 % of all with a confidence of 95 %); seed 1: ",
+        "yardstick: articulated_dynamics with the model's servos in 4 of 4 seeds (100 %, 51 to 100 %",
+        "seeds 1 to 4, gains of its servos within 5 %", "only the servos differ"}) {
+    EXPECT_NE(many.output.find(part), std::string::npos) << part << " in " << many.output;
+  }
+  const std::string json = murosimf(run + "--seeds 2 --json -").output;
+  for (const char* key :
+       {"\"seeds\"", "\"seeds_differ\": false", "\"judgement\": \"not adequate\"", "\"yardstick\": null"}) {
+    EXPECT_NE(json.find(key), std::string::npos) << key << " in " << json;
+  }
+}
+
 TEST(CompareCommand, DrawsPlots) {
   if (std::system("gnuplot --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "no gnuplot here";
   const fs::path folder = scratch("plots");
@@ -89,6 +111,10 @@ TEST(CompareCommand, RefusesMistakes) {
   expect_mistake(short_push + "--outcome ball.end=far", {"the tolerance must be a number from 0"});
   expect_mistake("compare push --entity robot --duration 0", {"--duration 0"});
   expect_mistake("compare push --entity robot --repeat 0", {"--repeat", "0 not in range"});
+  expect_mistake(short_push + "--seeds 0", {"--seeds", "0 not in range"});
+  expect_mistake(short_push + "--servo-tolerance 100", {"--servo-tolerance", "100 not in range"});
+  expect_mistake(short_push + "--servo-tolerance 5 --levels full_dynamics",
+                 {"--servo-tolerance: full_dynamics, the most detailed level that ran, has no servos"});
   expect_mistake(short_push + "--set robot.levl=x", {"did you mean 'level'?"});
   expect_mistake(short_push + "--json /no/such/folder/a.json", {"cannot write '/no/such/folder/a.json'"});
 }
