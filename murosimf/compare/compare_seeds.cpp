@@ -1,8 +1,12 @@
 #include "murosimf/compare/compare_seeds.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 
 #include <fmt/format.h>
+
+#include "murosimf/model/error.h"
 
 namespace murosimf::compare {
 namespace {
@@ -90,6 +94,14 @@ void conclude(SeedsComparison& result) {
   result.verdict = nothing ? result.of_first.verdict : verdict_of(result);
 }
 
+/// Seeds of scenes are up to the largest std::int64_t.
+void check_last_seed(std::uint64_t first, int seeds) {
+  constexpr auto largest = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+  if (first > largest - static_cast<std::uint64_t>(seeds - 1)) {
+    throw SetupError(fmt::format("--seeds {}: the last one would be above {}, the largest seed", seeds, largest));
+  }
+}
+
 }  // namespace
 
 std::string_view to_string(Judgement judgement) {
@@ -122,6 +134,7 @@ SeedsComparison compare_seeds(const CompareOptions& options, int seeds, const Th
     result.stopped = c.stopped;
     if (i == 0) {
       result.seed = c.seed;
+      check_last_seed(result.seed, seeds);
       for (const CompareEntry& entry : c.entries) result.levels.push_back({label(c, entry), {}, {}, {}});
     }
     if (i == 0 || !c.stopped) add_seed(c, r, thresholds, result);

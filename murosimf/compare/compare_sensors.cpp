@@ -18,6 +18,7 @@ InertialMeasures measures_of(const InertialRecord& record, double until) {
   double forces = 0, rates = 0, count = 0;
   for (const InertialSample& sample : record.samples) {
     if (sample.time > until) break;
+    if (sample.time < record.samples.front().time + settling) continue;
     forces += sample.force * sample.force;
     rates += sample.rate * sample.rate;
     m.force_peak = std::max(m.force_peak, std::abs(sample.force));

@@ -12,6 +12,9 @@ namespace murosimf::compare {
 inline constexpr double least_force = 0.5;         ///< [m/s^2]
 inline constexpr double least_sensor_rate = 0.05;  ///< [rad/s]
 
+/// [s] What is shown before is left out: robots that are put down come to rest on their contacts.
+inline constexpr double settling = 0.1;
+
 /// Of one sensor.
 struct InertialMeasures {
   double force_rms = 0;   ///< [m/s^2] root of the mean of (|a| - g)^2

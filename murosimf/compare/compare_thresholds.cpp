@@ -30,7 +30,7 @@ constexpr std::array all{
                      &Deviations::others_speed, Concern::others},
     ComparedQuantity{"accelerometer", "accelerometer", "%", 100, 0, 30, nullptr, &Deviations::accelerometer,
                      Concern::sensors},
-    ComparedQuantity{"accelerometer_peak", "peak of the accelerometer", "%", 100, 0, 50, nullptr,
+    ComparedQuantity{"accelerometer_peak", "peak of the accelerometer", "%", 100, 0, 60, nullptr,
                      &Deviations::accelerometer_peak, Concern::sensors},
     ComparedQuantity{"gyroscope", "gyroscope", "%", 100, 0, 40, nullptr, &Deviations::gyroscope, Concern::sensors},
 };

@@ -65,7 +65,10 @@ std::vector<std::string> excesses(const Deviations& deviations, const Thresholds
 LevelVerdict judge_sensors(const CompareEntry& entry, const CompareEntry& reference, const Thresholds& thresholds) {
   LevelVerdict verdict;
   add(not_comparable(entry, reference), verdict.reasons);
-  if (entry.ran()) add(excesses(entry.deviations, thresholds, true), verdict.reasons);
+  if (entry.ran()) {  // a fall is what they show first of all
+    add({difference(entry.measures.events, reference.measures.events, thresholds.fall_time)}, verdict.reasons);
+    add(excesses(entry.deviations, thresholds, true), verdict.reasons);
+  }
   verdict.adequate = verdict.reasons.empty();
   return verdict;
 }

@@ -25,7 +25,8 @@ struct LevelVerdict {
 [[nodiscard]] LevelVerdict judge(const CompareEntry& entry, const CompareEntry& reference, const Thresholds& thresholds,
                                  const std::vector<NamedOutcome>& outcomes = {});
 
-/// The same for software that reads the accelerometer or the gyroscope: what they show deviates by less than the thresholds.
+/// The same for software that reads the accelerometer or the gyroscope: the robot falls and gets up when the reference does, and what they
+/// show deviates by less than the thresholds.
 [[nodiscard]] LevelVerdict judge_sensors(const CompareEntry& entry, const CompareEntry& reference,
                                          const Thresholds& thresholds);
 

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <limits>
+
 #include "murosimf/model/error.h"
 #include "tests/written_scene.h"
 
@@ -103,6 +106,13 @@ TEST(CompareSeeds, ServosNeedALevelThatHasThem) {
   options.levels = {"kinematic_walking", "full_dynamics"};
   options.servo_tolerance = 0.1;
   EXPECT_THROW(static_cast<void>(compare_seeds(options, 1, {})), SetupError);
+}
+
+TEST(CompareSeeds, EndWithTheLargest) {
+  CompareOptions options = experiment("push", "robot", 0.01);
+  options.seed = std::numeric_limits<std::int64_t>::max() - 1;
+  EXPECT_EQ(compare_seeds(options, 2, {}).seeds(), 2U);
+  EXPECT_THROW(static_cast<void>(compare_seeds(options, 3, {})), SetupError);
 }
 
 TEST(CompareSeeds, EndWhenTheyAreStopped) {

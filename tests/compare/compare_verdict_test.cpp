@@ -94,6 +94,9 @@ TEST(Verdict, SensorsHaveAVerdictOfTheirOwn) {
         << r.sensors;
   }
   EXPECT_EQ(recommend(four_levels(), {}).sensors, "") << "it has none";
+  Comparison falls = four_levels();
+  fall(falls.entries[1], 1);
+  EXPECT_FALSE(recommend(falls, {}).of_sensors[1].adequate) << "they show that, too";
 }
 
 TEST(Verdict, TheWorstReasonComesFirst) {

@@ -128,6 +128,12 @@ TEST(KnownScenes, ServosAtTheirLimitAreARemark) {
   }
 }
 
+// They show noise, and no more, at every level.
+TEST(KnownScenes, SensorsOfARobotThatStandsAreRightAtEveryLevel) {
+  const Recommendation r = recommend(compare(experiment(scene_named("Stands"))), {});
+  for (const LevelVerdict& verdict : r.of_sensors) EXPECT_TRUE(verdict.adequate) << r.sensors;
+}
+
 // A kinematic walker does not feel the ball: nor does its accelerometer.
 TEST(KnownScenes, SensorsFeelWhatTheLevelFeels) {
   const Recommendation r = recommend(compare(experiment(scene_named("BallThrownAtIt"))), {});
