@@ -11,6 +11,7 @@
 #include "apps/scene_arguments.h"
 #include "apps/standard_output.h"
 #include "murosimf/compare/compare_report.h"
+#include "murosimf/compare/compare_seeds.h"
 #include "murosimf/recording/state_file.h"
 
 namespace murosimf::app {
@@ -21,7 +22,10 @@ struct CompareArguments {
   std::vector<std::string> thresholds;  ///< NAME=VALUE
   std::string json;                     ///< file, "-" for standard output
   std::string plots;                    ///< folder for PNG files
-  std::string from;                     ///< file with a state; empty: the scene's beginning
+  int seeds = 1;
+  double servo_tolerance = 0;  ///< [%]
+  bool details = false;        ///< tables, too
+  std::string from;            ///< file with a state; empty: the scene's beginning
   std::vector<std::string> plugins;
 };
 
@@ -37,8 +41,21 @@ void define(const Command& command, CompareArguments& arguments) {
   command.add("--duration", options.end, "Simulated time at which runs end, in seconds, instead of the scene's");
   command.add("--from", arguments.from, "Begin from a state of this scene: of 'run --save-at', or a recording");
   add_seed(command, options.seed);
+  command.add("--seeds", arguments.seeds, "How many seeds, from the seed on: with what share is a level adequate?")
+      .within(1, 10000)
+      .shows_default();
+  command
+      .add("--servo-tolerance", arguments.servo_tolerance,
+           "Percent by which gains of the robot's servos are off at most, by seed")
+      .within(0, 90)
+      .shows_default();
   command.add("--repeat", options.repeat, "Timed runs per level; their median counts").within(1, 1000).shows_default();
   command.add("--threshold", arguments.thresholds, "NAME=VALUE: what still counts as the same").one_at_a_time();
+  command
+      .add("--outcome", options.outcomes,
+           "NAME.QUANTITY or NAME.QUANTITY=TOLERANCE: what alone decides, for example 'ball.end=0.3'")
+      .one_at_a_time();
+  command.add("--details", arguments.details, "Print tables: what happened at each level, and how far it is off");
   add_json(command, arguments.json);
   command.add("--plots", arguments.plots, "Write PNG plots to this folder");
   add_lenient(command, options.lenient);
@@ -58,22 +75,27 @@ int compare(const CompareArguments& arguments) {
   compare::CompareOptions options = arguments.options;
   options.progress = [&](double share, const std::string& what) { progress->show(share, what); };
   options.stop = interrupted;
+  options.servo_tolerance = arguments.servo_tolerance / 100;
   if (!arguments.from.empty()) {
     options.go_to_start = [&](scene::Scene& scene) { recording::load_state(scene, arguments.from); };
   }
-  const compare::Comparison comparison = compare::compare(options);
+  const bool several = arguments.seeds > 1 || options.servo_tolerance > 0;
+  const compare::SeedsComparison result = compare::compare_seeds(options, arguments.seeds, thresholds);
+  const compare::Comparison& comparison = result.first;
   progress.reset();
-  if (comparison.stopped) say_error(fmt::format("stopped by {}; what had not ended is missing", signal_name()));
-  const compare::Recommendation recommendation = compare::recommend(comparison, thresholds);
+  if (result.stopped) say_error(fmt::format("stopped by {}; what had not ended is missing", signal_name()));
+  std::string text = several ? compare::summary(result) : compare::summary(comparison, result.of_first);
+  if (arguments.details) text += compare::details(comparison, result.of_first);
   Results results;
   results.write([&] {
-    write_result(arguments.json, compare::to_text(comparison, recommendation),
-                 compare::to_json(comparison, recommendation, thresholds));
+    write_result(arguments.json, text,
+                 several ? compare::to_json(result, thresholds)
+                         : compare::to_json(comparison, result.of_first, thresholds));
   });
   if (!arguments.plots.empty() && !comparison.stopped) {
     results.write([&] { compare::write_plots(comparison, arguments.plots); });
   }
-  return results.exit_code(comparison.stopped ? exit_code() : 0);
+  return results.exit_code(result.stopped ? exit_code() : 0);
 }
 
 }  // namespace

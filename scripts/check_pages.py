@@ -53,7 +53,8 @@ VARIES = [
     (re.compile(r"\(LLVM [\d.]+, \d+ bits\)"), "(LLVM #, # bits)"),
     (re.compile(r"\b[\d.]+ of the cost"), "# of the cost"),
     (re.compile(r" at 127\.0\.0\.1:\d+$"), " at 127.0.0.1:#"),  # a client
-    (re.compile(r"^([a-z]+_[a-z]+ \S+) \d+ \d+\.\d\d (?=\d)"), r"\1 # # "),  # rows of murosimf compare
+    (re.compile(r"^([a-z]+_[a-z]+ \S+) \d+ \d+\.\d\d (?=\d)"), r"\1 # # "),  # rows of murosimf compare --details
+    (re.compile(r"^( *[a-z]+_[a-z]+ +cost) \d+\.\d\d "), r"\1 # "),  # of its verdicts
 ]
 TIME_LIMIT = 300  # [s] of one command
 # A block in C or C++: a statement, or a line that opens a block of code; TOML, Python and shells have none of them.

@@ -10,21 +10,21 @@ namespace {
 using motion::MotionRecord;
 using motion::MotionSample;
 
-constexpr std::size_t stride = 50;  // samples between two of the path's length
+const double cos_unstable = std::cos(pi / 12);
+
 double horizontal(const Vec3d& v) { return std::hypot(v.x, v.y); }
 
+double cos_lean(const MotionSample& sample) { return std::cos(sample.pitch) * std::cos(sample.roll); }
+
 double path_length(const std::vector<MotionSample>& samples) {
-  double length = 0;
-  for (std::size_t i = stride; i < samples.size(); i += stride) {
-    length += horizontal(samples[i].base - samples[i - stride].base);
-  }
-  const std::size_t rest = samples.empty() ? 0 : (samples.size() - 1) / stride * stride;
-  return samples.empty() ? 0 : length + horizontal(samples.back().base - samples[rest].base);
+  std::vector<Vec3d> places;
+  for (const MotionSample& sample : samples) places.push_back(sample.base);
+  return length_of_way(places, swaying);
 }
 
 std::vector<PostureEvent> events_of(const std::vector<MotionSample>& samples) {
   Posture posture;
-  for (const MotionSample& sample : samples) posture.see(sample.time, std::cos(sample.pitch) * std::cos(sample.roll));
+  for (const MotionSample& sample : samples) posture.see(sample.time, cos_lean(sample));
   return posture.events();
 }
 
@@ -60,7 +60,7 @@ double largest_distance(const std::vector<MotionSample>& samples, const std::vec
 /// [m/s]
 double slip_rate(const MotionRecord& record) {
   if (record.samples.size() < 2) return 0;
-  return record.samples.back().slip / record.samples.back().time;
+  return record.samples.back().slip / (record.samples.back().time - record.samples.front().time);
 }
 
 double share(double value, double reference, double least) {
@@ -88,6 +88,37 @@ void compare_in_time(Deviations& d, const std::vector<MotionSample>& ours, const
 
 }  // namespace
 
+double length_of_way(const std::vector<Vec3d>& places, double apart) {
+  if (places.empty()) return 0;
+  double length = 0;
+  Vec3d last = places.front();
+  for (const Vec3d& place : places) {
+    const double step = horizontal(place - last);
+    if (step < apart) continue;
+    length += step;
+    last = place;
+  }
+  return length + horizontal(places.back() - last);
+}
+
+double fall_begins(const MotionRecord& record) {
+  const auto events = events_of(record.samples);
+  const double fall = first_fall(events);
+  if (std::isinf(fall)) return fall;
+  double begin = events.front().time;  // one that gets up by half and falls again was never stable
+  for (const MotionSample& sample : record.samples) {
+    if (sample.time < fall && cos_lean(sample) >= cos_unstable) begin = sample.time;
+  }
+  return begin;
+}
+
+MotionRecord part_until(const MotionRecord& record, double end) {
+  MotionRecord part = record;
+  std::erase_if(part.samples, [&](const MotionSample& sample) { return sample.time > end; });
+  part.torques.resize(part.samples.size() * part.joints.size());
+  return part;
+}
+
 Measures measures_of(const MotionRecord& record) {
   Measures m;
   if (record.samples.empty()) return m;
@@ -111,7 +142,7 @@ Measures measures_of(const MotionRecord& record) {
 Deviations deviations_of(const MotionRecord& record, const MotionRecord& reference) {
   Deviations d;
   const Measures mine = measures_of(record), other = measures_of(reference);
-  d.path_length = share(mine.path_length, other.path_length, shortest_path);
+  d.path_length = share(mine.path_length, other.path_length, shortest_way);
   d.path = largest_distance(record.samples, reference.samples);
   d.slip = std::abs(slip_rate(record) - slip_rate(reference));
   d.clearance = std::abs(mine.clearance - other.clearance);

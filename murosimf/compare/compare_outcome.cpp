@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -16,33 +17,49 @@ void see(double value, const std::string& name, OfAnother& worst) {
   if (value > worst.value) worst = {value, name};
 }
 
-Posture posture_of(const OtherRecord& record) {
-  Posture posture;
-  for (const OtherSample& sample : record.samples) posture.see(sample.time, sample.cos_lean);
-  return posture;
+/// Until when [s] it shows what both robots have done before one of them fell.
+double judged_until(const OtherRecord& mine, const OtherRecord& reference, double fall) {
+  const auto untouched_since = [&](const OtherRecord& other) { return other.touched_last.value_or(0) <= fall; };
+  const bool touched = mine.touched || reference.touched;
+  const bool to_its_end = touched && untouched_since(mine) && untouched_since(reference);
+  return to_its_end ? std::numeric_limits<double>::infinity() : fall;
 }
 
 }  // namespace
 
+std::vector<PostureEvent> postures_of(const OtherRecord& record) {
+  Posture posture;
+  for (const OtherSample& sample : record.samples) posture.see(sample.time, sample.cos_lean);
+  return posture.events();
+}
+
 OtherMeasures measures_of(const OtherRecord& record) {
+  return measures_of(record, std::numeric_limits<double>::infinity());
+}
+
+OtherMeasures measures_of(const OtherRecord& record, double until) {
   OtherMeasures m;
-  for (std::size_t i = 0; i < record.samples.size(); ++i) {
-    const OtherSample& sample = record.samples[i];
-    const Vec3d moved = i == 0 ? Vec3d{} : sample.place - record.samples[i - 1].place;
-    m.way += std::hypot(moved.x, moved.y);
+  Posture posture;
+  std::vector<Vec3d> places;
+  for (const OtherSample& sample : record.samples) {
+    if (sample.time > until) break;
+    places.push_back(sample.place);
+    posture.see(sample.time, sample.cos_lean);
     m.peak_speed = std::max(m.peak_speed, sample.speed);
     m.end = sample.place;
   }
-  if (record.can_fall) m.falls = falls_in(posture_of(record).events());
+  m.way = length_of_way(places, record.can_fall ? swaying : 0);
+  if (record.can_fall) m.falls = falls_in(posture.events());
   return m;
 }
 
-void compare_outcome(const OutcomeRecord& mine, const OutcomeRecord& reference, Deviations& deviations) {
+void compare_outcome(const OutcomeRecord& mine, const OutcomeRecord& reference, double fall, Deviations& deviations) {
   for (std::size_t i = 0; i < mine.others.size(); ++i) {
     const OtherRecord &ours = mine.others[i], &theirs = reference.others[i];
     if (ours.samples.empty() || theirs.samples.empty()) continue;
-    const OtherMeasures a = measures_of(ours), b = measures_of(theirs);
-    const double way = std::max(b.way, shortest_path), speed = std::max(b.peak_speed, slowest_speed);
+    const double until = judged_until(ours, theirs, fall);
+    const OtherMeasures a = measures_of(ours, until), b = measures_of(theirs, until);
+    const double way = std::max(b.way, shortest_way), speed = std::max(b.peak_speed, slowest_speed);
     see(std::abs(a.way - b.way) / way, ours.name, deviations.others_way);
     see(norm(a.end - b.end) / way, ours.name, deviations.others_end);
     see(std::abs(a.peak_speed - b.peak_speed) / speed, ours.name, deviations.others_speed);
@@ -65,8 +82,7 @@ std::vector<std::string> different_falls_of_others(const OutcomeRecord& mine, co
   std::vector<std::string> differences;
   for (std::size_t i = 0; i < mine.others.size(); ++i) {
     if (!mine.others[i].can_fall) continue;
-    const auto line =
-        difference(posture_of(mine.others[i]).events(), posture_of(reference.others[i]).events(), tolerance);
+    const auto line = difference(postures_of(mine.others[i]), postures_of(reference.others[i]), tolerance);
     if (!line.empty()) differences.push_back(fmt::format("{}: {}", mine.others[i].name, line));
   }
   return differences;

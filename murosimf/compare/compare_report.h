@@ -8,8 +8,11 @@
 
 namespace murosimf::compare {
 
-/// What happened, what deviates from the reference, what is adequate.
-[[nodiscard]] std::string to_text(const Comparison& comparison, const Recommendation& recommendation);
+/// A few lines: the verdict, one line for each level besides the reference, what was compared, for which level sensors are right.
+[[nodiscard]] std::string summary(const Comparison& comparison, const Recommendation& recommendation);
+
+/// Tables: what happened, what deviates from the reference, what follows.
+[[nodiscard]] std::string details(const Comparison& comparison, const Recommendation& recommendation);
 
 /// One JSON object; docs/compare.md has its keys. Numbers that a level does not have are left out.
 [[nodiscard]] std::string to_json(const Comparison& comparison, const Recommendation& recommendation,

@@ -8,6 +8,8 @@
 
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/compare/compare_outcome.h"
+#include "murosimf/compare/compare_sensors.h"
+#include "murosimf/math/random.h"
 #include "murosimf/motion/torque_watch.h"
 #include "murosimf/scene/scene.h"
 
@@ -32,6 +34,30 @@ scene::SceneOptions scene_options(const CompareOptions& options) {
   return result;
 }
 
+/// Overrides of the gains of all servos. Those of one type are off by the same factor, which the seed decides: it is a number of its
+/// table that is not known better.
+std::vector<std::string> servo_gains(const CompareOptions& options) {
+  if (options.servo_tolerance == 0) return {};
+  const scene::Scene scene(options.scene, scene_options(options));
+  const Model& model = scene.simulation().world().entity(options.entity).model();
+  std::vector<std::string> overrides;
+  for (const int object : model.having(properties::servo)) {
+    const Servo& servo = *model.find(properties::servo, object);
+    const RandomStream stream(scene.spec().seed, "servo_tolerance/" + servo.type);
+    const double factor = stream.uniform(0, 1 - options.servo_tolerance, 1 + options.servo_tolerance);
+    const auto path = fmt::format("{}.{}.servo", options.entity, model.objects()[object].name);
+    overrides.push_back(fmt::format("{}.position_gain={}", path, factor * servo.position_gain));
+    if (servo.velocity_gain > 0) {
+      overrides.push_back(fmt::format("{}.velocity_gain={}", path, factor * servo.velocity_gain));
+    }
+  }
+  return overrides;
+}
+
+void append(const std::vector<std::string>& more, std::vector<std::string>& all) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
 /// As the state has it, and the robot changed there: it keeps its motion, as at a change of level in a run.
 std::unique_ptr<scene::Scene> build_at_start(const CompareOptions& options, const CompareEntry& entry) {
   auto scene = std::make_unique<scene::Scene>(options.scene, scene_options(options));
@@ -49,6 +75,7 @@ std::unique_ptr<scene::Scene> build(const CompareOptions& options, const Compare
   scene::SceneOptions scene = scene_options(options);
   scene.overrides.push_back(fmt::format("{}.level={}", options.entity, entry.level));
   if (!entry.contact.empty()) scene.overrides.push_back(fmt::format("{}.contact={}", options.entity, entry.contact));
+  if (entry.traits.servos) append(servo_gains(options), scene.overrides);
   return std::make_unique<scene::Scene>(options.scene, scene);
 }
 
@@ -87,6 +114,16 @@ std::vector<CompareEntry> entries_for(const CompareOptions& options, const scene
     }
   }
   return entries;
+}
+
+std::vector<NamedOutcome> named_outcomes(const CompareOptions& options, const scene::Scene& scene) {
+  std::vector<OutcomeOwner> owners;
+  for (const Entity* entity : scene.moving_entities()) {
+    owners.push_back({entity->name(), entity->name() == options.entity, !entity->model().joints().empty()});
+  }
+  std::vector<NamedOutcome> outcomes;
+  for (const std::string& text : options.outcomes) outcomes.push_back(named_outcome(text, owners));
+  return outcomes;
 }
 
 /// A level that changes on the way is none that could be compared.
@@ -128,6 +165,7 @@ void observe(const CompareOptions& options, const Comparison& comparison, Compar
   std::erase(others, &robot);
   const auto& outcome =
       simulation.attach<OutcomeRecorder>("outcome_recorder", scene->spec().rate, robot, others, longest);
+  const auto& sensors = simulation.attach<InertialRecorder>("inertial_recorder", robot, scene->spec().rate, longest);
   simulation.run(end - start);
   if (simulation.now() < end) {
     entry.stopped = true;
@@ -136,6 +174,7 @@ void observe(const CompareOptions& options, const Comparison& comparison, Compar
   }
   entry.record = recorder.record();
   entry.outcome = outcome.record();
+  entry.sensors = sensors.records();
   entry.measures = measures_of(entry.record);
   if (robot.frozen()) entry.frozen = *robot.frozen_reason();
   entry.overload = motion::overload_message(robot);
@@ -203,6 +242,34 @@ void measure_cost(const CompareOptions& options, Comparison& result) {
   }
 }
 
+/// Only up to where one of both begins to fall: after a fall, runs drift apart at any level.
+void compare_with(const CompareEntry& reference, CompareEntry& entry) {
+  const double fall = std::min(fall_begins(entry.record), fall_begins(reference.record));
+  entry.compared_until = fall;
+  entry.deviations = deviations_of(part_until(entry.record, fall), part_until(reference.record, fall));
+  compare_outcome(entry.outcome, reference.outcome, fall, entry.deviations);
+  compare_sensors(entry.sensors, reference.sensors, fall, entry.deviations);
+}
+
+void observe_as_modeled(const CompareOptions& options, Comparison& result) {
+  const CompareEntry& reference = result.entries[result.reference];
+  if (options.servo_tolerance == 0 || asked_to_stop(options)) return;
+  if (!reference.traits.servos) {
+    throw SetupError(
+        fmt::format("--servo-tolerance: {}, the most detailed level that ran, has no servos", reference.level));
+  }
+  CompareOptions modeled = options;
+  modeled.servo_tolerance = 0;
+  CompareEntry entry;
+  entry.level = reference.level;
+  entry.contact = reference.contact;
+  entry.traits = reference.traits;
+  observe(modeled, result, entry);
+  if (!entry.ran()) return;
+  compare_with(reference, entry);
+  result.as_modeled = std::move(entry);
+}
+
 double checked_end(const CompareOptions& options, const scene_file::SceneSpec& spec, double start) {
   const double end = options.end.value_or(spec.duration);
   if (!(end > 0) || end > longest_record) {
@@ -224,7 +291,11 @@ std::string label(const Comparison& comparison, const CompareEntry& entry) {
 }
 
 Comparison compare(const CompareOptions& options) {
-  if (options.repeat < 1) throw SetupError(fmt::format("--repeat {}: must be at least 1", options.repeat));
+  if (options.servo_tolerance > 0 && options.go_to_start) {
+    throw SetupError(
+        "--servo-tolerance: a state has the servos of its run; begin at the scene's start (without --from)");
+  }
+  if (options.repeat < 0) throw SetupError(fmt::format("--repeat {}: must be at least 0", options.repeat));
   Comparison result;
   {
     scene::Scene scene(options.scene, scene_options(options));
@@ -233,6 +304,7 @@ Comparison compare(const CompareOptions& options) {
     result.entity = options.entity;
     const std::vector<CompareEntry> entries = entries_for(options, find_robot(spec, options.entity));
     check_events(spec, options.entity);
+    result.outcomes = named_outcomes(options, scene);
     if (options.go_to_start) {
       scene.simulation().initialize();
       options.go_to_start(scene);
@@ -247,10 +319,9 @@ Comparison compare(const CompareOptions& options) {
   result.reference = find_reference(result.entries);
   const CompareEntry& reference = result.entries[result.reference];
   for (CompareEntry& entry : result.entries) {
-    if (!entry.ran()) continue;
-    entry.deviations = deviations_of(entry.record, reference.record);
-    compare_outcome(entry.outcome, reference.outcome, entry.deviations);
+    if (entry.ran()) compare_with(reference, entry);
   }
+  observe_as_modeled(options, result);
   measure_cost(options, result);
   result.stopped = asked_to_stop(options);
   return result;

@@ -3,11 +3,14 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "murosimf/compare/compare_metrics.h"
+#include "murosimf/compare/inertial_recorder.h"
+#include "murosimf/compare/named_outcome.h"
 #include "murosimf/compare/outcome_recorder.h"
 #include "murosimf/model/motion_level.h"
 
@@ -25,8 +28,12 @@ struct CompareOptions {
   std::vector<std::string> overrides;  ///< PATH=VALUE, as for --set
   std::optional<double> end;           ///< [s] simulated time at which runs end, instead of the scene's
   std::optional<std::uint64_t> seed;   ///< instead of the scene's
-  int repeat = 3;                      ///< timed runs per level; their median counts
-  bool lenient = false;                ///< accept unknown elements in model files
+  int repeat = 3;                      ///< timed runs per level; their median counts. 0: costs are not measured
+  std::vector<std::string>
+      outcomes;          ///< OWNER.QUANTITY or OWNER.QUANTITY=TOLERANCE: they alone decide; empty: everything
+  bool lenient = false;  ///< accept unknown elements in model files
+  double servo_tolerance =
+      0;  ///< [1] share by which gains of the robot's servos are off, at levels that have servos: at most
   /// Brings a scene that was just built to where all runs begin, for example to a saved state; empty: its own beginning.
   std::function<void(scene::Scene& scene)> go_to_start{};
   /// Told what runs, and the share of the work that is done; may be empty.
@@ -45,9 +52,12 @@ struct CompareEntry {
   std::string overload;  ///< which servos were too weak for what was told (full_dynamics); empty: none
   motion::MotionRecord record;
   OutcomeRecord outcome;
+  std::vector<InertialRecord> sensors;  ///< of its accelerometers and gyroscopes
   Measures measures;
   Deviations deviations;  ///< from the reference
-  double cost = 0;        ///< [us] of processor time per simulated second, of the whole scene; 0: not measured
+  /// [s] Up to when the robot was compared: one of both begins to fall there; infinity: none does.
+  double compared_until = std::numeric_limits<double>::infinity();
+  double cost = 0;  ///< [us] of processor time per simulated second, of the whole scene; 0: not measured
   [[nodiscard]] bool ran() const { return refusal.empty(); }
   /// "could not start: ...", "stopped at 1.234 s".
   [[nodiscard]] std::string why_not() const { return (stopped ? "" : "could not start: ") + refusal; }
@@ -58,9 +68,12 @@ struct Comparison {
   double start = 0, end = 0;  ///< [s] simulated time, from when to when
   std::uint64_t seed = 0;
   int repeat = 0;
+  std::vector<NamedOutcome> outcomes;
   std::vector<CompareEntry> entries;  ///< levels from simple to detailed, laws as they were asked for
-  std::size_t reference = 0;          ///< the most detailed level that ran, under the first law
-  bool stopped = false;               ///< before all had run and been timed: maybe none ran, maybe no cost is known
+  /// If gains of servos vary: the reference with those of the model, compared with the reference that has others.
+  std::optional<CompareEntry> as_modeled{};
+  std::size_t reference = 0;  ///< the most detailed level that ran, under the first law
+  bool stopped = false;       ///< before all had run and been timed: maybe none ran, maybe no cost is known
 };
 
 /// "full_dynamics", or "full_dynamics with paper" if the level ran under several laws.

@@ -1,4 +1,4 @@
-// The comparison as tables.
+// The comparison as tables, for --details.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -7,24 +7,19 @@
 
 #include "murosimf/compare/compare_outcome.h"
 #include "murosimf/compare/compare_report.h"
+#include "murosimf/compare/compare_sensors.h"
 
 namespace murosimf::compare {
 namespace {
 
 std::string law(const CompareEntry& entry) { return entry.contact.empty() ? "-" : entry.contact; }
 
-std::string head(const Comparison& c) {
-  const std::string span =
-      c.start > 0 ? fmt::format("from {:g} to {:g} s", c.start, c.end) : fmt::format("for {:g} s", c.end);
-  return fmt::format("{}: {} {}, seed {}; reference: {}\n", c.scene, c.entity, span, c.seed,
-                     label(c, c.entries[c.reference]));
-}
+std::string front(const CompareEntry& e) { return fmt::format("{:<20} {:<19}", e.level, law(e)); }
 
 /// "1, 0.52 s": how often, and when first.
 std::string falls(const Measures& m) {
   if (m.falls == 0) return "0";
-  const std::size_t first = m.events[1].down ? 1 : 2;
-  return fmt::format("{}, {:.2f} s", m.falls, m.events[first].time);
+  return fmt::format("{}, {:.2f} s", m.falls, first_fall(m.events));
 }
 
 std::string servos(const CompareEntry& e) {
@@ -34,14 +29,13 @@ std::string servos(const CompareEntry& e) {
 }
 
 std::string happened(const CompareEntry& e, double reference_cost) {
-  const std::string front = fmt::format("{:<20} {:<19}", e.level, law(e));
-  if (!e.ran()) return fmt::format("{} {}\n", front, e.why_not());
+  if (!e.ran()) return fmt::format("{} {}\n", front(e), e.why_not());
   const Measures& m = e.measures;
   const std::string torque = m.peak_joint.empty() ? "-" : fmt::format("{:.2f} Nm", m.peak_torque);
   const bool timed = e.cost > 0 && reference_cost > 0;
   const std::string cost =
       timed ? fmt::format("{:>9.0f} {:>5.2f}", e.cost, e.cost / reference_cost) : "        -     -";
-  return fmt::format("{} {} {:>5.2f} m {:>5.3f} m {:>5.3f} m {:>10} {:>9} {:>6.2f} {:>5.2f} m  {}\n", front, cost,
+  return fmt::format("{} {} {:>5.2f} m {:>5.3f} m {:>5.3f} m {:>10} {:>9} {:>6.2f} {:>5.2f} m  {}\n", front(e), cost,
                      m.path_length, m.slip, m.clearance, torque, falls(m), m.end.x, m.end.y, servos(e));
 }
 
@@ -82,53 +76,93 @@ std::string happened_to_others(const Comparison& c) {
          rows;
 }
 
-/// Without those of others, if there are no others.
-std::vector<ComparedQuantity> shown(const Comparison& c) {
-  std::vector<ComparedQuantity> all(quantities().begin(), quantities().end());
-  if (c.entries[c.reference].outcome.others.empty()) {
-    std::erase_if(all, [](const ComparedQuantity& q) { return q.of_another != nullptr; });
+/// What inertial sensors have shown up to where they are compared.
+std::string happened_to_sensors(const Comparison& c) {
+  std::string rows;
+  for (const CompareEntry& e : c.entries) {
+    for (const InertialRecord& record : e.sensors) {
+      const InertialMeasures m = measures_of(record, e.compared_until);
+      const auto number = [](bool has, double value, const char* unit) {
+        return has ? fmt::format("{:.2f} {}", value, unit) : "-";
+      };
+      rows += fmt::format("{} {:<15} {:>11} {:>11} {:>11}\n", front(e), record.name,
+                          number(record.accelerometer, m.force_rms, "m/s^2"),
+                          number(record.accelerometer, m.force_peak, "m/s^2"),
+                          number(record.gyroscope, m.rate_rms, "rad/s"));
+    }
   }
+  if (rows.empty()) return {};
+  return fmt::format("\n{:<20} {:<19} {:<15} {:>11} {:>11} {:>11}\n", "level", "contact", "sensor", "|a|-g rms", "peak",
+                     "|w| rms") +
+         rows;
+}
+
+std::vector<ComparedQuantity> quantities_of(Concern concern) {
+  std::vector<ComparedQuantity> all(quantities().begin(), quantities().end());
+  std::erase_if(all, [&](const ComparedQuantity& q) { return q.concern != concern; });
   return all;
 }
 
-std::string deviated(const CompareEntry& e, const std::vector<ComparedQuantity>& all) {
-  std::string text = fmt::format("{:<20} {:<19}", e.level, law(e));
-  for (const ComparedQuantity& q : all) text += fmt::format(" {:>12}", number_of(q, q.of(e.deviations)));
+bool compared(const Comparison& c, std::size_t i) { return c.entries[i].ran() && i != c.reference; }
+
+std::string deviated(const CompareEntry& e, const std::vector<ComparedQuantity>& all, bool torques) {
+  std::string text = front(e);
+  for (const ComparedQuantity& q : all) {
+    text += fmt::format(" {:>{}}", number_of(q, q.of(e.deviations)), std::max<std::size_t>(12, q.name.size()));
+  }
   const double torque = 100 * e.deviations.torque;
-  return text + fmt::format(" {:>8}\n", std::isnan(torque) ? "-" : fmt::format("{:.0f} %", torque));
+  if (torques) text += fmt::format(" {:>8}", std::isnan(torque) ? "-" : fmt::format("{:.0f} %", torque));
+  return text + "\n";
+}
+
+/// How far levels are off the reference, in what concerns the robot, others or sensors.
+std::string deviated(const Comparison& c, Concern concern) {
+  const auto all = quantities_of(concern);
+  const bool torques = concern == Concern::robot;
+  std::string text = fmt::format("\n{:<20} {:<19}", "off the reference by", "");
+  for (const ComparedQuantity& q : all)
+    text += fmt::format(" {:>{}}", q.name, std::max<std::size_t>(12, q.name.size()));
+  text += torques ? fmt::format(" {:>8}\n", "torque") : "\n";
+  for (std::size_t i = 0; i < c.entries.size(); ++i) {
+    if (compared(c, i)) text += deviated(c.entries[i], all, torques);
+  }
+  return text;
 }
 
 std::string judged(const CompareEntry& e, const LevelVerdict& verdict) {
-  const std::string text =
-      verdict.adequate ? "adequate" : fmt::format("not adequate: {}", fmt::join(verdict.reasons, "; "));
-  return fmt::format("{:<20} {:<19} {}\n", e.level, law(e), text);
+  std::string text = verdict.adequate ? "adequate" : fmt::format("not adequate: {}", fmt::join(verdict.reasons, "; "));
+  for (const std::string& remark : verdict.remarks) text += fmt::format("; {}", remark);
+  return fmt::format("{} {}\n", front(e), text);
 }
 
 /// Those that can be compared with the reference: their deviations, then what follows from them.
 std::string compared(const Comparison& c, const Recommendation& r) {
-  std::string numbers = fmt::format("\n{:<20} {:<19}", "off the reference by", "");
-  const auto all = shown(c);
-  for (const ComparedQuantity& q : all) numbers += fmt::format(" {:>12}", q.name);
-  numbers += fmt::format(" {:>8}\n", "torque");
-  std::string words;
+  const CompareEntry& reference = c.entries[c.reference];
+  std::string words, sensors;
   for (std::size_t i = 0; i < c.entries.size(); ++i) {
-    const CompareEntry& e = c.entries[i];
-    if (!e.ran() || i == c.reference) continue;
-    numbers += deviated(e, all);
-    words += judged(e, r.verdicts[i]);
+    if (!compared(c, i)) continue;
+    words += judged(c.entries[i], r.verdicts[i]);
+    sensors += judged(c.entries[i], r.of_sensors[i]);
   }
-  return words.empty() ? std::string{} : numbers + "\n" + words;
+  if (words.empty()) return {};
+  std::string text = deviated(c, Concern::robot);
+  if (!reference.outcome.others.empty()) text += deviated(c, Concern::others);
+  if (!reference.sensors.empty()) text += deviated(c, Concern::sensors);
+  text += "\n" + words;
+  return reference.sensors.empty() ? text : text + "\nsensors:\n" + sensors;
 }
 
 }  // namespace
 
-std::string to_text(const Comparison& comparison, const Recommendation& recommendation) {
-  std::string text = head(comparison) + happened(comparison) + happened_to_others(comparison) +
-                     compared(comparison, recommendation) + "\n";
+std::string details(const Comparison& comparison, const Recommendation& recommendation) {
+  std::string text = happened(comparison) + happened_to_others(comparison) + happened_to_sensors(comparison) +
+                     compared(comparison, recommendation);
+  std::string last;
   for (const CompareEntry& entry : comparison.entries) {
-    if (!entry.overload.empty()) text += fmt::format("{}: {}\n", label(comparison, entry), entry.overload);
+    if (!entry.overload.empty()) last += fmt::format("{}: {}\n", label(comparison, entry), entry.overload);
   }
-  return text + recommendation.sentence + "\n";
+  for (const std::string& need : recommendation.needs) last += need + "\n";
+  return last.empty() ? text : text + "\n" + last;
 }
 
 }  // namespace murosimf::compare

@@ -22,10 +22,17 @@ constexpr std::array all{
     ComparedQuantity{"rate", "torso angular rate", "rad/s", 1, 2, 0.7, &Deviations::rate},
     ComparedQuantity{"slip", "foot slip", "mm/s", 1000, 1, 20, &Deviations::slip},
     ComparedQuantity{"clearance", "foot clearance", "mm", 1000, 0, 20, &Deviations::clearance},
-    ComparedQuantity{"others_way", "way of what is around", "%", 100, 1, 20, nullptr, &Deviations::others_way},
-    ComparedQuantity{"others_end", "place of what is around", "%", 100, 1, 20, nullptr, &Deviations::others_end},
+    ComparedQuantity{"others_way", "way of what is around", "%", 100, 1, 20, nullptr, &Deviations::others_way,
+                     Concern::others},
+    ComparedQuantity{"others_end", "place of what is around", "%", 100, 1, 20, nullptr, &Deviations::others_end,
+                     Concern::others},
     ComparedQuantity{"others_speed", "peak speed of what is around", "%", 100, 1, 20, nullptr,
-                     &Deviations::others_speed},
+                     &Deviations::others_speed, Concern::others},
+    ComparedQuantity{"accelerometer", "accelerometer", "%", 100, 0, 30, nullptr, &Deviations::accelerometer,
+                     Concern::sensors},
+    ComparedQuantity{"accelerometer_peak", "peak of the accelerometer", "%", 100, 0, 60, nullptr,
+                     &Deviations::accelerometer_peak, Concern::sensors},
+    ComparedQuantity{"gyroscope", "gyroscope", "%", 100, 0, 40, nullptr, &Deviations::gyroscope, Concern::sensors},
 };
 
 double value_of(const std::string& text, std::size_t begin, const std::string& where) {

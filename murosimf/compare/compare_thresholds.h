@@ -10,6 +10,9 @@
 
 namespace murosimf::compare {
 
+/// What a deviation is one of.
+enum class Concern { robot, others, sensors };
+
 /// One deviation that has a threshold.
 struct ComparedQuantity {
   std::string_view name;   ///< for --threshold
@@ -19,12 +22,13 @@ struct ComparedQuantity {
   int decimals;            ///< that are worth printing
   double threshold;        ///< default, in that unit
   double Deviations::*deviation = nullptr;
-  OfAnother Deviations::*of_another = nullptr;  ///< instead, if it is one of others
+  OfAnother Deviations::*of_another = nullptr;  ///< instead, if it is one of others or of sensors
+  Concern concern = Concern::robot;
 
   [[nodiscard]] double of(const Deviations& deviations) const {
     return scale * (of_another ? (deviations.*of_another).value : deviations.*deviation);
   }
-  /// Whose it is; empty: the robot's.
+  /// Whose it is: another's, or a sensor; empty: the robot's.
   [[nodiscard]] const std::string& who(const Deviations& deviations) const;
 };
 
@@ -41,7 +45,8 @@ struct Thresholds {
 
   std::vector<double> values;  ///< as quantities(), in their units
   double fall_time = 0.25;     ///< [s] between the falls of two levels
-  double contact_duty = 20;    ///< [%] of the time around touches in which servos may ask for all that they have
+  double contact_duty =
+      20;  ///< [%] of the time around touches in which servos ask for all that they have: more is a remark
 };
 
 }  // namespace murosimf::compare

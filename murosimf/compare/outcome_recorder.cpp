@@ -41,7 +41,10 @@ void OutcomeRecorder::watch_touches(double now) noexcept {
 void OutcomeRecorder::touch(int number, double now) noexcept {
   touching_ = true;
   for (std::size_t i = 0; i < sources_.size(); ++i) {
-    if (sources_[i].number == number && !record_.others[i].touched) record_.others[i].touched = now;
+    if (sources_[i].number != number) continue;
+    OtherRecord& other = record_.others[i];
+    if (!other.touched) other.touched = now;
+    other.touched_last = now;
   }
 }
 

@@ -27,7 +27,7 @@ struct OtherRecord {
   std::string name;
   bool can_fall = false;  ///< it has joints
   std::vector<OtherSample> samples;
-  std::optional<double> touched;  ///< [s] when the robot touched it first; nothing: never
+  std::optional<double> touched, touched_last;  ///< [s] when the robot touched it first and last; nothing: never
 };
 
 struct OutcomeRecord {

@@ -1,6 +1,7 @@
 #include "murosimf/compare/posture_events.h"
 
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -34,6 +35,13 @@ int falls_in(const std::vector<PostureEvent>& events) {
   int falls = 0;
   for (std::size_t i = 1; i < events.size(); ++i) falls += events[i].down ? 1 : 0;
   return falls;
+}
+
+double first_fall(const std::vector<PostureEvent>& events) {
+  for (std::size_t i = 1; i < events.size(); ++i) {
+    if (events[i].down) return events[i].time;
+  }
+  return std::numeric_limits<double>::infinity();
 }
 
 std::string difference(const std::vector<PostureEvent>& mine, const std::vector<PostureEvent>& reference,

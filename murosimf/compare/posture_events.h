@@ -26,6 +26,9 @@ class Posture {
 /// How often it went down after it had been up.
 [[nodiscard]] int falls_in(const std::vector<PostureEvent>& events);
 
+/// [s] When it went down first after it had been up; infinity: never.
+[[nodiscard]] double first_fall(const std::vector<PostureEvent>& events);
+
 /// "falls once, the reference does not", "falls 0.31 s later than the reference"; empty: they do not differ by more than `tolerance` [s].
 [[nodiscard]] std::string difference(const std::vector<PostureEvent>& mine, const std::vector<PostureEvent>& reference,
                                      double tolerance);

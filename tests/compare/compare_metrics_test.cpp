@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
 
 namespace murosimf::compare {
 namespace {
@@ -31,9 +32,8 @@ MotionRecord straight(double speed, double seconds, const Vec3d& offset = {}) {
 
 TEST(CompareMetrics, APathIsAsLongAsItIs) {
   EXPECT_NEAR(measures_of(straight(0.2, 10)).path_length, 2, 1e-12);
-  EXPECT_NEAR(measures_of(straight(0.2, 10.37)).path_length, 2.074, 1e-12) << "the rest after the last half second";
-  const auto sway = run(10, [](MotionSample& s) { s.base = {0.2 * s.time, 0.01 * std::sin(4 * pi * s.time), 0}; });
-  EXPECT_NEAR(measures_of(sway).path_length, 2, 1e-9) << "swaying does not count";
+  EXPECT_NEAR(measures_of(straight(0.2, 10.37)).path_length, 2.074, 1e-12)
+      << "the rest after the last tenth of a meter";
   EXPECT_EQ(measures_of(MotionRecord{}).path_length, 0);
 }
 
@@ -63,8 +63,61 @@ TEST(CompareMetrics, ASlowerRunStaysOnThePath) {
   EXPECT_NEAR(d.center_mean, 0.25, 1e-12);
 }
 
-TEST(CompareMetrics, SharesOfShortPathsCountAgainstAMeter) {
-  EXPECT_NEAR(deviations_of(straight(0.02, 10), straight(0.01, 10)).path_length, 0.1, 1e-12);
+TEST(CompareMetrics, SharesOfShortPathsCountAgainstAQuarterOfAMeter) {
+  EXPECT_NEAR(deviations_of(straight(0.02, 10), straight(0.01, 10)).path_length, 0.4, 1e-12);
+  EXPECT_NEAR(deviations_of(straight(0.02, 10), straight(0.04, 10)).path_length, 0.5, 1e-12);
+}
+
+// Whatever its frequency: the way of a walker is known, a robot that sways on the spot has none.
+TEST(CompareMetrics, SwayingIsNoWay) {
+  for (const double frequency : {0.3, 0.9, 1.7, 2.0, 3.1}) {
+    const auto sway = [&](double speed) {
+      return run(10, [&](MotionSample& s) {
+        s.base = {speed * s.time, 0.02 * std::sin(2 * pi * frequency * s.time), 0};
+      });
+    };
+    EXPECT_LT(measures_of(sway(0)).path_length, 0.02 + 1e-12) << frequency;
+    EXPECT_NEAR(measures_of(sway(0.2)).path_length, 2, 0.12) << frequency;
+    EXPECT_LT(deviations_of(sway(0), straight(0, 10)).path_length, 0.08 + 1e-12) << frequency;
+  }
+}
+
+TEST(CompareMetrics, EveryPlaceCountsOfAWayWithoutSwaying) {
+  EXPECT_NEAR(length_of_way({{0, 0, 0}, {0.01, 0, 0.3}, {0, 0, 0.1}}, 0), 0.02, 1e-12);
+  EXPECT_NEAR(length_of_way({{0, 0, 0}, {0.01, 0, 0.3}, {0, 0, 0.1}}, 0.1), 0, 1e-12);
+  EXPECT_EQ(length_of_way({}, 0), 0);
+}
+
+// It tips by 20 degrees per second squared from 1 s on, nods by 20 degrees at 0.5 s: 15 degrees at 1 + sqrt(1.5) s, 60 at 1 + sqrt(6) s.
+TEST(CompareMetrics, AFallBeginsWhereTheRobotLeansForGood) {
+  const double degree = pi / 180;
+  const auto tips = run(4, [&](MotionSample& s) {
+    s.pitch = s.time < 1 ? 20 * degree * std::exp(-std::pow((s.time - 0.5) / 0.1, 2))
+                         : 10 * degree * (s.time - 1) * (s.time - 1);
+  });
+  EXPECT_NEAR(fall_begins(tips), 1 + std::sqrt(1.5), 0.0101);
+  EXPECT_NEAR(measures_of(tips).events.at(1).time, 1 + std::sqrt(6.0), 0.0101);
+  EXPECT_TRUE(std::isinf(fall_begins(straight(0.2, 3)))) << "it does not fall";
+  EXPECT_TRUE(std::isinf(fall_begins(MotionRecord{})));
+  const auto lies = run(2, [&](MotionSample& s) { s.pitch = s.time < 1 ? pi / 2 : 0; });
+  EXPECT_TRUE(std::isinf(fall_begins(lies))) << "it only gets up";
+}
+
+TEST(CompareMetrics, APartEndsWhereItIsCut) {
+  MotionRecord record = straight(0.1, 2);
+  record.joints = {"knee", "ankle"};
+  record.torques.resize(402, 1.0);
+  const MotionRecord part = part_until(record, 0.5 + 1e-9);
+  EXPECT_EQ(part.samples.size(), 51U);
+  EXPECT_EQ(part.torques.size(), 102U);
+  EXPECT_EQ(part_until(record, std::numeric_limits<double>::infinity()).samples.size(), 201U);
+}
+
+// 40 mm in 2 s, whenever the run began.
+TEST(CompareMetrics, SlipIsThatOfTheTimeThatRan) {
+  MotionRecord late = run(2, [](MotionSample& s) { s.slip = 0.02 * s.time; });
+  for (MotionSample& sample : late.samples) sample.time += 100;
+  EXPECT_NEAR(deviations_of(late, run(2, [](MotionSample&) {})).slip, 0.02, 1e-12);
 }
 
 TEST(CompareMetrics, OnlyWhatBothHaveIsComparedInTime) {

@@ -3,12 +3,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <limits>
+
 #include "murosimf/compare/compare_verdict.h"
 #include "murosimf/scene/scene.h"
 #include "tests/written_scene.h"
 
 namespace murosimf::compare {
 namespace {
+
+constexpr double never = std::numeric_limits<double>::infinity();
 
 /// Something that moves along x with `speed` [m/s] for 5 s, and may fall at `fall` [s].
 OtherRecord mover(const std::string& name, double speed, double fall = 100, bool can_fall = true) {
@@ -27,7 +32,7 @@ OutcomeRecord outcome(std::vector<OtherRecord> others) { return {std::move(other
 TEST(CompareOutcome, ARunDoesNotDeviateFromItself) {
   const OutcomeRecord run = outcome({mover("ball", 0.7), mover("red", 0.2, 3)});
   Deviations d;
-  compare_outcome(run, run, d);
+  compare_outcome(run, run, never, d);
   EXPECT_EQ(d.others_way.value, 0);
   EXPECT_EQ(d.others_end.value, 0);
   EXPECT_EQ(d.others_speed.value, 0);
@@ -36,18 +41,18 @@ TEST(CompareOutcome, ARunDoesNotDeviateFromItself) {
   EXPECT_TRUE(different_falls_of_others(run, run, 0.25).empty());
 }
 
-// Way, end and peak speed are shares of the reference's, of a meter and half a meter per second at least; the worst counts.
+// Way, end and peak speed are shares of the reference's, of a quarter and half a meter per second at least; the worst counts.
 TEST(CompareOutcome, SharesAreOfTheReference) {
   Deviations d;
   compare_outcome(outcome({mover("ball", 0.9), mover("red", 0.05)}), outcome({mover("ball", 0.6), mover("red", 0.06)}),
-                  d);
+                  never, d);
   EXPECT_NEAR(d.others_way.value, 0.5, 1e-9);
   EXPECT_NEAR(d.others_end.value, 0.5, 1e-9);
   EXPECT_NEAR(d.others_speed.value, 0.5, 1e-9);
   EXPECT_EQ(d.others_way.name, "ball");
   Deviations slow;
-  compare_outcome(outcome({mover("red", 0.05)}), outcome({mover("red", 0.06)}), slow);
-  EXPECT_NEAR(slow.others_way.value, 0.05, 1e-9) << "of a meter";
+  compare_outcome(outcome({mover("red", 0.03)}), outcome({mover("red", 0.04)}), never, slow);
+  EXPECT_NEAR(slow.others_way.value, 0.2, 1e-9) << "5 cm of a quarter of a meter";
   EXPECT_NEAR(slow.others_speed.value, 0.02, 1e-9) << "of half a meter per second";
 }
 
@@ -55,9 +60,43 @@ TEST(CompareOutcome, SomethingElsewhereIsOffThoughItsWayIsAsLong) {
   OtherRecord there = mover("ball", 0.6);
   for (OtherSample& sample : there.samples) sample.place = {0, sample.place.x, 0.1};
   Deviations d;
-  compare_outcome(outcome({there}), outcome({mover("ball", 0.6)}), d);
+  compare_outcome(outcome({there}), outcome({mover("ball", 0.6)}), never, d);
   EXPECT_NEAR(d.others_way.value, 0, 1e-9);
   EXPECT_NEAR(d.others_end.value, std::sqrt(2.0), 1e-9);
+}
+
+/// It rolls with `speed` from 1 s on, twice as fast from 4 s on; touched at 1 s, and for the last time at `last` [s].
+OutcomeRecord kicked(double speed, double last) {
+  OtherRecord ball = mover("ball", 0);
+  double x = 0;
+  for (OtherSample& s : ball.samples) {
+    s.speed = s.time < 1 ? 0 : s.time < 4 ? speed : 2 * speed;
+    s.place = {x, 0, 0.1};
+    x += 0.01 * s.speed;
+  }
+  ball.touched = 1;
+  ball.touched_last = last;
+  return outcome({ball});
+}
+
+// One of the robots begins to fall at 3 s.
+TEST(CompareOutcome, OfAFallCountsWhatWasTouchedBefore) {
+  const auto deviation = [](const OutcomeRecord& mine, const OutcomeRecord& reference) {
+    Deviations d;
+    compare_outcome(mine, reference, 3, d);
+    return d;
+  };
+  const Deviations rolls = deviation(kicked(1.5, 1.1), kicked(1, 1.1));
+  EXPECT_NEAR(rolls.others_way.value, 0.5, 1e-9);
+  EXPECT_NEAR(rolls.others_speed.value, 0.5, 1e-9);
+  OutcomeRecord stopped = kicked(1, 1.1);
+  for (OtherSample& s : stopped.others[0].samples) s.place.x = std::min(s.place.x, 2.0);  // after the fall
+  EXPECT_NEAR(deviation(stopped, kicked(1, 1.1)).others_way.value, 0.6, 1e-9) << "2 m of 5: to its end";
+  stopped.others[0].touched_last = 3.5;
+  EXPECT_NEAR(deviation(stopped, kicked(1, 1.1)).others_way.value, 0, 1e-9) << "the robot fell on it";
+  stopped.others[0].touched = 3.5;
+  EXPECT_NEAR(deviation(stopped, kicked(1, 1.1)).others_way.value, 0, 1e-9);
+  EXPECT_NEAR(deviation(kicked(1.5, 3.5), kicked(1, 1.1)).others_way.value, 0.5, 1e-9) << "but what came before counts";
 }
 
 TEST(CompareOutcome, TouchesOfOneRunOnlyAreNamed) {
@@ -121,20 +160,22 @@ TEST(CompareOutcome, EntersTheVerdict) {
   EXPECT_EQ(judge(simple, reference, {}).reasons.at(0), "does not touch ball, the reference does");
   simple.outcome = run;
   for (int i = 95; i < 98; ++i) reference.record.samples[i].full_duty = true;
-  EXPECT_EQ(judge(simple, reference, {}).reasons.at(0),
-            "has no servos, and the reference's give all they have in 27 % of the time around its touches of ball");
+  reference.record.full_duty = 0.25;
+  EXPECT_TRUE(judge(simple, reference, {}).adequate) << "the ball does not feel it";
+  EXPECT_EQ(judge(simple, reference, {}).remarks.at(0),
+            "has no servos; the reference's give all they have in 27 % of the time around its touches of ball (25 % of "
+            "all time)");
   Thresholds patient;
   patient.set("contact_duty=30");
-  EXPECT_TRUE(judge(simple, reference, patient).adequate);
+  EXPECT_TRUE(judge(simple, reference, patient).remarks.empty());
   simple.traits.servos = true;
-  EXPECT_TRUE(judge(simple, reference, {}).adequate) << "it has servos itself";
-  simple.traits.servos = false;
+  EXPECT_TRUE(judge(simple, reference, {}).remarks.empty()) << "it has servos itself";
   reference.measures.falls = 1;
   reference.measures.events.push_back({2, true});
   simple.measures = reference.measures;
-  EXPECT_TRUE(judge(simple, reference, {}).adequate) << "after a fall everything drifts apart";
+  EXPECT_TRUE(judge(simple, reference, {}).adequate);
   simple.outcome.others[0].touched.reset();
-  EXPECT_FALSE(judge(simple, reference, {}).adequate) << "but who was touched counts";
+  EXPECT_FALSE(judge(simple, reference, {}).adequate) << "who was touched counts after a fall, too";
 }
 
 // The observer sees what the entity itself tells, and changes nothing.

@@ -251,8 +251,10 @@ TEST(Compare, SaysWhatIsWrong) {
   for (const double end : {0.0, -1.0, std::nan(""), 1e9}) {
     EXPECT_NE(with([&](auto& o) { o.end = end; }).find("--duration"), std::string::npos) << end;
   }
-  EXPECT_NE(with([](auto& o) { o.repeat = 0; }).find("--repeat 0"), std::string::npos);
+  EXPECT_NE(with([](auto& o) { o.repeat = -1; }).find("--repeat -1"), std::string::npos);
   EXPECT_NE(refusal(experiment("changing_levels", "walker")).find("changes on the way"), std::string::npos);
+  EXPECT_NE(with([](auto& o) { o.outcomes = {"bal.end"}; }).find("nothing that moves is called 'bal'"),
+            std::string::npos);
   CompareOptions car = experiment("car_crash", "car");
   car.levels = {"kinematic_walking"};
   EXPECT_NE(refusal(car).find("no level of 'car' can start; kinematic_walking: "), std::string::npos);

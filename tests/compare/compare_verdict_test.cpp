@@ -59,6 +59,7 @@ TEST(Verdict, WhateverIsOverItsThresholdDisqualifies) {
   for (std::size_t q = 0; q < quantities().size(); ++q) {
     Comparison c = four_levels();
     const ComparedQuantity& quantity = quantities()[q];
+    if (quantity.concern == Concern::sensors) continue;
     set(c.entries[0].deviations, quantity, 1.01 * quantity.threshold / quantity.scale);
     set(c.entries[1].deviations, quantity, 0.99 * quantity.threshold / quantity.scale);
     const Recommendation r = recommend(c, {});
@@ -73,6 +74,37 @@ TEST(Verdict, NotANumberIsNotWithinAThreshold) {
   Comparison c = four_levels();
   c.entries[0].deviations.pitch = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(recommend(c, {}).level, "simplified_dynamics");
+}
+
+// What inertial sensors show decides about those who read them, not about the motion.
+TEST(Verdict, SensorsHaveAVerdictOfTheirOwn) {
+  for (const ComparedQuantity& quantity : quantities()) {
+    if (quantity.concern != Concern::sensors) continue;
+    Comparison c = four_levels();
+    for (CompareEntry& e : c.entries) e.sensors.resize(1);
+    set(c.entries[0].deviations, quantity, 1.01 * quantity.threshold / quantity.scale);
+    set(c.entries[1].deviations, quantity, 0.99 * quantity.threshold / quantity.scale);
+    const Recommendation r = recommend(c, {});
+    EXPECT_EQ(r.level, "kinematic_walking");
+    EXPECT_FALSE(r.of_sensors[0].adequate) << quantity.name;
+    EXPECT_TRUE(r.of_sensors[1].adequate) << quantity.name;
+    EXPECT_EQ(r.sensors.find("simplified_dynamics, full_dynamics are adequate; kinematic_walking is not: " +
+                             std::string(quantity.words)),
+              0U)
+        << r.sensors;
+  }
+  EXPECT_EQ(recommend(four_levels(), {}).sensors, "") << "it has none";
+  Comparison falls = four_levels();
+  fall(falls.entries[1], 1);
+  EXPECT_FALSE(recommend(falls, {}).of_sensors[1].adequate) << "they show that, too";
+}
+
+TEST(Verdict, TheWorstReasonComesFirst) {
+  Comparison c = four_levels();
+  c.entries[0].deviations.pitch = 0.1;  // [rad] 1.1 times its threshold
+  c.entries[0].deviations.slip = 0.1;   // [m/s] five times
+  EXPECT_EQ(recommend(c, {}).verdicts[0].reasons, (std::vector<std::string>{"foot slip 100.0 mm/s off, more than 20",
+                                                                            "torso pitch 5.7 deg off, more than 5"}));
 }
 
 TEST(Verdict, UsersSetThresholds) {
@@ -92,13 +124,24 @@ TEST(Verdict, ALevelThatFallsAloneIsNotAdequate) {
   EXPECT_TRUE(says(r, "kinematic_walking is not: falls once, the reference does not")) << r.sentence;
 }
 
-TEST(Verdict, IfTheReferenceFallsOnlyFallsCount) {
+// A kick, then a fall: what comes before it must agree, too.
+TEST(Verdict, IfTheReferenceFallsWhatComesBeforeCounts) {
   Comparison c = four_levels();
-  c.entries[1].deviations.pitch = 1;  // after the fall runs drift apart
+  for (CompareEntry& e : c.entries) fall(e, 3);
+  c.entries[0].deviations.others_way = {1.7, "ball"};
+  c.entries[1].deviations.pitch = 0.2;
+  const Recommendation r = recommend(c, {});
+  EXPECT_EQ(r.level, "full_dynamics");
+  EXPECT_EQ(r.verdicts[0].reasons.front(), "way of what is around 170.0 % off, more than 20 (ball)");
+  EXPECT_EQ(r.verdicts[1].reasons.front(), "torso pitch 11.5 deg off, more than 5");
+}
+
+TEST(Verdict, FallsOfTheReferenceAreSaid) {
+  Comparison c = four_levels();
   for (const std::size_t i : {1, 2, 3}) fall(c.entries[i], 1 + 0.1 * static_cast<double>(i));
   const Recommendation r = recommend(c, {});
   EXPECT_EQ(r.level, "simplified_dynamics");
-  EXPECT_TRUE(says(r, "articulated_dynamics falls, so falls alone are compared")) << r.sentence;
+  EXPECT_TRUE(says(r, "articulated_dynamics falls at 1.30 s, compared is what comes before: ")) << r.sentence;
   EXPECT_TRUE(says(r, "falls within 0.20 s of it")) << r.sentence;
   EXPECT_TRUE(says(r, "kinematic_walking is not: does not fall, the reference does")) << r.sentence;
   EXPECT_FALSE(says(r, "torso pitch"));
