@@ -34,7 +34,7 @@ struct FieldSpec {
   std::string surface = "carpet";
   Vec3d friction_direction;  ///< [1] where its pile leans, in the ground; zero: nowhere
   bool goals = true;
-  bool nets = false;  ///< behind the goals
+  std::optional<bool> nets;  ///< of the goals; empty: as the field's size has them
   bool landmark_poles = false;
   std::optional<double> friction;  ///< [1] between the ground and everything; empty: by the pairs of materials
 };
