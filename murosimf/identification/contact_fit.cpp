@@ -86,28 +86,33 @@ Braking fit_braking(const Track& track, double drag) {
   return {{rate, error, fit.residual}, fit.parameters.y, way.direction};
 }
 
+double known_error(std::span<const Estimate> runs) {
+  double squares = 0;
+  for (const Estimate& run : runs) squares += run.error * run.error;
+  return std::sqrt(squares) / static_cast<double>(runs.size());
+}
+
 Estimate mean_of(std::span<const Estimate> runs) {
   const double n = static_cast<double>(runs.size());
   Estimate mean;
-  double known = 0, scatter = 0, squares = 0;
+  double scatter = 0, squares = 0;
   for (const Estimate& run : runs) {
     mean.value += run.value / n;
-    known += run.error * run.error / (n * n);
     squares += run.residual * run.residual / n;
   }
   for (const Estimate& run : runs) scatter += (run.value - mean.value) * (run.value - mean.value);
-  if (runs.size() > 1) scatter /= n * (n - 1);
-  mean.error = std::sqrt(std::max(known, scatter));
+  const double scattered = runs.size() > 1 ? std::sqrt(scatter / (n * (n - 1))) : 0;
+  mean.error = std::max(known_error(runs), scattered);
   mean.residual = std::sqrt(squares);
   return mean;
 }
 
-std::optional<Lean> fit_lean(std::span<const Braking> slides) {
+std::optional<Lean> fit_lean(std::span<const Braking> runs) {
   std::vector<double> headings;
   NormalEquations sums;
-  for (const Braking& slide : slides) {
-    headings.push_back(std::atan2(slide.direction.y, slide.direction.x));
-    sums.add({1, -slide.direction.x, -slide.direction.y}, slide.value);
+  for (const Braking& run : runs) {
+    headings.push_back(std::atan2(run.direction.y, run.direction.x));
+    sums.add({1, -run.direction.x, -run.direction.y}, run.value);
   }
   std::ranges::sort(headings);
   double widest_gap = headings.empty() ? 2 * pi : headings.front() + 2 * pi - headings.back();

@@ -55,16 +55,19 @@ struct Bouncing : Estimate {
 /// Of one number by several runs: their mean. Its error is what the runs scatter by, or what each of them does not know, whatever
 /// is more.
 [[nodiscard]] Estimate mean_of(std::span<const Estimate> runs);
+/// Of that mean, by what each of them does not know alone.
+[[nodiscard]] double known_error(std::span<const Estimate> runs);
 
-/// Friction by direction (friction_anisotropy, docs/scenes.md): mu (1 - g cos a), a from the lean of the pile to the way.
+/// Friction or rolling by direction: c (1 - g cos a), a from the lean of the pile to the way; of friction g is friction_anisotropy
+/// (docs/scenes.md).
 struct Lean {
-  double friction = 0;    ///< mu [1]
+  double mean = 0;        ///< c [1]
   double anisotropy = 0;  ///< g [1]
   Vec3d direction;        ///< [1] where the pile leans, in x and y
 };
 
-/// From slides; their values are friction [1]. Nothing if their directions do not tell mu from g: at least three that do not lie
+/// From runs whose values are that number. Nothing if their directions do not tell c from g: at least three that do not lie
 /// within half a turn.
-[[nodiscard]] std::optional<Lean> fit_lean(std::span<const Braking> slides);
+[[nodiscard]] std::optional<Lean> fit_lean(std::span<const Braking> runs);
 
 }  // namespace murosimf::identification

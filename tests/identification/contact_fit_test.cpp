@@ -176,7 +176,7 @@ TEST(FitLean, FindsWhereThePileLeans) {
   }
   const auto lean = fit_lean(slides);
   ASSERT_TRUE(lean);
-  EXPECT_NEAR(lean->friction, 0.5, 1e-12);
+  EXPECT_NEAR(lean->mean, 0.5, 1e-12);
   EXPECT_NEAR(lean->anisotropy, 0.2, 1e-12);
   EXPECT_NEAR(lean->direction.y, std::sin(0.7), 1e-12);
   slides.resize(2);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -72,29 +71,40 @@ Track read_track(const std::string& file, const std::string& needed) {
   return track;
 }
 
-using FitRun = std::function<Estimate(const Track&)>;
-
-void add_number(ContactFit& fit, const std::string& key, const std::vector<std::string>& runs, const std::string& axis,
-                const FitRun& fit_run) {
+/// `factor`: the number for a rate of braking.
+void add_braking(ContactFit& fit, const std::string& key, const std::vector<std::string>& runs, double factor,
+                 double drag) {
   if (runs.empty()) return;
-  FittedNumber number{.key = key, .estimate = {}, .runs = runs, .of_runs = {}};
-  for (const std::string& file : runs) number.of_runs.push_back(fit_run(read_track(file, axis)));
+  std::vector<identification::Braking> found;
+  for (const std::string& file : runs) {
+    identification::Braking braking = identification::fit_braking(read_track(file, "x"), drag);
+    braking.value *= factor;
+    braking.error *= factor;
+    found.push_back(braking);
+  }
+  FittedNumber number{.key = key, .estimate = {}, .runs = runs, .of_runs = {found.begin(), found.end()}, .lean = {}};
+  number.estimate = identification::mean_of(number.of_runs);
+  number.lean = identification::fit_lean(found);
+  if (number.lean) {  // what the runs scatter by is their direction
+    number.estimate.value = number.lean->mean;
+    number.estimate.error = identification::known_error(number.of_runs);
+  }
+  fit.numbers.push_back(std::move(number));
+}
+
+void add_bouncing(ContactFit& fit, const std::vector<std::string>& runs, const ContactFitOptions& options) {
+  if (runs.empty()) return;
+  FittedNumber number{.key = "restitution", .estimate = {}, .runs = runs, .of_runs = {}, .lean = {}};
+  for (const std::string& file : runs) {
+    number.of_runs.push_back(identification::fit_bounces(read_track(file, "z"), options.gravity, options.drag));
+  }
   number.estimate = identification::mean_of(number.of_runs);
   fit.numbers.push_back(std::move(number));
 }
 
-Estimate scaled(const Estimate& rate, double factor) {
-  return {factor * rate.value, factor * rate.error, rate.residual};
-}
-
-/// Several directions say how the pile leans, if they are all around.
-void add_lean(ContactFit& fit, std::vector<identification::Braking> slides, double gravity) {
-  for (identification::Braking& slide : slides) slide.value /= gravity;
-  fit.lean = identification::fit_lean(slides);
-  if (!fit.lean) return;
-  for (FittedNumber& number : fit.numbers) {
-    if (number.key == "friction") number.estimate.value = fit.lean->friction;
-  }
+const FittedNumber* find_number(const ContactFit& fit, const std::string& key) {
+  const auto found = std::ranges::find(fit.numbers, key, &FittedNumber::key);
+  return found == fit.numbers.end() ? nullptr : &*found;
 }
 
 /// The numbers of a pair by their keys, in the order of [[materials]].
@@ -118,11 +128,18 @@ std::string fitted_line(const FittedNumber& number) {
 }
 
 std::string line_of(const ContactFit& fit, const std::string& key, double usual) {
-  const auto found = std::ranges::find(fit.numbers, key, &FittedNumber::key);
-  if (found != fit.numbers.end()) return fitted_line(*found);
-  if (key == "friction_anisotropy" && fit.lean)
-    return fmt::format("{} = {:.3g}  # fitted\n", key, fit.lean->anisotropy);
+  if (const FittedNumber* number = find_number(fit, key)) return fitted_line(*number);
+  const FittedNumber* friction = find_number(fit, "friction");
+  if (key == "friction_anisotropy" && friction && friction->lean) {
+    return fmt::format("{} = {:.3g}  # fitted\n", key, friction->lean->anisotropy);
+  }
   return fmt::format("{} = {:g}\n", key, usual);
+}
+
+std::string lean_line(const FittedNumber& number) {
+  const identification::Lean& lean = *number.lean;
+  return fmt::format("{} is {:.4g} (1 - {:.2g} cos a), a from [{:.3g}, {:.3g}], where the pile leans", number.key,
+                     lean.mean, lean.anisotropy, lean.direction.x, lean.direction.y);
 }
 
 json json_of(const Estimate& estimate) {
@@ -132,20 +149,11 @@ json json_of(const Estimate& estimate) {
 }  // namespace
 
 ContactFit fit_contact_logs(const ContactLogs& logs, const ContactFitOptions& options) {
-  ContactFit fit{.body = options.body, .ground = options.ground, .numbers = {}, .lean = {}};
-  std::vector<identification::Braking> slides;
-  add_number(fit, "friction", logs.slides, "x", [&](const Track& track) {
-    slides.push_back(identification::fit_braking(track, options.drag));
-    return scaled(slides.back(), 1 / options.gravity);
-  });
-  add_number(fit, "rolling", logs.rolls, "x", [&](const Track& track) {
-    return scaled(identification::fit_braking(track, options.drag / (1 + options.inertia)),
-                  (1 + options.inertia) / options.gravity);
-  });
-  add_number(fit, "restitution", logs.drops, "z", [&](const Track& track) -> Estimate {
-    return identification::fit_bounces(track, options.gravity, options.drag);
-  });
-  add_lean(fit, slides, options.gravity);
+  ContactFit fit{.body = options.body, .ground = options.ground, .numbers = {}};
+  const double rolling_mass = 1 + options.inertia;  // [1] what resists, over the mass
+  add_braking(fit, "friction", logs.slides, 1 / options.gravity, 0);
+  add_braking(fit, "rolling", logs.rolls, rolling_mass / options.gravity, options.drag / rolling_mass);
+  add_bouncing(fit, logs.drops, options);
   return fit;
 }
 
@@ -155,9 +163,10 @@ std::string to_toml(const ContactFit& fit) {
       "# Fitted by murosimf fit-contact (docs/materials.md). Numbers without an error were not fitted.\n";
   text += fmt::format("[[materials]]\npair = [\"{}\", \"{}\"]\n", fit.body, fit.ground);
   for (const auto& [key, value] : numbers_of(usual)) text += line_of(fit, key, value);
-  if (fit.lean) {
-    text += fmt::format("# the pile leans towards it: [field] friction_direction = [{:.3g}, {:.3g}]\n",
-                        fit.lean->direction.x, fit.lean->direction.y);
+  for (const FittedNumber& number : fit.numbers) {
+    if (!number.lean) continue;
+    text += fmt::format("# {}: [field] friction_direction = [{:.3g}, {:.3g}]\n", lean_line(number),
+                        number.lean->direction.x, number.lean->direction.y);
   }
   return text;
 }
@@ -172,9 +181,8 @@ std::string to_text(const ContactFit& fit) {
     for (std::size_t i = 0; i < number.runs.size(); ++i) row(number.runs[i], number.key, number.of_runs[i]);
     row(fmt::format("{} and {}", fit.body, fit.ground), number.key, number.estimate);
   }
-  if (fit.lean) {
-    text += fmt::format("the pile leans to [{:.3g}, {:.3g}]: friction_anisotropy {:.3g}\n", fit.lean->direction.x,
-                        fit.lean->direction.y, fit.lean->anisotropy);
+  for (const FittedNumber& number : fit.numbers) {
+    if (number.lean) text += lean_line(number) + "\n";
   }
   return text;
 }
@@ -191,17 +199,16 @@ std::string to_json(const ContactFit& fit) {
     json one = json_of(number.estimate);
     one["key"] = number.key;
     one["runs"] = std::move(runs);
+    if (number.lean) {
+      one["lean"] = {{"mean", number.lean->mean},
+                     {"anisotropy", number.lean->anisotropy},
+                     {"direction", {number.lean->direction.x, number.lean->direction.y}}};
+    }
     numbers.push_back(std::move(one));
   }
-  json root{{"schema", files::json_schema("fit-contact")},
-            {"pair", {fit.body, fit.ground}},
-            {"numbers", std::move(numbers)}};
-  if (fit.lean) {
-    root["lean"] = {{"friction", fit.lean->friction},
-                    {"anisotropy", fit.lean->anisotropy},
-                    {"direction", {fit.lean->direction.x, fit.lean->direction.y}}};
-  }
-  return files::json_text(std::move(root));
+  return files::json_text({{"schema", files::json_schema("fit-contact")},
+                           {"pair", {fit.body, fit.ground}},
+                           {"numbers", std::move(numbers)}});
 }
 
 }  // namespace murosimf::formats::contact_log

@@ -27,12 +27,12 @@ struct FittedNumber {
   identification::Estimate estimate;              ///< of all runs
   std::vector<std::string> runs;                  ///< files
   std::vector<identification::Estimate> of_runs;  ///< in their order
+  std::optional<identification::Lean> lean;       ///< of slides and rolls in directions all around
 };
 
 struct ContactFit {
   std::string body, ground;
   std::vector<FittedNumber> numbers;
-  std::optional<identification::Lean> lean;  ///< of slides in several directions
 };
 
 /// Throws SetupError with the file's name: what read_csv and the fits refuse, a missing column, a unit that is no length.
@@ -41,8 +41,8 @@ struct ContactFit {
 /// A section [[materials]] with all numbers of the pair: those that were not fitted are the table's.
 [[nodiscard]] std::string to_toml(const ContactFit& fit);
 [[nodiscard]] std::string to_text(const ContactFit& fit);
-/// One JSON object: pair [2], numbers [{key, value, error, residual_m, runs [{file, value, error, residual_m}]}], lean {friction,
-/// anisotropy, direction [2]} (if any).
+/// One JSON object: pair [2], numbers [{key, value, error, residual_m, runs [{file, value, error, residual_m}],
+/// lean {mean, anisotropy, direction [2]} (if any)}].
 [[nodiscard]] std::string to_json(const ContactFit& fit);
 
 }  // namespace murosimf::formats::contact_log
