@@ -3,23 +3,24 @@
 ///     F = -1/2 rho C_d A |u| u + 1/2 rho C_l A |u|^2 (w x u) / |w x u|
 ///     A = pi r^2        u = v - wind        C_l = lift S / (S + 0.17)        S = r |w x u| / |u|^2
 ///
-/// Source: drag and lift as in J. E. Goff and M. J. Carre, Trajectory analysis of a soccer ball, Am. J. Phys. 77 (2009), eq. 2
-/// and 3. C_l(S): R. Cross' fit for baseballs, 1 / (2.32 + 0.4 / S), which A. Nathan, Am. J. Phys. 76 (2008), found within the
-/// scatter of measurements; wind tunnels give about the same for soccer balls, 0.1 to 0.15 at S = 0.1 and 0.25 to 0.3 at S = 0.3
-/// (T. Asai et al., Fundamental aerodynamics of the soccer ball, Sports Eng. 10 (2007); from memory). Here S counts the spin across the
-/// way alone, so that a ball that spins about its way, as a bullet does, has no lift and no jump there.
+/// Source: drag, lift and S as in J. E. Goff and M. J. Carre, Trajectory analysis of a soccer ball, Am. J. Phys. 77 (2009). C_l(S):
+/// R. Cross' fit for baseballs, 1 / (2.32 + 0.4 / S), as A. Nathan's trajectory calculator has it; wind tunnels give about the same
+/// for soccer balls, 0.1 to 0.15 at S = 0.1 and 0.25 to 0.3 at S = 0.3 (T. Asai et al., Fundamental aerodynamics of the soccer ball,
+/// Sports Eng. 10 (2007)). All figures are from memory: no copy was at hand. Here S counts the spin across the way alone, so that a
+/// ball that spins about its way, as a bullet does, has no lift and no jump there.
 ///
 /// Not here: the drag crisis (C_d falls to 0.2 above a Reynolds number of 2 x 10^5: 21 m/s for a ball of 14 cm, 14 m/s for one of
 /// 22 cm; give such a ball the smaller number), the side forces of a ball without spin, the moment that slows spin down within tens of
 /// seconds, drag that grows with spin, and all bodies that are not round.
 ///
-/// The step: drag is linearly implicit, lift turns u by a Cayley rotation about the axis across the way, so it never changes
-/// |u|; a ball loses energy at any step length, its terminal velocity is exact, and so is its speed without other forces. With a = what else accelerates it,
+/// The step: drag is linearly implicit, lift turns u by a Cayley rotation about the axis across the way, so it never changes |u|; a
+/// ball loses energy at any step length, its terminal velocity is exact, and so is its speed without other forces. With a = what
+/// else accelerates it,
 ///
 ///     u_k+1 = (C(turn) u_k + dt a) / (1 + dt k |u_k|)        k = rho C_d A / (2 m)
 ///
-/// and the force of the step is the one that makes this of u_k. In contact a is unknown here, and taken for zero: what the drag of
-/// a step misses then is one of dt.
+/// and the force of the step is the one that makes this of u_k. In contact a is unknown here, and taken for zero: the drag of such
+/// a step is off by k |u_k| a dt.
 #pragma once
 
 #include <span>
