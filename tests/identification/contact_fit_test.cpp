@@ -85,7 +85,7 @@ TEST(FitBraking, KnowsItsErrorWithNoise) {
   law::expect_below({.law = "fit of 200 rolls seen with 3 mm of noise at 50 Hz: largest deviation, as a part",
                      .level = "fit-contact",
                      .source = "the number that they were made with"},
-                    noisy.worst, 0.01, "");
+                    noisy.worst, 0.003, "");
   // chi squared of 200: +-20 % is two standard deviations
   law::expect_between({.law = "fit of 200 rolls with noise: mean of (deviation / standard error)^2",
                        .level = "fit-contact",
@@ -147,7 +147,7 @@ TEST(FitBounces, KnowsItsErrorWithNoise) {
   law::expect_below({.law = "fit of 100 drops seen with 3 mm of noise at 60 Hz: largest deviation, as a part",
                      .level = "fit-contact",
                      .source = "the number that they were made with"},
-                    noisy.worst, 0.03, "");
+                    noisy.worst, 0.01, "");
   EXPECT_LT(noisy.ratio, 2) << "it promises too much";
 }
 
