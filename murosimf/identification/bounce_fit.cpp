@@ -178,6 +178,7 @@ Bouncing fit_bounces(const Track& track, double gravity, double drag) {
     sums.add(before, after, variance * (flights[k + 1].variance_per_speed + e * e * flights[k].variance_per_speed));
   }
   const double e = sums.products / sums.squares;
+  if (!(e > 0 && e <= 1)) throw SetupError(fmt::format("{}: it leaves the ground faster than it came", track.name));
   const double known = sums.unknown / (sums.squares * sums.squares);
   const double scatter =
       sums.count > 1 ? std::max(0.0, sums.afters - e * sums.products) / ((sums.count - 1) * sums.squares) : 0;

@@ -83,6 +83,7 @@ Braking fit_braking(const Track& track, double drag) {
   const LeastSquares fit = fit_curve(model, {first.start, first.speed, first.rate}, way.times, way.ways);
   const double rate = fit.parameters.z, error = std::sqrt(fit.covariance.zz);
   if (!(rate > 10 * least_rate)) refuse(track, "it does not slow down");
+  if (!std::isfinite(rate + error)) refuse(track, "its places fit no run that slows down");
   return {{rate, error, fit.residual}, fit.parameters.y, way.direction};
 }
 

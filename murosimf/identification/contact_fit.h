@@ -49,7 +49,8 @@ struct Bouncing : Estimate {
   int bounces = 0;
 };
 
-/// `gravity` g [m/s^2], `drag` k [1/m] of the air. Throws SetupError if it does not bounce, or has too few samples in a flight.
+/// `gravity` g [m/s^2], `drag` k [1/m] of the air. Throws SetupError if it does not bounce, has too few samples in a flight, or
+/// wins energy.
 [[nodiscard]] Bouncing fit_bounces(const Track& track, double gravity, double drag);
 
 /// Of one number by several runs: their mean. Its error is what the runs scatter by, or what each of them does not know, whatever

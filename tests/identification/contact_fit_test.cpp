@@ -155,6 +155,7 @@ TEST(FitBounces, RefusesWhatDoesNotBounce) {
   EXPECT_THROW((void)fit_bounces(dropped(1.5, 0, 60), g, 0), SetupError);
   EXPECT_THROW((void)fit_bounces({"empty", {}, {}}, g, 0), SetupError);
   EXPECT_THROW((void)fit_bounces(dropped(1.5, 0.6, 8), g, 0), SetupError) << "too few samples in a flight";
+  EXPECT_THROW((void)fit_bounces(dropped(0.5, 1.2, 60), g, 0), SetupError) << "it wins energy";
 }
 
 // Two runs that know more than they scatter, and two that scatter more than they know.
