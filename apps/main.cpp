@@ -30,6 +30,7 @@
   COMMAND(bench)                   \
   COMMAND(fit_servo)               \
   COMMAND(replay_servo)            \
+  COMMAND(fit_contact)             \
   COMMAND(lens)                    \
   COMMAND(completion)              \
   COMMAND(manual)

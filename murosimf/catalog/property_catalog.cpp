@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "murosimf/air/air_properties.h"
 #include "murosimf/behavior/behavior_properties.h"
 #include "murosimf/collision/contact_properties.h"
 #include "murosimf/locomotion/gait_properties.h"
@@ -13,7 +14,7 @@ namespace {
 
 std::vector<CatalogEntry> collect() {
   std::vector<CatalogEntry> all;
-  for (const auto list : {core_list(), contact_list(), motion_list(), gait_list(), behavior_list()}) {
+  for (const auto list : {core_list(), contact_list(), motion_list(), air_list(), gait_list(), behavior_list()}) {
     all.insert(all.end(), list.begin(), list.end());
   }
   std::ranges::stable_partition(all, &CatalogEntry::constant);

@@ -43,6 +43,11 @@ MaterialTable MaterialTable::standard() {
   set_on_grass("rubber", {.friction = 0.7, .rolling = 0.1, .restitution = 0.3});
   set_on_grass("plastic", {.friction = 0.45, .rolling = 0.1, .restitution = 0.3});
   set_on_grass("ball", {.friction = 0.5, .rolling = 0.1, .torsional = 0.005, .restitution = 0.6});
+  // Nets of goals hang loosely: what flies into them falls down. They give way to a ball that slides along them, and friction does not
+  // make it spin: one that spins would come out again along the side net.
+  table.set("ball", "net", {.friction = 0.02, .torsional = 0.005, .restitution = 0, .static_deflection = turf});
+  table.set("rubber", "net", {.friction = 0.5, .restitution = 0, .static_deflection = turf});
+  table.set("plastic", "net", {.friction = 0.3, .restitution = 0, .static_deflection = turf});
   table.set("rubber", "rubber", {.friction = 1.0, .rolling = 0.0, .restitution = 0.5});
   table.set("rubber", "plastic", {.friction = 0.6, .rolling = 0.0, .restitution = 0.5});
   table.set("plastic", "plastic", {.friction = 0.3, .rolling = 0.0, .restitution = 0.5});

@@ -108,6 +108,7 @@ Entity& add(SceneParts& parts, scene_file::BodySpec body) {
   const auto furnish = [&](Entity& entity) {
     enlist(parts, body, entity);
     attach_ground_contact(parts, entity, entity.level, body.contact);
+    attach_air(parts, entity);
     attach_level(parts, entity, {});
     attach_odometer(parts, entity);
   };

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/air/air.h"
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/collision/ground_contact.h"
 #include "murosimf/collision/own_steps.h"
@@ -85,6 +86,11 @@ void attach_ground_contact(SceneParts& parts, Entity& entity, const std::string&
       &parts.simulation->attach<collision::GroundContact>("ground_contact", entity, parts.spec.rate, parts.field,
                                                           catalog::make_contact_law(law, options),
                                                           parts.spec.materials));
+}
+
+void attach_air(SceneParts& parts, Entity& entity) {
+  if (parts.spec.air.density == 0 || !air::feels_air(entity.model())) return;
+  parts.simulation->attach<air::Air>("air", entity, parts.spec.rate, parts.spec.air);
 }
 
 void attach_level(SceneParts& parts, Entity& entity, const catalog::LevelOptions& options) {

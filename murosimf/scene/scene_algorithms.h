@@ -22,6 +22,9 @@ void attach_ground_contact(SceneParts& parts, Entity& entity, const std::string&
                            const OptionValues& options = {});
 
 /// The level that the entity names.
+/// For balls and other spheres, after the contact with the ground; nothing without air.
+void attach_air(SceneParts& parts, Entity& entity);
+
 void attach_level(SceneParts& parts, Entity& entity, const catalog::LevelOptions& options);
 
 /// The same with the options of a robot; warnings about what a user may have overlooked.

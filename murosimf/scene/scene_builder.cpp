@@ -43,12 +43,18 @@ void attach_control(SceneParts& parts, ModelSource& models) {
 
 void attach_contact(SceneParts& parts) {
   const scene_file::SceneSpec& spec = parts.spec;
-  if (parts.ball) attach_ground_contact(parts, *parts.ball, parts.ball->level, spec.ball->contact);
+  if (parts.ball) {
+    attach_ground_contact(parts, *parts.ball, parts.ball->level, spec.ball->contact);
+    attach_air(parts, *parts.ball);
+  }
   for (std::size_t i = 0; i < parts.robots.size(); ++i) {
     attach_ground_contact(parts, *parts.robots[i], parts.robots[i]->level, spec.robots[i].contact,
                           spec.robots[i].contact_options);
   }
-  for (Entity* body : parts.bodies) attach_ground_contact(parts, *body, body->level, body->contact);
+  for (Entity* body : parts.bodies) {
+    attach_ground_contact(parts, *body, body->level, body->contact);
+    attach_air(parts, *body);
+  }
   parts.simulation->attach<collision::BodyContact>("body_contact", spec.rate, parts.field, parts.moving_entities,
                                                    spec.materials,
                                                    catalog::make_body_contact_law(spec.body_contact,

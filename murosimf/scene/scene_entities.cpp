@@ -15,14 +15,16 @@ namespace {
 
 /// Bodies that stand are part of it; scenes share only fields without.
 ModelPtr field_of(const scene_file::FieldSpec& field, const std::vector<Chain>& standing, Assets& assets) {
+  const scene_file::FieldSize& size = scene_file::field_size(field.size);
+  const bool nets = field.goals && field.nets.value_or(size.nets);
   const auto make = [&] {
-    return scene_file::field_model(scene_file::field_size(field.size), field.surface, field.friction_direction,
-                                   {.goals = field.goals, .poles = field.landmark_poles}, standing);
+    return scene_file::field_model(size, field.surface, field.friction_direction,
+                                   {.goals = field.goals, .nets = nets, .poles = field.landmark_poles}, standing);
   };
   if (!standing.empty()) return make();
   const Vec3d& pile = field.friction_direction;
-  return assets.model(fmt::format("field {} {} {} {} {} {} {}", field.size, field.goals, field.landmark_poles, pile.x,
-                                  pile.y, pile.z, field.surface),
+  return assets.model(fmt::format("field {} {} {} {} {} {} {} {}", field.size, field.goals, nets, field.landmark_poles,
+                                  pile.x, pile.y, pile.z, field.surface),
                       make);
 }
 

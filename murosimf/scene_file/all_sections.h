@@ -19,6 +19,7 @@ struct EventTable {
 
 [[nodiscard]] const Section<SceneSpec>& scene_section();  ///< the keys before all sections
 [[nodiscard]] const Section<SceneSpec>& start_section();
+[[nodiscard]] const Section<AirSpec>& air_section();
 [[nodiscard]] const Section<FieldSpec>& field_section();
 [[nodiscard]] const Section<ViewSpec>& view_section();
 [[nodiscard]] const Section<ViewpointSpec>& viewpoint_section();

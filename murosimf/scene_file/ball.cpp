@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/air/air_properties.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::scene_file {
@@ -22,7 +23,9 @@ ModelPtr ball_model(const BallOptions& options) {
                                                    .base("ball")
                                                    .with(properties::mass, options.mass)
                                                    .with(properties::inertia, diagonal(inertia))
-                                                   .with(properties::shapes, Shapes{sphere}));
+                                                   .with(properties::shapes, Shapes{sphere})
+                                                   .with(properties::drag_coefficient, options.drag)
+                                                   .with(properties::lift_coefficient, options.lift));
 }
 
 }  // namespace murosimf::scene_file

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "murosimf/air/air_options.h"
 #include "murosimf/model/model.h"
 #include "murosimf/model/state_archive.h"
 
@@ -13,9 +14,11 @@ struct BallOptions {
   double mass = 0.1;              ///< [kg]
   bool hollow = false;            ///< inertia 2/3 m r^2 instead of 2/5 m r^2
   std::string material = "ball";  ///< surface, for the pair table
+  double drag = air::usual_drag;  ///< [1] C_d (air/air.h)
+  double lift = air::usual_lift;  ///< [1] what C_l comes to at high spin
 
   friend bool operator==(const BallOptions&, const BallOptions&) = default;
-  void state(StateArchive& archive) { archive(radius, mass, hollow, material); }
+  void state(StateArchive& archive) { archive(radius, mass, hollow, material, drag, lift); }
 };
 
 /// Throws SetupError if radius or mass are not positive.

@@ -15,6 +15,8 @@ const Section<BallSpec>& ball_section() {
        {"mass", &BallSpec::mass, "kg", "of all of it", positive},
        {"hollow", &BallSpec::hollow, "", "inertia of a shell, 2/3 m r^2, instead of 2/5 m r^2"},
        {"material", &BallSpec::material, "", "of its surface"},
+       {"drag", &BallSpec::drag, "", "C_d in air", between(0, 10)},
+       {"lift", &BallSpec::lift, "", "what C_l comes to at high spin", between(0, 10)},
        {"color",
         [](const files::TomlTable& table, std::string_view, BallSpec& ball) {
           ball.color = files::read_color(table, ball.color);

@@ -60,6 +60,7 @@ Shape read_shape(const files::TomlTable& table) {
   if (std::find(known.begin(), known.end(), name) == known.end()) {
     throw SetupError(fmt::format("{}: {}", table.where("shape"), unknown_name("shape", name, known)));
   }
+  if (name != "sphere") refuse_keys(table, name, {"drag", "lift"});
   if (name != "box") return read_round_shape(table, name);
   refuse_keys(table, name, {"radius", "length"});
   return read_box(table);
@@ -83,7 +84,7 @@ void read_kind(const files::TomlTable& table, BodySpec& body) {
     body.shape = read_shape(table);
     return;
   }
-  refuse_keys(table, "body with a model", {"size", "radius", "length", "mass", "density", "material"});
+  refuse_keys(table, "body with a model", {"size", "radius", "length", "mass", "density", "material", "drag", "lift"});
   require(!body.is_static, table, "model", "cannot be static; use a shape");
 }
 
@@ -96,7 +97,7 @@ BodySpec read_body(const toml::table& node) {
   read_kind(table, body);
   if (body.is_static) {
     refuse_keys(table, "static body",
-                {"mass", "density", "jitter", "velocity", "angular_velocity", "contact", "present"});
+                {"mass", "density", "drag", "lift", "jitter", "velocity", "angular_velocity", "contact", "present"});
     return body;
   }
   if (body.shape) read_mass(table, body);
@@ -125,6 +126,8 @@ const Section<BodySpec>& body_section() {
        {"density", {}, "kg/m^3", "instead of the mass"},
        {"model", &BodySpec::model, "", "a robot file, instead of shape, mass and material"},
        {"material", &BodySpec::material, "", "of its surface"},
+       {"drag", &BodySpec::drag, "", "of a sphere: C_d in air", between(0, 10)},
+       {"lift", &BodySpec::lift, "", "of a sphere: what C_l comes to at high spin", between(0, 10)},
        {"color",
         [](const files::TomlTable& table, std::string_view, BodySpec& body) {
           body.color = files::read_color(table, body.color);

@@ -1,7 +1,10 @@
 #include "murosimf/scene_file/body_spec.h"
 
 #include <memory>
+#include <utility>
+#include <variant>
 
+#include "murosimf/air/air_properties.h"
 #include "murosimf/collision/ground_points.h"
 #include "murosimf/description/mass_properties.h"
 #include "murosimf/model/properties.h"
@@ -24,13 +27,15 @@ Mat3d attitude_of(const BodySpec& body) {
 }
 
 ModelPtr body_model(const BodySpec& body) {
-  return std::make_shared<const Model>(shape_name(*body.shape),
-                                       Chain{}
-                                           .base(body.name)
-                                           .with(properties::mass, body.mass)
-                                           .with(properties::inertia,
-                                                 body.mass * description::unit_inertia(*body.shape))
-                                           .with(properties::shapes, Shapes{shape_of(body)}));
+  Chain chain;
+  chain.base(body.name)
+      .with(properties::mass, body.mass)
+      .with(properties::inertia, body.mass * description::unit_inertia(*body.shape))
+      .with(properties::shapes, Shapes{shape_of(body)});
+  if (std::holds_alternative<Sphere>(*body.shape)) {
+    chain.with(properties::drag_coefficient, body.drag).with(properties::lift_coefficient, body.lift);
+  }
+  return std::make_shared<const Model>(shape_name(*body.shape), std::move(chain));
 }
 
 Chain static_body(const BodySpec& body) {

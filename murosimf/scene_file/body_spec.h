@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "murosimf/air/air_options.h"
 #include "murosimf/math/mat3.h"
 #include "murosimf/model/model.h"
 #include "murosimf/model/shape.h"
@@ -17,6 +18,8 @@ struct BodySpec {
   std::string model;           ///< name or file
   double mass = 0;             ///< [kg] of a shape that moves
   std::string material = "plastic";
+  double drag = air::usual_drag;  ///< [1] C_d of a sphere that moves (air/air.h)
+  double lift = air::usual_lift;  ///< [1] what its C_l comes to at high spin
   Color color{0.62, 0.62, 0.66};
   Vec3d position;              ///< [m] x and y of its middle (a model: of its base), z of its lowest point
   double heading = 0;          ///< [rad] about the vertical, after the others

@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::array all_fields{&kid_size_2008, &kid_size_2023};
 constexpr Color carpet_green{0.16, 0.47, 0.22};
+constexpr Color net_white{0.95, 0.95, 0.95, 0.25};
 
 // a polygon of 72 sides leaves the circle of 1.5 m by less than 1 mm
 constexpr int circle_sides = 72;
@@ -71,14 +72,21 @@ void add_side(std::vector<Stroke>& strokes, const FieldSize& size, double side) 
   strokes.push_back(bar(size, mark, {0, 1, 0}));
 }
 
-Chain goal_box(const GoalBox& part, std::string_view goal, const Color& color) {
+Chain goal_box(const GoalBox& part, std::string_view goal, const Color& color, const char* material = "plastic") {
   PlacedShape shape;
   shape.shape = part.box;
-  shape.surface.material = "plastic";
+  shape.surface.material = material;
   shape.color = color;
   Chain chain;
   chain.translation(part.center, std::string(goal) + "_" + std::string(part.name));
   return chain.with(properties::shapes, {shape}).endpoint();
+}
+
+void add_goal(std::vector<Chain>& boxes, const FieldSize& size, double side, bool net) {
+  const std::string_view name = side > 0 ? "goal_right" : "goal_left";
+  for (const GoalBox& part : goal_boxes(size, side)) boxes.push_back(goal_box(part, name, goal_color(size, side)));
+  if (!net) return;
+  for (const GoalBox& part : net_boxes(size, side)) boxes.push_back(goal_box(part, name, net_white, "net"));
 }
 
 /// At y > 0 for `side` 1. Whoever looks from there onto the field has the goal at `side` x > 0 to the left.
@@ -142,6 +150,18 @@ std::vector<GoalBox> goal_boxes(const FieldSize& size, double side) {
           {"bar_rear", {{w, y + w, w}}, {side * rear, 0, w}}};
 }
 
+std::vector<GoalBox> net_boxes(const FieldSize& size, double side) {
+  const double t = net_thickness / 2, inwards = net_before_bars - t;
+  const double front = size.length / 2 + size.post_width;
+  const double rear = size.length / 2 + size.goal_depth - size.post_width - inwards;
+  const double y = size.goal_width / 2 - inwards, top = size.goal_height + size.post_width / 2;
+  const double x = side * (front + rear) / 2, half_depth = (rear - front) / 2 + t;
+  return {{"net_left", {{half_depth, t, top / 2}}, {x, y, top / 2}},
+          {"net_right", {{half_depth, t, top / 2}}, {x, -y, top / 2}},
+          {"net_rear", {{t, y + t, top / 2}}, {side * rear, 0, top / 2}},
+          {"net_top", {{half_depth, y + t, t}}, {x, 0, top}}};
+}
+
 ModelPtr field_model(const FieldSize& size, const std::string& ground_material, const Vec3d& friction_direction,
                      const FieldFurniture& furniture, const std::vector<Chain>& standing) {
   PlacedShape ground;
@@ -155,8 +175,7 @@ ModelPtr field_model(const FieldSize& size, const std::string& ground_material, 
       .with(properties::markings, field_markings(size, furniture.goals));
   std::vector<Chain> boxes = standing;
   if (furniture.goals) {
-    for (const GoalBox& part : goal_boxes(size, -1)) boxes.push_back(goal_box(part, "goal_left", size.goal_left));
-    for (const GoalBox& part : goal_boxes(size, 1)) boxes.push_back(goal_box(part, "goal_right", size.goal_right));
+    for (const double side : {-1.0, 1.0}) add_goal(boxes, size, side, furniture.nets);
   }
   if (furniture.poles) {
     for (const double side : {1.0, -1.0}) boxes.push_back(landmark_pole(size, side));

@@ -35,9 +35,10 @@ struct FieldSize {
   double pole_diameter = 0;  ///< of the two landmark poles beside the half line; 0: there are none
   double pole_segment = 0;   ///< height of each of the three parts of a pole
   double pole_distance = 0;  ///< from the touch line to the middle of a pole
+  bool nets = false;         ///< its goals have them, unless a scene says otherwise
 };
 
-/// The field of the paper's time.
+/// The field of the paper's time. Its goals are bars without nets, as in the paper, which counts 13 objects (7.5).
 /// Source: RoboCup Soccer Humanoid League, Rules and Setup for 2008, table 1, from memory: no copy was at hand. Length,
 ///         width and goal width are sure. Goal depth, depth of the goal area and border agree with a team's file for
 ///         the 6 m x 4 m field of 2009. Width of the goal area, penalty mark and center circle are unchecked.
@@ -80,7 +81,8 @@ inline constexpr FieldSize kid_size_2023{.name = "kid_size_2023",
                                          .penalty_area_width = 5,
                                          .penalty_mark_distance = 1.5,
                                          .center_circle_diameter = 1.5,
-                                         .border = 1};
+                                         .border = 1,
+                                         .nets = true};
 
 /// Names that field_size() knows.
 [[nodiscard]] std::vector<std::string_view> field_names();
@@ -94,7 +96,7 @@ inline constexpr FieldSize kid_size_2023{.name = "kid_size_2023",
 [[nodiscard]] Markings field_markings(const FieldSize& size, bool goals = true);
 
 /// Boxes of a goal, for `side` 1 (the goal at x > 0) or -1: two posts, crossbar, two bars from the posts backwards and
-/// the rear bar, on the ground; all of post_width. Field frame. There is no net: a ball that flies over the bars goes on.
+/// the rear bar, on the ground; all of post_width. Field frame. Without nets a ball that flies over the bars goes on.
 /// Posts and bars of wood or plastic tube are square here: rules allow 8 to 12 cm of any section.
 struct GoalBox {
   std::string_view name;
@@ -103,9 +105,17 @@ struct GoalBox {
 };
 [[nodiscard]] std::vector<GoalBox> goal_boxes(const FieldSize& size, double side);
 
+/// The net of that goal, as four walls of net_thickness (left, right, rear, top) behind the posts and the crossbar, inside of the
+/// bars: a ball meets it before them, and does not bounce off its material, "net". That a real one gives way is left out: only
+/// where the ball comes to rest would show it.
+inline constexpr double net_thickness = 0.02;     ///< [m] thick enough for robots that fall into it
+inline constexpr double net_before_bars = 0.005;  ///< [m]
+[[nodiscard]] std::vector<GoalBox> net_boxes(const FieldSize& size, double side);
+
 /// What stands on a field, besides bodies of the scene.
 struct FieldFurniture {
   bool goals = true;
+  bool nets = false;   ///< of the goals, if they stand there: "goal_left_net_rear"
   bool poles = false;  ///< "landmark_left" at y > 0, "landmark_right" at y < 0: three cylinders each
 };
 

@@ -21,6 +21,14 @@ const Section<FieldSpec>& field_section() {
         {},
         "nowhere"},
        {"goals", &FieldSpec::goals, "", "false: none stand there, nor are their posts painted"},
+       {"nets",
+        [](const files::TomlTable& table, std::string_view key, FieldSpec& field) {
+          table.read(key, field.nets.emplace());
+        },
+        "",
+        "of the goals: they stop balls",
+        {},
+        "in kid_size_2023"},
        {"landmark_poles", &FieldSpec::landmark_poles, "", "true: two stand beside the half line, by the rules of 2008"},
        {"friction", &FieldSpec::friction, "", "between the ground and everything", not_negative, "by materials"}});
   return section;
@@ -34,6 +42,8 @@ void read_field(const files::TomlTable& scene, SceneSpec& spec) {
     require(field_size(spec.field.size).pole_diameter > 0, files::TomlTable(*node, field_section().names()),
             "landmark_poles", fmt::format("cannot stand: the rules of {} have none", spec.field.size));
   }
+  require(spec.field.goals || !spec.field.nets.value_or(false), files::TomlTable(*node, field_section().names()),
+          "nets", "hang on goals, and 'goals' is false");
   require(spec.field.friction_direction.z == 0, files::TomlTable(*node, field_section().names()), "friction_direction",
           "lies in the ground: [x, y]");
 }

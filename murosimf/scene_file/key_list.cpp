@@ -26,11 +26,11 @@ SectionInfo defaults_info() {
 
 const std::vector<SectionInfo>& sections() {
   static const std::vector<SectionInfo> all{
-      scene_section().info(),     start_section().info(),    field_section().info(),         view_section().info(),
-      viewpoint_section().info(), light_section().info(),    ball_section().info(),          team_section().info(),
-      robot_section().info(),     defaults_info(),           body_section().info(),          push_section().info(),
-      event_section().info(),     material_section().info(), communication_section().info(), league_section().info(),
-      link_section().info()};
+      scene_section().info(),  start_section().info(),     air_section().info(),      field_section().info(),
+      view_section().info(),   viewpoint_section().info(), light_section().info(),    ball_section().info(),
+      team_section().info(),   robot_section().info(),     defaults_info(),           body_section().info(),
+      push_section().info(),   event_section().info(),     material_section().info(), communication_section().info(),
+      league_section().info(), link_section().info()};
   return all;
 }
 

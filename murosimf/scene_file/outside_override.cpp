@@ -38,21 +38,21 @@ constexpr std::array of_scene{Allowed{"duration"}, Allowed{"seed"}, Allowed{"rat
                               Allowed{"body_contact", Value::word}};
 constexpr std::array of_start{Allowed{"jitter_position"}, Allowed{"jitter_heading_deg"}, Allowed{"jitter_tilt_deg"},
                               Allowed{"jitter_posture_deg"}};
-constexpr std::array of_field{Allowed{"size", Value::word},  Allowed{"surface", Value::word},
-                              Allowed{"friction_direction"}, Allowed{"goals"},
-                              Allowed{"landmark_poles"},     Allowed{"friction"}};
+constexpr std::array of_air{Allowed{"density"}, Allowed{"wind"}};
+constexpr std::array of_field{Allowed{"size", Value::word},
+                              Allowed{"surface", Value::word},
+                              Allowed{"friction_direction"},
+                              Allowed{"goals"},
+                              Allowed{"nets"},
+                              Allowed{"landmark_poles"},
+                              Allowed{"friction"}};
 constexpr std::array of_view{Allowed{"center"}, Allowed{"width"}, Allowed{"azimuth_deg"}, Allowed{"elevation_deg"}};
 constexpr std::array of_light{Allowed{"name", Value::word}, Allowed{"toward"}, Allowed{"brightness"},
                               Allowed{"shadows"}, Allowed{"samples"}};
-constexpr std::array of_ball{Allowed{"position"},
-                             Allowed{"velocity"},
-                             Allowed{"radius"},
-                             Allowed{"mass"},
-                             Allowed{"hollow"},
-                             Allowed{"material", Value::word},
-                             Allowed{"contact", Value::word},
-                             Allowed{"color"},
-                             Allowed{"present"}};
+constexpr std::array of_ball{Allowed{"position"}, Allowed{"velocity"}, Allowed{"radius"},
+                             Allowed{"mass"},     Allowed{"hollow"},   Allowed{"material", Value::word},
+                             Allowed{"drag"},     Allowed{"lift"},     Allowed{"contact", Value::word},
+                             Allowed{"color"},    Allowed{"present"}};
 constexpr std::array of_communication{
     Allowed{"range"},         Allowed{"bandwidth"},          Allowed{"delay"}, Allowed{"jitter"}, Allowed{"loss"},
     Allowed{"message_bytes"}, Allowed{"messages_per_second"}};
@@ -87,6 +87,8 @@ constexpr std::array of_bodies{Allowed{"shape", Value::word},
                                Allowed{"mass"},
                                Allowed{"density"},
                                Allowed{"material", Value::word},
+                               Allowed{"drag"},
+                               Allowed{"lift"},
                                Allowed{"color"},
                                Allowed{"static"},
                                Allowed{"jitter"},
@@ -113,6 +115,7 @@ const Allowed* find_of_entities(std::string_view key) {
 /// SECTION.KEY; of what is no section: ENTITY.KEY.
 const Allowed* find_in_section(std::string_view section, std::string_view key) {
   if (section == "start") return find_in(of_start, key);
+  if (section == "air") return find_in(of_air, key);
   if (section == "field") return find_in(of_field, key);
   if (section == "view") return find_in(of_view, key);
   if (section == "light") return find_in(of_light, key);

@@ -55,6 +55,7 @@ const Section<SceneSpec>& scene_section() {
         "", "how moving bodies push each other: murosimf list body_contacts"},
        {"body_contact_options", {}, "", "of that law: murosimf list options", {}, "the law's"},
        {"start", {}, "", "see [start]"},
+       {"air", {}, "", "see [air]"},
        {"field", {}, "", "see [field]"},
        {"view", {}, "", "see [view]"},
        {"views", {}, "", "see [views.NAME]"},
@@ -105,6 +106,7 @@ SceneSpec read_scene(const std::filesystem::path& file, const std::vector<std::s
   scene_section().read(scene, spec);
   if (const toml::table* start = scene.table("start")) start_section().read(*start, spec);
   read_body_contact_options(scene, spec);
+  read_air(scene, spec);
   read_field(scene, spec);
   read_view(scene, spec);
   read_light(scene, spec);

@@ -26,11 +26,15 @@ namespace murosimf::scene_file {
 
 inline constexpr double longest_duration = 3e9;  ///< [s] a century; nanoseconds in 64 bits end after three
 
+/// [air]: what balls fly through.
+using AirSpec = air::AirOptions;
+
 struct FieldSpec {
   std::string size = "kid_size_2008";
   std::string surface = "carpet";
   Vec3d friction_direction;  ///< [1] where its pile leans, in the ground; zero: nowhere
   bool goals = true;
+  std::optional<bool> nets;  ///< of the goals; empty: as the field's size has them
   bool landmark_poles = false;
   std::optional<double> friction;  ///< [1] between the ground and everything; empty: by the pairs of materials
 };
@@ -180,6 +184,7 @@ struct SceneSpec {
   double jitter_posture = 0;      ///< [rad] joint targets vary by up to this, within joint limits
   std::string body_contact = "island_gauss_seidel";
   OptionValues body_contact_options;  ///< of that law, those that are given
+  AirSpec air;
   FieldSpec field;
   ViewSpec view;
   LightSpec light;

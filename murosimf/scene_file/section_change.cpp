@@ -21,7 +21,7 @@ void read_key(const Section<Spec>& section, const SceneEvent& event, const std::
 }  // namespace
 
 const std::vector<std::string_view>& changeable_ball_keys() {
-  static const std::vector<std::string_view> keys{"radius", "mass", "hollow", "material", "color"};
+  static const std::vector<std::string_view> keys{"radius", "mass", "hollow", "material", "drag", "lift", "color"};
   return keys;
 }
 

@@ -15,6 +15,7 @@ inline constexpr double farthest_place = 1e4;  ///< [m] from the middle of the f
 /// Throws SetupError where the key stands (or its table, if it does not): "'key' message".
 void require(bool condition, const files::TomlTable& table, std::string_view key, std::string_view message);
 
+void read_air(const files::TomlTable& scene, SceneSpec& spec);
 void read_field(const files::TomlTable& scene, SceneSpec& spec);
 void read_view(const files::TomlTable& scene, SceneSpec& spec);
 void read_viewpoints(const files::TomlTable& scene, SceneSpec& spec);

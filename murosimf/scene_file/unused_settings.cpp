@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -149,6 +150,19 @@ void add_start(const SceneSpec& spec, std::vector<std::string>& lines) {
   }
 }
 
+/// [air] that acts on nothing.
+void add_air(const SceneSpec& spec, std::vector<std::string>& lines) {
+  const AirSpec usual;
+  const bool windy = !is_zero(spec.air.wind);
+  if (windy && spec.air.density == 0) lines.emplace_back("air: 'wind' changes nothing without 'density'");
+  if (!windy && spec.air.density == usual.density) return;
+  const auto flies = [](const BodySpec& body) {
+    return !body.is_static && body.shape && std::holds_alternative<Sphere>(*body.shape);
+  };
+  if (spec.ball || std::ranges::any_of(spec.bodies, flies)) return;
+  lines.emplace_back("air: only balls and spheres that move feel it, and there are none; [air] changes nothing");
+}
+
 }  // namespace
 
 std::vector<const catalog::LevelType*> levels_from(const SceneSpec& spec, const RobotSpec& robot, double time) {
@@ -174,6 +188,7 @@ std::vector<std::string> unused_keys(const SceneSpec& spec) {
   }
   add_events(spec, lines);
   add_start(spec, lines);
+  add_air(spec, lines);
   return lines;
 }
 

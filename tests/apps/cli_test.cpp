@@ -288,6 +288,43 @@ TEST(Cli, SaysWhatAFitHasNotSeen) {
   }
 }
 
+/// A roll of 1 m/s that loses 0.3 m/s^2, 40 times per second until it stops.
+std::string roll_log() {
+  std::ostringstream text;
+  text << "time [s],ball.position.x [m]\n";
+  for (int i = 0; i < 150; ++i) {
+    const double t = std::min(i / 40.0, 1 / 0.3);
+    text << i / 40.0 << ',' << t - 0.15 * t * t << '\n';
+  }
+  return text.str();
+}
+
+TEST(Cli, FitsContactAndScenesTakeIt) {
+  const fs::path log = write("roll.csv", roll_log()), out = scratch("ball.toml");
+  const Result fit =
+      murosimf("fit-contact --roll " + log.string() + " --pair ball carpet --json - --out " + out.string());
+  EXPECT_EQ(fit.exit_code, 0) << fit.errors;
+  // 0.3 m/s^2 of a solid ball: 7/5 x 0.3 / 9.81 = 0.04281
+  EXPECT_NE(read_file(out).find("rolling = 0.04281"), std::string::npos) << read_file(out);
+  EXPECT_NE(fit.output.find("\"key\": \"rolling\""), std::string::npos) << fit.output;
+  const fs::path scene = write("fitted.toml", "duration = 0.1\n[ball]\n" + read_file(out));
+  EXPECT_EQ(murosimf("run " + scene.string()).exit_code, 0);
+}
+
+TEST(CliMistakes, InContactFits) {
+  const std::string log = write("roll.csv", roll_log()).string(), out = " --out " + scratch("b.toml").string();
+  const std::string pair = " --pair ball carpet";
+  expect_mistake("fit-contact" + pair + out, {"nothing to fit", "--roll"});
+  expect_mistake("fit-contact --roll " + log + " --pair ball" + out, {"--pair takes two"});
+  expect_mistake("fit-contact --roll " + log + out, {"--pair"});
+  expect_mistake("fit-contact --roll " + log + pair + " --radius 0.05" + out, {"--mass"});
+  expect_mistake("fit-contact --drop " + log + pair + out, {"roll.csv", "no column 'z'"});
+  expect_mistake("fit-contact --roll none.csv" + pair + out, {"none.csv"});
+  expect_mistake("fit-contact --roll " + log + pair + " --out " + log, {"roll.csv"});
+  expect_mistake("fit-contact --roll " + write("two.csv", "time,x\n0,0\n1,1\n").string() + pair + out,
+                 {"two.csv", "2 samples"});
+}
+
 TEST(CliMistakes, InServoFits) {
   const std::string log = write("log.json", servo_log()).string(), out = " --out " + scratch("s.toml").string();
   if (murosimf("fit-servo " + log + " --model m7" + out).errors.find("NLopt was missing") != std::string::npos) {

@@ -60,6 +60,10 @@ constexpr NumericOption numeric_options[]{
     {"fit-servo nowhere --out FILE", "--starts"},
     {"fit-servo nowhere --out FILE", "--windows"},
     {"fit-servo nowhere --out FILE", "--threads"},
+    {"fit-contact --pair ball carpet --out FILE", "--gravity"},
+    {"fit-contact --pair ball carpet --out FILE", "--drag"},
+    {"fit-contact --pair ball carpet --mass 1 --out FILE", "--radius"},
+    {"fit-contact --pair ball carpet --radius 1 --out FILE", "--mass"},
     {"run walk --at", "TIME:walker.level=full_dynamics"},
 };
 

@@ -181,6 +181,7 @@ TEST(CompareOutcome, EntersTheVerdict) {
 // The observer sees what the entity itself tells, and changes nothing.
 TEST(OutcomeRecorder, SeesTheBallAndWhatTouchesIt) {
   const std::string file = fixtures::write_scene(R"(
+air.density = 0
 [ball]
 position = [0.6, 0, 0.3]
 velocity = [-2, 0, 0]

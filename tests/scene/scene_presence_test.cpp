@@ -172,7 +172,7 @@ TEST_P(PresenceAtLevel, LevelsChangeMeanwhile) {
 }
 
 TEST(ScenePresence, OfABallThatComesBack) {
-  Scene scene(fixtures::write_scene("[ball]\nposition = [0, 0, 0.3]\nvelocity = [1, 0, 0]\n"));
+  Scene scene(fixtures::write_scene("[air]\ndensity = 0\n[ball]\nposition = [0, 0, 0.3]\nvelocity = [1, 0, 0]\n"));
   scene.simulation().run(200ms);
   const Vec3d place = place_of(scene, "ball");
   EXPECT_NEAR(place.x, 0.2, 1e-6);

@@ -54,8 +54,9 @@ TEST(SectionChanges, ABallRestsOnItsNewRadius) {
 
 // Law: what flies keeps its velocities, whatever it becomes; and then F = m a, n = 2/5 m r^2 alpha. Tolerances: rounding.
 TEST(SectionChanges, ForcesMoveTheNewMassAndInertia) {
-  Scene scene(fixtures::write_scene(
-      "gravity = [0, 0, 0]\n[ball]\nposition = [0, 0, 1]\nvelocity = [0.3, 0.2, -0.1]\nmass = 0.1\nradius = 0.05\n"));
+  Scene scene(
+      fixtures::write_scene("gravity = [0, 0, 0]\nair.density = 0\n[ball]\nposition = [0, 0, 1]\nvelocity = [0.3, 0.2, "
+                            "-0.1]\nmass = 0.1\nradius = 0.05\n"));
   scene.simulation().initialize();
   ball_of(scene).set(properties::angular_velocity, {1, 2, 3});
   scene.simulation().run(10ms);
@@ -81,7 +82,7 @@ TEST(SectionChanges, ForcesMoveTheNewMassAndInertia) {
 // Law: friction of the new material brakes what slides, by mu g. Tolerance: the load is its weight but for what it bounces.
 TEST(SectionChanges, TheNewMaterialBrakes) {
   Scene scene(
-      fixtures::write_scene("[[materials]]\npair = ['ball', 'carpet']\nfriction = 0\nrolling = 0\n"
+      fixtures::write_scene("air.density = 0\n[[materials]]\npair = ['ball', 'carpet']\nfriction = 0\nrolling = 0\n"
                             "[[materials]]\npair = ['rubber', 'carpet']\nfriction = 0.2\nrolling = 0\n"
                             "[ball]\nvelocity = [2, 0, 0]\n"));
   scene.simulation().run(500ms);
@@ -98,6 +99,7 @@ TEST(SectionChanges, TheNewMaterialBrakes) {
 TEST(SectionChanges, BodiesMeetTheNewBall) {
   Scene scene(fixtures::write_scene(R"(
 gravity = [0, 0, 0]
+air.density = 0
 [ball]
 position = [0, 0, 0.95]
 [[bodies]]

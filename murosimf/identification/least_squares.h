@@ -1,0 +1,35 @@
+/// least_squares.h - least squares in three unknowns: linear ones by their normal equations, others by Gauss and Newton.
+#pragma once
+
+#include <functional>
+#include <span>
+
+#include "murosimf/math/mat3.h"
+
+namespace murosimf::identification {
+
+/// sum_i (row_i . p - value_i)^2 is to be least. Unknowns that are not needed have zeros in all rows.
+class NormalEquations {
+ public:
+  void add(const Vec3d& row, double value);
+  /// Zero for unknowns that no row has.
+  [[nodiscard]] Vec3d solution() const;
+  [[nodiscard]] SymMat3d inverse_matrix() const;
+
+ private:
+  SymMat3d matrix_ = diagonal(0.0);
+  Vec3d right_;
+};
+
+struct LeastSquares {
+  Vec3d parameters;
+  SymMat3d covariance;  ///< of these, by what the fit leaves; zero for unknowns that change nothing
+  double residual = 0;  ///< root of the mean square of what the fit leaves
+};
+
+/// The parameters of model(parameters, time) that explain `values` at `times` best, searched from `start` on. Steps that do not make
+/// it better are halved; it ends when none does.
+[[nodiscard]] LeastSquares fit_curve(const std::function<double(const Vec3d&, double)>& model, const Vec3d& start,
+                                     std::span<const double> times, std::span<const double> values);
+
+}  // namespace murosimf::identification
