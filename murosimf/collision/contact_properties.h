@@ -20,7 +20,7 @@ inline constexpr Property<AllowedPairs> allowed_pairs {{"allowed_pairs", "-", "-
 // ---- variable: of every object ----
 inline constexpr Property<Wrenchd> applied_force      {{"applied_force", "N, N m", "world, at the object's origin", "push on a body that stays until it is changed: force, moment"}};
 inline constexpr Property<Wrenchd> interaction_force  {{"interaction_force", "N, N m", "world, at the object's origin", "contacts with other moving bodies: force, moment"}};
-inline constexpr Property<Wrenchd> external_force     {{"external_force", "N, N m", "world, at the object's origin", "sum of pushes and contacts: force, moment"}};
+inline constexpr Property<Wrenchd> external_force     {{"external_force", "N, N m", "world, at the object's origin", "sum of pushes, air and contacts: force, moment"}};
 inline constexpr Property<Sym6d>  external_damping   {{"external_damping", "N m s, N s, N s/m", "world, at the object's origin", "how fast external_force falls with the object's velocity"}};
 
 // ---- variable: one for the whole entity ----

@@ -1,14 +1,18 @@
 // Air slows balls down and bends the ways of those that spin.
 #include "murosimf/air/air.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/scene/scene.h"
+#include "murosimf/scene/scene_report.h"
 #include "tests/law.h"
 #include "tests/physics/rig.h"
 #include "tests/written_scene.h"
@@ -244,6 +248,21 @@ TEST(Air, IsTheSameForAnyNumberOfThreads) {
     return scene.simulation().state_hash();
   };
   EXPECT_EQ(hash(1), hash(3));
+}
+
+// Nothing is ignored in silence.
+TEST(Air, IsMissedWhereNothingFeelsIt) {
+  const auto warned = [](const std::string& text, const std::string& words) {
+    scene::Scene scene(fixtures::write_scene(text));
+    const std::vector<std::string> lines = scene::make_report(scene).warnings;
+    return std::ranges::any_of(lines, [&](const std::string& line) { return line.find(words) != std::string::npos; });
+  };
+  const std::string box = "[[bodies]]\nname = 'b'\nshape = 'box'\nsize = [1, 1, 1]\nmass = 1\n";
+  EXPECT_TRUE(warned("air.wind = [1, 0, 0]\n" + box, "[air] changes nothing"));
+  EXPECT_FALSE(warned(box, "air"));
+  EXPECT_FALSE(warned("air.wind = [1, 0, 0]\n[ball]\n" + box, "air"));
+  EXPECT_TRUE(warned("air.wind = [1, 0, 0]\nair.density = 0\n[ball]\n", "'wind' changes nothing"));
+  EXPECT_THROW(warned(box + "drag = 0.5\n", ""), SetupError) << "drag of a box";
 }
 
 // Eight balls of one model are stepped together.
