@@ -24,7 +24,8 @@ LevelOptions with_own(const OptionTable<LevelOptions>& table, LevelOptions optio
 }
 
 std::unique_ptr<MotionLevel> make_kinematic_walking(Setup& setup, const LevelOptions& given) {
-  return std::make_unique<motion::KinematicWalking>(setup, with_own(reference_options(), given).reference);
+  return std::make_unique<motion::KinematicWalking>(setup, with_own(reference_options(), given).reference,
+                                                    given.environment);
 }
 
 std::unique_ptr<MotionLevel> make_simplified_dynamics(Setup& setup, const LevelOptions& given) {

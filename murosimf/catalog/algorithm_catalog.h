@@ -40,7 +40,8 @@ struct LevelOptions {
   bool base_rigid = false;         ///< simplified_dynamics: the paper's literal reading
   std::string servo_law;           ///< articulated_dynamics: of all servos; empty: their own
   motion::MovingTreeOptions tree;  ///< full_dynamics, articulated_dynamics; its integrator: simplified_dynamics too
-  OptionValues own;                ///< what the robot's [robots.level_options] gives; those of LevelType::options count
+  const Entity* environment = nullptr;  ///< kinematic_walking: the ground that it walks on; null: the plane z = 0
+  OptionValues own;  ///< what the robot's [robots.level_options] gives; those of LevelType::options count
 };
 
 struct LevelType {

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "murosimf/geometry/collide.h"
+#include "murosimf/geometry/descent.h"
+#include "murosimf/geometry/ray.h"
 
 namespace murosimf::collision {
 namespace {
@@ -121,6 +123,43 @@ bool GroundFinder::are_of_same_shapes(const ContactPoint& a, const ContactPoint&
 /// By the environment's kinds, each plane being one, then by the entity's: as for_meetings() counts.
 std::uint32_t GroundFinder::surface(std::size_t other_kind, std::size_t own_shape) const noexcept {
   return static_cast<std::uint32_t>(other_kind * own_kinds_.surfaces().size() + own_kinds_.of(own_shape));
+}
+
+GroundSurface::GroundSurface(const Entity* environment)
+    : planes_(ground_planes(environment)), statics_(static_compound_of(environment)) {
+  if (statics_ && statics_->empty()) statics_ = nullptr;
+}
+
+GroundBelow GroundSurface::below(const Vec3d& point) noexcept {
+  bool found = false;
+  double height = 0;
+  Vec3d normal{0, 0, 1};
+  const auto see = [&](double z, const Vec3d& up) {
+    if (z > point.z + highest_step || (found && z <= height)) return;
+    found = true;
+    height = z;
+    normal = up;
+  };
+  for (const GroundPlane& plane : planes_) {
+    const Vec3d& n = plane.normal;
+    if (n.z > 0) see((plane.height - n.x * point.x - n.y * point.y) / n.z, n);
+  }
+  constexpr double reach = 0.2;  // [m] of a foot
+  std::int64_t tests = 0;
+  if (statics_ && is_near_(*statics_, point, reach, tests)) {
+    const geometry::Ray ray{point + Vec3d{0, 0, highest_step}, {0, 0, -1}};
+    const auto wanted = [&](const auto& volume) {
+      return geometry::ray_enters(volume, ray, std::numeric_limits<double>::infinity());
+    };
+    const auto look = [&](int i) {
+      const auto entry = geometry::meet(ray, statics_->shape(i).placed.shape, statics_->pose(i));
+      if (entry && entry->distance > 0) see(ray.origin.z - entry->distance, entry->normal);  // 0: it begins inside
+      return true;
+    };
+    std::visit([&](const auto& tree) { geometry::for_leaves(tree, wanted, look); }, statics_->compound().tree());
+  }
+  if (normal.z < steepest) normal = {0, 0, 1};
+  return {height, -normal.x / normal.z, -normal.y / normal.z};
 }
 
 }  // namespace murosimf::collision

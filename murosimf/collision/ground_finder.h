@@ -90,4 +90,30 @@ class GroundFinder {
 /// The ground planes among the shapes of an environment that collide.
 [[nodiscard]] std::vector<GroundPlane> ground_planes(const Entity* environment);
 
+/// The plane that touches the ground below a point: z = height + slope_x (x - point.x) + slope_y (y - point.y).
+struct GroundBelow {
+  double height = 0;                ///< [m] right below the point
+  double slope_x = 0, slope_y = 0;  ///< [1] dz/dx, dz/dy
+};
+
+/// Where an environment would carry something that steps on it from above: its planes, and what stands on them.
+class GroundSurface {
+ public:
+  /// Surfaces that are higher than this above a point [m] are not below it, but beside.
+  static constexpr double highest_step = 0.06;
+  /// [1] cosine of the angle between the vertical and what can be stood on; steeper surfaces count as level.
+  static constexpr double steepest = 0.8660254037844387;  // 30 degrees
+
+  /// `environment`: null for none, then the ground is the plane z = 0, as it is where no plane is below a point.
+  explicit GroundSurface(const Entity* environment);
+
+  /// Below a point [m] of the world. Remembers whether something stands near it, which changes no answer.
+  [[nodiscard]] GroundBelow below(const Vec3d& point) noexcept;
+
+ private:
+  std::vector<GroundPlane> planes_;
+  std::shared_ptr<const StaticCompound> statics_;  // null: nothing stands there
+  NearStatics is_near_;
+};
+
 }  // namespace murosimf::collision

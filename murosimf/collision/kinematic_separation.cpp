@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "murosimf/collision/ground_finder.h"
 #include "murosimf/geometry/collide.h"
 
 namespace murosimf::collision {
@@ -100,7 +101,10 @@ void leave(MovingEntity& moving_entity, const StaticCompound& environment, doubl
   tests.volumes += for_pairs(moving_entity.compound, environment.compound(), [&](int i, int j) {
     ++tests.objects;
     const Shape &own = moving_entity.compound.shapes()[i].placed.shape, &other = environment.shape(j).placed.shape;
-    deepest.see(own, moving_entity.pose(i), other, environment.pose(j));
+    geometry::Manifold found;
+    if (!geometry::collide(own, moving_entity.pose(i), other, environment.pose(j), found)) return true;
+    if (found.normal.z >= GroundSurface::steepest) return true;  // it carries
+    for (int k = 0; k < found.count; ++k) deepest.see(found.normal, found.points[k].depth);
     return true;
   });
   moving_entity.separation[0] += deepest.way_out(1, dt);

@@ -37,13 +37,23 @@ std::vector<Foot> two_feet(const Model& model) {
   return feet;
 }
 
+/// The shortest turn from the vertical to the normal of a plane of these slopes.
+Mat3d tilt_of(double slope_x, double slope_y) {
+  const double steepness = std::hypot(slope_x, slope_y);
+  if (steepness == 0) return rotation_z(0.0);
+  return to_matrix(exponential((std::atan(steepness) / steepness) * Vec3d{slope_y, -slope_x, 0}));
+}
+
 }  // namespace
 
-KinematicWalking::KinematicWalking(Setup& setup, const JointReferenceOptions& reference)
+KinematicWalking::KinematicWalking(Setup& setup, const JointReferenceOptions& reference, const Entity* environment)
     : entity_(setup.entity()),
       columns_(setup),
       reference_(setup, without_load(reference)),
+      environment_(environment),
+      ground_(environment),
       stance_pose_(setup.write(properties::stance_pose)[0]),
+      stance_ground_(setup.write(properties::stance_ground)[0]),
       stance_foot_(setup.write(properties::stance_foot)[0]),
       remaining_shift_(setup.write(properties::remaining_shift)[0]),
       remaining_turn_(setup.write(properties::remaining_turn)[0]),
@@ -81,7 +91,19 @@ Vec3d KinematicWalking::upright_axis() const {
 }
 
 int KinematicWalking::lower_foot() const noexcept {
-  return lowest_corner(feet_[1]) < lowest_corner(feet_[0]) + penetration ? 1 : 0;
+  return clearance(feet_[1], ground_below(1)) < clearance(feet_[0], ground_below(0)) + penetration ? 1 : 0;
+}
+
+collision::GroundBelow KinematicWalking::ground_below(int foot) const noexcept {
+  return ground_.below(columns_.r[feet_[static_cast<std::size_t>(foot)].object]);
+}
+
+collision::GroundBelow KinematicWalking::stance_ground() const noexcept {
+  return {stance_ground_.x, stance_ground_.y, stance_ground_.z};
+}
+
+void KinematicWalking::model_exchanged(const Entity& entity) {
+  if (&entity == environment_) ground_ = collision::GroundSurface(environment_);
 }
 
 std::string KinematicWalking::refusal() const {
@@ -90,9 +112,10 @@ std::string KinematicWalking::refusal() const {
     return fmt::format("it leans {:.0f} degrees, more than {:.0f}; only a jump could make it stand on a foot",
                        lean * 180 / pi, steepest * 180 / pi);
   }
-  const double height = lowest_corner(feet_[lower_foot()]);
+  const int lower = lower_foot();
+  const double height = clearance(feet_[lower], ground_below(lower));
   if (!(std::abs(height) <= highest_sole)) {
-    return fmt::format("its lower sole is {:.0f} mm away from the plane z = 0, more than {:.0f}", 1e3 * height,
+    return fmt::format("its lower sole is {:.0f} mm away from the ground, more than {:.0f}", 1e3 * height,
                        1e3 * highest_sole);
   }
   return {};
@@ -124,8 +147,9 @@ bool KinematicWalking::begin_step(double dt) noexcept {
     entity_.freeze(joints_insane);
     return false;
   }
-  const Vec3d moved = columns_.take_displacement();  // somebody moved the base: the standing foot goes with it
-  stance_pose_ += Vec3d{moved.x + separation_.x, moved.y + separation_.y, 0};
+  const Vec3d moved = columns_.take_displacement() + separation_;  // the standing foot goes along
+  stance_pose_ += Vec3d{moved.x, moved.y, 0};
+  stance_ground_.x += stance_ground_.y * moved.x + stance_ground_.z * moved.y;
   fade_remainder(dt);
   return true;
 }
@@ -156,19 +180,23 @@ void KinematicWalking::pin() noexcept {
 
 /// Puts the base where the standing sole is where it is to be; `sole`: its pose in the base.
 void KinematicWalking::pin(const Transformd& sole) noexcept {
-  const Mat3d R = to_matrix(exponential(remaining_turn_)) * rotation_z(stance_pose_.z) * transpose(sole.orientation);
+  const Mat3d flat = tilt_of(stance_ground_.y, stance_ground_.z) * rotation_z(stance_pose_.z);
+  const Mat3d R = to_matrix(exponential(remaining_turn_)) * flat * transpose(sole.orientation);
   columns_.Q[0] = from_matrix(R);
   columns_.R[0] = R;
-  columns_.r[0] = Vec3d{stance_pose_.x, stance_pose_.y, 0} + remaining_shift_ - R * sole.position;
+  columns_.r[0] = Vec3d{stance_pose_.x, stance_pose_.y, stance_ground_.x} + remaining_shift_ - R * sole.position;
 }
 
 void KinematicWalking::stand_on(int foot) noexcept {
   const Vec3d& r = columns_.r[feet_[foot].object];
   const Mat3d& R = columns_.R[feet_[foot].object];
+  const collision::GroundBelow ground = ground_below(foot);
+  const Mat3d level = transpose(tilt_of(ground.slope_x, ground.slope_y));
   stance_foot_ = foot;
-  stance_pose_ = {r.x, r.y, heading(R)};
-  remaining_shift_ = {0, 0, r.z};
-  remaining_turn_ = rotation_vector(from_matrix(R * rotation_z(-stance_pose_.z)));
+  stance_ground_ = {ground.height, ground.slope_x, ground.slope_y};
+  stance_pose_ = {r.x, r.y, heading(level * R)};
+  remaining_shift_ = {0, 0, r.z - ground.height};
+  remaining_turn_ = rotation_vector(from_matrix(R * rotation_z(-stance_pose_.z) * level));
   remaining_twist_ = {};
 }
 
@@ -184,13 +212,17 @@ void KinematicWalking::swap_if_other_foot_lands() noexcept {
   const int other = stance_foot_ != 0 ? 0 : 1;
   const double still_to_turn = norm(remaining_turn_) * standing_foot().sole.half_length;
   const double lower = penetration - std::min(largest_margin, still_to_turn);
-  if (lowest_corner(feet_[other]) >= lowest_corner(standing_foot()) + lower) return;
+  if (clearance(feet_[other], ground_below(other)) >= clearance(standing_foot(), stance_ground()) + lower) return;
   stand_on(other);
   keep_moving();
 }
 
-double KinematicWalking::lowest_corner(const Foot& foot) const noexcept {
-  return murosimf::lowest_corner(foot.sole, columns_.r[foot.object], columns_.R[foot.object]);
+/// [m] Height of the lowest corner of a foot's sole above a plane.
+double KinematicWalking::clearance(const Foot& foot, const collision::GroundBelow& ground) const noexcept {
+  const Mat3d& R = columns_.R[foot.object];
+  const auto rise = [&](const Vec3d& axis) { return axis.z - ground.slope_x * axis.x - ground.slope_y * axis.y; };
+  return columns_.r[foot.object].z - ground.height - foot.sole.half_length * std::abs(rise(R.x)) -
+         foot.sole.half_width * std::abs(rise(R.y));
 }
 
 void KinematicWalking::set_base_twist() noexcept {

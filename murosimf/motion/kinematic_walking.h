@@ -1,13 +1,15 @@
-/// kinematic_walking.h - level `kinematic_walking`: the standing foot stays fixed on the plane.
+/// kinematic_walking.h - level `kinematic_walking`: the standing foot stays fixed on the ground.
 ///
 /// Each step: joints follow their targets; the base is placed so that the standing sole is at its fixed place (x, y,
 /// heading), where it turns flat; if then the other foot is lower, the feet swap roles and the new one is fixed where it
 /// is. External forces are ignored; the robot cannot fall.
 ///
-///     R_0 = exp(t) Rz(psi) R_S^T    r_0 = x_S + s - R_0 r_S               S: sole in base axes
+///     R_0 = exp(t) R_n Rz(psi) R_S^T    r_0 = x_S + s - R_0 r_S           S: sole in base axes
 ///     w_0 = t' - w_S                v_0 = s' - v_S - w_0 x (r_S - r_0)
 ///     t' = u_t - t / 0.1 s          s' = u_s - s / 0.1 s          u' = -u / 0.02 s
 ///
+/// x_S and R_n are those of the plane that touches the ground right below the sole's middle when it lands (collision/ground_finder.h): the
+/// field, a plate, a ramp. R_n turns the vertical into its normal on the shortest way. What is higher by more than 60 mm is no ground.
 /// A foot is hardly ever exactly flat and at height 0 when it lands, or when this level takes over a robot that moves
 /// (model/motion_level.h; the lower foot stands then), nor at rest. Its tilt t and height s are what remains; they decay, x and y stay,
 /// and nothing jumps: the velocity says where the base goes. A sole that moves when it lands or when the robot is taken over stops within
@@ -17,17 +19,19 @@
 /// that of the stance before, which has led there. The other foot is lower when its lowest corner is 1 um below that of the
 /// standing one, and as long as that one turns also below what this moves the ends of the sole by, |t| half_length, at
 /// most 1 mm: else two feet that cannot both be flat would swap roles in every step.
-/// A robot that leans more than 30 degrees, or whose soles are both more than 20 mm away from the plane, is not taken over:
+/// A robot that leans more than 30 degrees, or whose soles are both more than 20 mm away from the ground, is not taken over:
 /// only a jump could make it stand.
 /// Source:  paper 4.1.
 /// Differs: the paper leaves open the heading (here: that of the foot when it lands), the tested point (lowest corner
 ///          of the other sole), and the first stance (the lower foot); it keeps the pose of a foot that lands, here its
 ///          tilt decays, so that tilts do not add up.
-/// Limits:  the plane is z = 0; both feet in the air cannot occur; a jump looks like standing.
+/// Limits:  both feet in the air cannot occur; a jump looks like standing. A foot that lands half on a plate stands as its middle does;
+///          a robot that steps off something comes down within 0.1 s, as a foot that lands above the ground does.
 #pragma once
 
 #include <array>
 
+#include "murosimf/collision/ground_finder.h"
 #include "murosimf/model/feet.h"
 #include "murosimf/model/motion_level.h"
 #include "murosimf/motion/joint_reference.h"
@@ -40,12 +44,15 @@ class KinematicWalking final : public MotionLevel {
   static constexpr LevelTraits has{};
 
   /// Throws SetupError if the model does not have exactly two soles.
-  explicit KinematicWalking(Setup& setup, const JointReferenceOptions& reference = {});
+  /// `environment`: what it walks on; null for the plane z = 0.
+  explicit KinematicWalking(Setup& setup, const JointReferenceOptions& reference = {},
+                            const Entity* environment = nullptr);
 
   [[nodiscard]] LevelTraits traits() const override { return has; }
   void initialize() override;
   void step(const Instant& instant) noexcept override;
   [[nodiscard]] std::string refusal() const override;
+  void model_exchanged(const Entity& entity) override;
   [[nodiscard]] Momentum hand_over() noexcept override { return columns_.momentum(); }
   void take_over(const Momentum& momentum) override;
   [[nodiscard]] bool goes_with(const Algorithm& other) const override;
@@ -63,6 +70,8 @@ class KinematicWalking final : public MotionLevel {
   [[nodiscard]] const Foot& standing_foot() const noexcept { return feet_[standing()]; }
   [[nodiscard]] Vec3d upright_axis() const;
   [[nodiscard]] int lower_foot() const noexcept;
+  [[nodiscard]] collision::GroundBelow ground_below(int foot) const noexcept;
+  [[nodiscard]] collision::GroundBelow stance_ground() const noexcept;
   [[nodiscard]] bool begin_step(double dt) noexcept;
   void end_step() noexcept;
   void pin() noexcept;
@@ -70,7 +79,7 @@ class KinematicWalking final : public MotionLevel {
   void stand_on(int foot) noexcept;
   void keep_moving() noexcept;
   void swap_if_other_foot_lands() noexcept;
-  [[nodiscard]] double lowest_corner(const Foot& foot) const noexcept;
+  [[nodiscard]] double clearance(const Foot& foot, const collision::GroundBelow& ground) const noexcept;
   void set_base_twist() noexcept;
   void set_base_twist(const Twistd& sole) noexcept;
   void fade_remainder(double dt) noexcept;
@@ -79,8 +88,11 @@ class KinematicWalking final : public MotionLevel {
   PoseColumns columns_;
   JointReference reference_;
   std::array<Foot, 2> feet_;
-  Vec3d up_;                 // [1] axis of the base that is vertical when the robot stands with its joints at 0
+  Vec3d up_;  // [1] axis of the base that is vertical when the robot stands with its joints at 0
+  const Entity* environment_;
+  mutable collision::GroundSurface ground_;
   Vec3d& stance_pose_;       // [m, m, rad] x, y, heading of the standing sole
+  Vec3d& stance_ground_;     // [m, 1, 1] height and slopes of the ground below its middle
   double& stance_foot_;      // 0 or 1
   Vec3d& remaining_shift_;   // [m] s, of the standing sole
   Vec3d& remaining_turn_;    // [rad] t, of the standing sole

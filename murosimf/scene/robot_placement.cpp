@@ -11,7 +11,7 @@
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
-#include "murosimf/scene_file/level_options.h"
+#include "murosimf/scene/scene_algorithms.h"
 
 namespace murosimf::scene {
 namespace {
@@ -74,7 +74,7 @@ void place(SceneParts& parts, std::string_view name, const Placement& placement)
   const auto spec = std::ranges::find(parts.spec.robots, name, &scene_file::RobotSpec::name);
   const std::string level = robot.level;
   const catalog::LevelOptions options =
-      spec == parts.spec.robots.end() ? catalog::LevelOptions{} : scene_file::level_options(*spec);
+      spec == parts.spec.robots.end() ? catalog::LevelOptions{} : level_options(parts, *spec);
   parts.simulation->exchange(level, robot, [&](Setup& setup) { return catalog::make_level(level, setup, options); });
   stop(robot);  // what the level had of its momentum
 }

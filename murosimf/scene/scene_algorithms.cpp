@@ -93,6 +93,12 @@ void attach_air(SceneParts& parts, Entity& entity) {
   parts.simulation->attach<air::Air>("air", entity, parts.spec.rate, parts.spec.air);
 }
 
+catalog::LevelOptions level_options(const SceneParts& parts, const scene_file::RobotSpec& robot) {
+  catalog::LevelOptions options = scene_file::level_options(robot);
+  options.environment = parts.field;
+  return options;
+}
+
 void attach_level(SceneParts& parts, Entity& entity, const catalog::LevelOptions& options) {
   parts.simulation->attach(entity.level, entity, parts.spec.rate,
                            [&](Setup& setup) { return catalog::make_level(entity.level, setup, options); });
@@ -100,7 +106,7 @@ void attach_level(SceneParts& parts, Entity& entity, const catalog::LevelOptions
 
 void attach_level_of(SceneParts& parts, const scene_file::RobotSpec& robot, Entity& entity) {
   warn_about_level(parts, robot);
-  with_context(robot.where, [&] { attach_level(parts, entity, scene_file::level_options(robot)); });
+  with_context(robot.where, [&] { attach_level(parts, entity, level_options(parts, robot)); });
 }
 
 void attach_own_steps(SceneParts& parts, const Entity& entity) {

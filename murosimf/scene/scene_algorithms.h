@@ -21,10 +21,13 @@ void attach_messages(SceneParts& parts, const Entity& entity);
 void attach_ground_contact(SceneParts& parts, Entity& entity, const std::string& level, const std::string& law,
                            const OptionValues& options = {});
 
-/// The level that the entity names.
 /// For balls and other spheres, after the contact with the ground; nothing without air.
 void attach_air(SceneParts& parts, Entity& entity);
 
+/// What a robot asks of its level, on the ground of the scene.
+[[nodiscard]] catalog::LevelOptions level_options(const SceneParts& parts, const scene_file::RobotSpec& robot);
+
+/// The level that the entity names.
 void attach_level(SceneParts& parts, Entity& entity, const catalog::LevelOptions& options);
 
 /// The same with the options of a robot; warnings about what a user may have overlooked.

@@ -109,7 +109,6 @@ void build(SceneParts& parts, const SceneOptions& options) {
   attach_contact(parts);
   attach_motion(parts);
   note_about_sensors(parts);
-  warn_about_static_bodies(parts);
   attach_observers(parts, options.paths);
   simulation.poses().contacts_from(add_contact_marks);
   simulation.poses().complete_by(work_out_poses);

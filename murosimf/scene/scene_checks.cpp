@@ -174,18 +174,6 @@ void check_properties(SceneParts& parts) {
 
 void warn_about_start(SceneParts& parts) { parts.remarks.warn(start_overlaps(*parts.field, parts.moving_entities)); }
 
-void warn_about_static_bodies(SceneParts& parts) {
-  if (std::ranges::none_of(parts.spec.bodies, &scene_file::BodySpec::is_static)) return;
-  std::vector<std::string_view> walkers;
-  for (const scene_file::RobotSpec& robot : parts.spec.robots) {
-    if (!find_entry(catalog::levels(), "level", robot.level).traits.dynamic) walkers.emplace_back(robot.name);
-  }
-  if (walkers.empty()) return;
-  parts.remarks.warn(fmt::format("{}", fmt::join(walkers, ", ")),
-                     "kinematic_walking takes the ground for a plane: static bodies are walls to it, and nobody walks "
-                     "onto them");
-}
-
 void warn_about_level(SceneParts& parts, const scene_file::RobotSpec& robot) {
   const LevelTraits level = find_entry(catalog::levels(), "level", robot.level).traits;
   if (level.dynamic)

@@ -16,9 +16,6 @@ void check_properties(SceneParts& parts);
 /// Who stands in whom, before the first step.
 void warn_about_start(SceneParts& parts);
 
-/// Who cannot walk on what stands on the field.
-void warn_about_static_bodies(SceneParts& parts);
-
 /// What a user may have overlooked in a robot's level: steps too long for it, joints without servos.
 void warn_about_level(SceneParts& parts, const scene_file::RobotSpec& robot);
 

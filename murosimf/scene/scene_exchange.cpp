@@ -1,4 +1,5 @@
 #include "murosimf/scene/scene_exchange.h"
+#include "murosimf/scene/scene_algorithms.h"
 
 #include <algorithm>
 #include <exception>
@@ -12,13 +13,13 @@
 #include "murosimf/motion/torque_watch.h"
 #include "murosimf/scene/model_constants.h"
 #include "murosimf/scene/robot_placement.h"
+#include "murosimf/scene/scene_algorithms.h"
 #include "murosimf/scene/scene_checks.h"
 #include "murosimf/scene/scene_presence.h"
 #include "murosimf/scene/scene_pushing.h"
 #include "murosimf/scene/scene_sensors.h"
 #include "murosimf/scene/scene_settings.h"
 #include "murosimf/scene/section_changes.h"
-#include "murosimf/scene_file/level_options.h"
 #include "murosimf/scene_file/setting_targets.h"
 
 namespace murosimf::scene {
@@ -28,7 +29,7 @@ namespace {
 void renew_level(SceneParts& parts, const scene_file::RobotSpec& robot) {
   Entity& entity = parts.simulation->world().entity(robot.name);
   const catalog::LevelType& level = find_entry(catalog::levels(), "level", robot.level);
-  const catalog::LevelOptions options = scene_file::level_options(robot);
+  const catalog::LevelOptions options = level_options(parts, robot);
   std::string overload = motion::overload_message(entity);  // the level that goes takes both along
   std::string saturation = motion::saturation_message(entity);
   parts.simulation->exchange(robot.level, entity,
@@ -150,7 +151,7 @@ void put_in_force(SceneParts& parts, Entity& entity, const Algorithms& algorithm
   changed.level = find_entry(catalog::levels(), "level", algorithms.level).name;
   changed.servo_law = algorithms.servo_law;
   if (changed.level != robot.level || changed.servo_law != robot.servo_law) {
-    const catalog::LevelOptions options = scene_file::level_options(changed);
+    const catalog::LevelOptions options = level_options(parts, changed);
     const auto make = [&](Setup& setup) { return catalog::make_level(changed.level, setup, options); };
     parts.simulation->exchange(changed.level, entity, make, LevelStart::anew);
   }

@@ -64,6 +64,8 @@ const catalog::LevelType& first_level(const RobotSpec& robot) {
 
 bool is_used(const SceneSpec& spec, const RobotSpec& robot, const UsedKey& key) {
   if (key.use == UsedKey::by_level) return any_uses(levels_from(spec, robot, 0), key.word);
+  // what stands on the field may be at that height
+  if (key.word == "position.z" && std::ranges::any_of(spec.bodies, &BodySpec::is_static)) return true;
   if (key.use == UsedKey::by_first_level) return catalog::has_word(first_level(robot).keys, key.word);
   return catalog::has_word(catalog::controllers().find(robot.controller).keys, key.word);
 }
