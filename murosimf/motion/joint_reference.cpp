@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -15,7 +14,7 @@ namespace {
 
 constexpr double offset_fading_time = 0.1;  // [s] of what a joint is away from its reference when that takes over
 constexpr double catch_up_time = 1.0;       // [s] in which no joint is faster than its servo on the way back
-constexpr double catch_up_share = 0.75;     // [1] of a servo's no-load rate, which it has without any load only
+constexpr double slowest_share = 0.1;       // [1] of a servo's no-load rate, however much it carries
 
 constexpr ReferenceEntry reference_entries[] = {
     {"filter", "a critically damped filter follows the target", ReferenceKind::filter},
@@ -41,13 +40,6 @@ std::vector<MimicJoints::Range> target_ranges(const Model& model, const MimicJoi
   return ranges;
 }
 
-/// [rad/s | m/s] Infinite for a joint whose servo's no-load rate is not known.
-double catch_up_rate(const Model& model, int joint) {
-  const Servo* servo = model.find(properties::servo, joint);
-  const bool known = servo && servo->no_load_speed > 0;
-  return known ? catch_up_share * servo->no_load_speed : std::numeric_limits<double>::infinity();
-}
-
 /// What is left of an offset [rad | m] after dt [s]; implicit Euler.
 double faded(double offset, double dt) {
   constexpr double nothing = 1e-9;
@@ -66,6 +58,7 @@ JointReference::JointReference(Setup& setup, const JointReferenceOptions& option
       offset_(setup.write(properties::joint_offset)),
       kind_(setup.write(properties::joint_reference_kind)[0]),
       catch_up_time_(setup.write(properties::catch_up_time)[0]),
+      torque_need_(setup.input(properties::torque_need, 0.0)),
       target_range_(target_ranges(setup.model(), coupled_, turning_)),
       leader_(target_.size()),
       ratio_(target_.size()) {
@@ -74,7 +67,7 @@ JointReference::JointReference(Setup& setup, const JointReferenceOptions& option
     leader_[pair.follower] = pair.leader;
     ratio_[pair.follower] = pair.ratio;
   }
-  for (int i = 0; i < setup.model().size(); ++i) catch_up_rate_.push_back(catch_up_rate(setup.model(), i));
+  for (int i = 0; i < setup.model().size(); ++i) motors_.push_back(motor_of(setup.model(), i));
   limited_ = std::ranges::any_of(setup.model().joints(), [&](int i) { return std::isfinite(coupled_.rate_limit(i)); });
   if (options_.kind == ReferenceKind::linear) cycle_target_ = setup.write(properties::cycle_target);
 }
@@ -121,10 +114,21 @@ MUROSIMF_INLINE double JointReference::limited_rate(int joint, double rate) cons
   return std::clamp(rate, -most, most);
 }
 
+JointReference::Motor JointReference::motor_of(const Model& model, int joint) {
+  Motor motor;
+  const Servo* servo = model.find(properties::servo, joint);
+  if (servo && servo->no_load_speed > 0) motor.no_load_rate = servo->no_load_speed;
+  if (servo && servo->stall_torque > 0) motor.stall_torque = servo->stall_torque;
+  return motor;
+}
+
 /// `now`: the joint's rate before.
 MUROSIMF_INLINE double JointReference::largest_rate(int joint, double now) const noexcept {
   const double most = coupled_.rate_limit(joint);
-  return catches_up() ? std::min(most, std::max(catch_up_rate_[joint], std::abs(now))) : most;
+  if (!catches_up()) return most;
+  const Motor& motor = motors_[static_cast<std::size_t>(joint)];
+  const double load = std::max(0.0, torque_need_[joint] * (now < 0 ? -1 : 1)) / motor.stall_torque;
+  return std::min(most, std::max(motor.no_load_rate * std::max(slowest_share, 1 - load), std::abs(now)));
 }
 
 /// The same of a joint that may be on its way to its reference.

@@ -18,8 +18,12 @@
 ///     o = q + lag - target        lag = 2 qd / wf (filter: its acceleration begins at 0), 0 (linear, exact)      o' = -o / 0.1 s
 ///
 /// is added to the target (filter, exact) or to the line (linear), and fades: nothing jerks the base. Implicit Euler. For a second
-/// after servos no joint gets faster than they are under load, |qd| <= 0.75 w_0 with the servo's no-load rate w_0, unless it is so already;
-/// what it is behind then is added to o. Else limbs that carry the robot throw it up when they catch up (docs/levels.md has the measure).
+/// after servos no joint gets faster than they can, unless it is so already:
+///
+///     |qd| <= w_0 max(0.1, 1 - tau / T)     w_0, T: no-load rate and stall torque of its servo; tau: torque that its motion takes
+///
+/// (tau: torque_need in the direction of the motion, known at full_dynamics, else 0). What it is behind then is added to o. Else limbs that carry
+/// the robot throw it up when they catch up (docs/levels.md has the measure).
 /// A joint that follows another one (mimic_joints.h) is where that takes it; its own target means nothing.
 /// Targets are held to the joint's range and its joint_target_range.
 /// No joint is faster than its largest rate (joint_rate_limit): the filter's rate is cut off there, a line is as steep as it may be, and
@@ -28,6 +32,7 @@
 /// exchanged.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -80,6 +85,12 @@ class JointReference {
   void check(Integrator integrator) const;
 
  private:
+  /// The speed-torque line of a joint's servo.
+  struct Motor {
+    double no_load_rate = std::numeric_limits<double>::infinity();  // [rad/s | m/s]
+    double stall_torque = std::numeric_limits<double>::infinity();  // [N m | N]
+  };
+  [[nodiscard]] static Motor motor_of(const Model& model, int joint);
   [[nodiscard]] double limited_target(int joint) const noexcept;
   [[nodiscard]] double limited_rate(int joint, double rate) const noexcept;
   [[nodiscard]] double limited_rate(int joint, double rate, double now) const noexcept;
@@ -101,7 +112,8 @@ class JointReference {
   std::span<double> offset_;                      // [rad | m] o, by object
   double& kind_;                                  // properties::joint_reference_kind
   double& catch_up_time_;                         // [s] left in which joints with an offset are as slow as their servos
-  std::vector<double> catch_up_rate_;             // [rad/s | m/s] by object, of these
+  std::span<const double> torque_need_;           // [N m | N] by object; 0 where the level does not know it
+  std::vector<Motor> motors_;                     // by object
   std::vector<MimicJoints::Range> target_range_;  // by object
   std::vector<int> leader_;                       // [objects] whom a joint follows; itself if nobody
   std::vector<double> ratio_;                     // [objects] to that one

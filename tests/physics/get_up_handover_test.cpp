@@ -44,7 +44,7 @@ TEST(GetUpHandover, SucceedsWhereverTheLevelChanges) {
   law::expect_below({.law = "a robot gets up and changes its level on the way, 240 times: lies afterwards",
                      .level = "all levels with forces",
                      .source = "the key frames succeed at each level alone"},
-                    lying, 8, "");
+                    lying, 6, "");
 }
 
 }  // namespace
