@@ -1,9 +1,11 @@
 #include "murosimf/appearance/visual_meshes.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include <fmt/format.h>
 
+#include "murosimf/collision/relief/relief.h"
 #include "murosimf/formats/mesh/mesh_file.h"
 #include "murosimf/formats/mesh/mesh_library.h"
 #include "murosimf/geometry/mesh_mass.h"
@@ -75,7 +77,12 @@ std::vector<std::string> visual_files(const Model& model) {
 
 Appearance appearance_of(const Model& model, std::size_t most) {
   Appearance appearance;
+  std::vector<SeenMesh> grounds;  // with all of their triangles: bodies stand on these
   for (int object = 0; object < model.size(); ++object) {
+    if (const auto* relief = model.find(properties::relief, object)) {
+      grounds.push_back({object, (*relief)->mesh(), model.find(properties::shapes, object)->front().color});
+      continue;
+    }
     const bool dressed = add_visuals(model, object, appearance);
     const Shapes* shapes = model.find(properties::shapes, object);
     for (const PlacedShape& placed : shapes ? *shapes : Shapes{}) {
@@ -83,6 +90,7 @@ Appearance appearance_of(const Model& model, std::size_t most) {
     }
   }
   reduce(appearance, most);
+  std::ranges::move(grounds, std::back_inserter(appearance.meshes));
   return appearance;
 }
 

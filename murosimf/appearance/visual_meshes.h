@@ -41,8 +41,8 @@ struct Appearance {
 constexpr std::size_t usual_triangles = 3000;  ///< of the meshes of a robot in a camera's picture
 
 /// An object with meshes for the eye is drawn as these, and as those of its shapes that do not collide; another one as
-/// all of its shapes. The meshes of the whole model have at most `most` triangles together (geometry/mesh_reduction.h). Reads files,
-/// which takes a while: keep the answer as long as the model.
+/// all of its shapes. The meshes of the whole model have at most `most` triangles together (geometry/mesh_reduction.h), but for uneven
+/// ground, which keeps all of its own (collision/relief/relief.h). Reads files, which takes a while: keep the answer as long as the model.
 [[nodiscard]] Appearance appearance_of(const Model& model, std::size_t most = usual_triangles);
 
 }  // namespace murosimf::appearance

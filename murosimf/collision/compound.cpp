@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/collision/interpenetration.h"
+#include "murosimf/collision/relief/relief.h"
 #include "murosimf/collision/robot_tree.h"
 
 namespace murosimf::collision {
@@ -19,14 +20,17 @@ geometry::AnyTree make_tree(const Model& model, std::span<const CollidingShape> 
   }
   const auto layout =
       options.structured ? robot_tree(model, shapes) : geometry::split_top_down(rest_spheres(model, shapes));
-  return geometry::make_tree(options.volume, parts, layout, options.margin);
+  // prisms of uneven ground are deep and have narrow sides: spheres about them would mostly be empty
+  const bool uneven = !model.having(properties::relief).empty();
+  return geometry::make_tree(uneven ? "aabb" : options.volume, parts, layout, options.margin);
 }
 
 std::vector<double> thicknesses_of(const Model& model, std::span<const CollidingShape> shapes) {
   std::vector<double> result(static_cast<std::size_t>(model.size()));
   for (const CollidingShape& shape : shapes) {
     double& thickest = result[static_cast<std::size_t>(shape.object)];
-    thickest = std::max(thickest, thickness(shape.placed.shape));
+    const ReliefPtr* relief = model.find(properties::relief, shape.object);
+    thickest = std::max(thickest, relief ? (*relief)->thickness() : thickness(shape.placed.shape));
   }
   return result;
 }

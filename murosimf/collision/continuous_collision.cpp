@@ -83,9 +83,40 @@ void look(const Flight& flight, const Obstacle& obstacle, double dt, std::option
 
 void look_at_statics(const Flight& flight, const StaticCompound& environment, double dt, std::optional<Stop>& first) {
   for (int i = 0; i < static_cast<int>(environment.compound().shapes().size()); ++i) {
-    const Shape& shape = environment.shape(i).placed.shape;
-    look(flight, {shape, environment.pose(i), 0.5 * thickness(shape), {}}, dt, first);
+    if (const StaticCompound::Ground* ground = environment.ground_of(i)) {
+      i = ground->first + static_cast<int>(ground->relief->triangles().size()) - 1;
+      continue;
+    }
+    look(flight, {environment.shape(i).placed.shape, environment.pose(i), 0.5 * environment.thickness(i), {}}, dt,
+         first);
   }
+}
+
+/// Of uneven ground, which has very many shapes, those near its way; at one instant, the first of them counts.
+void look_at_grounds(const Flight& flight, const StaticCompound& environment, double dt, std::optional<Stop>& first) {
+  const double speed = norm(flight.body.v[0]);
+  const auto is_slow = [&](const StaticCompound::Ground& ground) {
+    return speed * dt <= fast * std::min(flight.radius, 0.5 * ground.relief->thickness());
+  };
+  if (std::ranges::all_of(environment.uneven_grounds(), is_slow)) return;
+  const double way = std::max(speed, norm(flight.velocity)) * dt;
+  const geometry::BoundingSphere around{flight.relative_to({}), flight.radius + way};
+  int first_shape = 0;
+  const auto visit = [&](int i) {
+    if (!environment.ground_of(i)) return true;
+    std::optional<Stop> stop;
+    look(flight, {environment.shape(i).placed.shape, environment.pose(i), 0.5 * environment.thickness(i), {}}, dt,
+         stop);
+    const auto is_sooner = [&] {
+      return !first || std::pair(stop->touch.time, i) < std::pair(first->touch.time, first_shape);
+    };
+    if (!stop || !is_sooner()) return true;
+    first = stop;
+    first_shape = i;
+    return true;
+  };
+  const auto wanted = [&](const auto& volume) { return overlap(volume, around); };
+  std::visit([&](const auto& tree) { (void)geometry::for_leaves(tree, wanted, visit); }, environment.compound().tree());
 }
 
 /// Whether any shape of the other one can come there in time.
@@ -157,6 +188,7 @@ void stop_at_touch(std::span<MovingEntity> moving_entities, const PairSet& set, 
     for (int i = 0; i < most_touches; ++i) {
       std::optional<Stop> first;
       look_at_statics(flight, environment, dt, first);
+      look_at_grounds(flight, environment, dt, first);
       for (MovingEntity& other : moving_entities) {
         if (&other == &body || other.apart() || !is_near(flight, other, dt)) continue;
         const Vec3d change = can_fly(other) ? change_by_bounces(other, moving_entities, set) : Vec3d{};

@@ -9,6 +9,7 @@
 namespace murosimf::collision {
 namespace {
 
+constexpr double margin_on_ground = 8e-3;  // [m] of volumes above uneven ground, which has very many shapes
 constexpr std::uint64_t features_of_pair = std::uint64_t{1} << 32;
 
 /// `v` in the plane across the unit vector `normal`, with length 1; zero if it has no direction there.
@@ -43,8 +44,9 @@ std::vector<GroundPlane> ground_planes(const Entity* environment) {
 GroundFinder::GroundFinder(const Entity& entity, const Entity* environment)
     : shapes_(&ground_shapes(entity.model())),
       planes_(ground_planes(environment)),
-      own_(compound_of(entity, {.volume = entity.options().collision.volume})),
       environment_(static_compound_of(environment)),
+      own_(compound_of(entity, {.volume = entity.options().collision.volume,
+                                .margin = environment_->uneven_grounds().empty() ? 0 : margin_on_ground})),
       own_kinds_(own_.shapes(), SurfaceKinds::Of::model),
       static_kinds_(environment_->compound().shapes(), SurfaceKinds::Of::object),
       all_touch_planes_(own_.all_touch() && std::all_of(planes_.begin(), planes_.end(), is_usual<GroundPlane>)) {}
@@ -81,6 +83,29 @@ void GroundFinder::find_on_planes(std::span<const Vec3d> r, std::span<const Mat3
 void GroundFinder::find_on_statics(std::span<const Vec3d> r, std::span<const Mat3d> R, std::vector<ContactPoint>& found,
                                    TestCounts& tests) noexcept {
   if (environment_->empty() || !is_near_statics_(*environment_, r[0], own_.reach(), tests.volumes)) return;
+  if (!(has_candidates_ && own_.still_fits(r, R))) find_candidates(r, R, tests);
+  geometry::Manifold manifold;
+  for (std::size_t i = 0; i < candidates_.size(); ++i) {
+    const auto& [other, own] = candidates_[i];
+    if (const StaticCompound::Ground* ground = environment_->ground_of(other)) {
+      const auto begin = candidates_.cbegin() + static_cast<std::ptrdiff_t>(i);
+      const auto end =
+          std::find_if(begin, candidates_.cend(), [&](const auto& pair) { return !ground->has(pair.first); });
+      find_on_ground(*ground, r, R, {begin, end}, found, tests);
+      i = static_cast<std::size_t>(end - candidates_.cbegin()) - 1;
+      continue;
+    }
+    ++tests.objects;
+    const Shape& shape = own_.shapes()[own].placed.shape;
+    const Shape& obstacle = environment_->shape(other).placed.shape;
+    if (geometry::collide(shape, own_.pose(own, r, R), obstacle, environment_->pose(other), manifold)) {
+      sort_by_feature(manifold);
+      add_contacts(own, other, manifold, found);
+    }
+  }
+}
+
+void GroundFinder::find_candidates(std::span<const Vec3d> r, std::span<const Mat3d> R, TestCounts& tests) noexcept {
   own_.refit(r, R);
   candidates_.clear();
   const auto add = [&](int other, int own) {
@@ -89,14 +114,39 @@ void GroundFinder::find_on_statics(std::span<const Vec3d> r, std::span<const Mat
   };
   tests.volumes += for_pairs(environment_->compound(), own_, only_touching(environment_->compound(), own_, add));
   std::sort(candidates_.begin(), candidates_.end());
-  geometry::Manifold manifold;
-  for (const auto& [other, own] : candidates_) {
-    ++tests.objects;
-    const Shape& shape = own_.shapes()[own].placed.shape;
-    const Shape& obstacle = environment_->shape(other).placed.shape;
-    if (geometry::collide(shape, own_.pose(own, r, R), obstacle, environment_->pose(other), manifold)) {
-      sort_by_feature(manifold);
-      add_contacts(own, other, manifold, found);
+  for (const StaticCompound::Ground& ground : environment_->uneven_grounds()) {
+    const auto is_of = [&](const auto& pair) { return ground.has(pair.first); };
+    const auto begin = std::find_if(candidates_.begin(), candidates_.end(), is_of);
+    std::sort(begin, std::find_if_not(begin, candidates_.end(), is_of),
+              [](const auto& a, const auto& b) { return std::pair(a.second, a.first) < std::pair(b.second, b.first); });
+  }
+  has_candidates_ = !environment_->uneven_grounds().empty();
+}
+
+/// Features go by the points of its own shapes, not by triangles: a foot that slides over edges keeps what friction remembers.
+void GroundFinder::find_on_ground(const StaticCompound::Ground& ground, std::span<const Vec3d> r,
+                                  std::span<const Mat3d> R, std::span<const std::pair<int, int>> candidates,
+                                  std::vector<ContactPoint>& found, TestCounts& tests) noexcept {
+  const std::size_t shapes = own_.shapes().size();
+  for (std::size_t i = 0; i < candidates.size();) {
+    const int own = candidates[i].second;
+    triangles_.clear();
+    for (; i < candidates.size() && candidates[i].second == own; ++i) {
+      triangles_.push_back(candidates[i].first - ground.first);
+    }
+    tests.objects += static_cast<std::int64_t>(triangles_.size());
+    const CollidingShape& shape = own_.shapes()[own];
+    find_relief_contacts(shape.placed.shape, own_.pose(own, r, R), *ground.relief, ground.at, triangles_, on_ground_);
+    const std::uint64_t pair = static_cast<std::uint64_t>(ground.first) * shapes + static_cast<std::uint64_t>(own);
+    for (const ReliefContact& touch : on_ground_) {
+      ContactPoint& c = found.emplace_back();
+      c.object = shape.object;
+      c.feature = (1 + pair) * features_of_pair + touch.feature;
+      c.surface = surface(planes_.size() + static_kinds_.of(ground.first), own);
+      c.point = touch.point;
+      c.normal = touch.normal;
+      c.depth = touch.depth;
+      c.radius = touch.radius;
     }
   }
 }

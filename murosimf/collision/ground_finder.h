@@ -14,6 +14,7 @@
 #include "murosimf/collision/contact.h"
 #include "murosimf/collision/ground_points.h"
 #include "murosimf/collision/interpenetration.h"
+#include "murosimf/collision/relief/relief_contact.h"
 #include "murosimf/collision/static_compound.h"
 #include "murosimf/collision/surface_kinds.h"
 
@@ -75,16 +76,23 @@ class GroundFinder {
 
   void add_contacts(int own, int other, const geometry::Manifold& manifold,
                     std::vector<ContactPoint>& found) const noexcept;
+  void find_candidates(std::span<const Vec3d> r, std::span<const Mat3d> R, TestCounts& tests) noexcept;
+  void find_on_ground(const StaticCompound::Ground& ground, std::span<const Vec3d> r, std::span<const Mat3d> R,
+                      std::span<const std::pair<int, int>> candidates, std::vector<ContactPoint>& found,
+                      TestCounts& tests) noexcept;
   [[nodiscard]] std::uint32_t surface(std::size_t other_kind, std::size_t own_shape) const noexcept;
 
   const std::vector<GroundShape>* shapes_;  // the model's
   std::vector<GroundPlane> planes_;
-  Compound own_;
   std::shared_ptr<const StaticCompound> environment_;
+  Compound own_;
   SurfaceKinds own_kinds_, static_kinds_;
   bool all_touch_planes_;
   NearStatics is_near_statics_;
   std::vector<std::pair<int, int>> candidates_;  // shapes, of the environment and its own, whose volumes overlap
+  bool has_candidates_ = false;                  // which hold until something has left its volume
+  std::vector<int> triangles_;                   // of uneven ground, near one of its shapes
+  std::vector<ReliefContact> on_ground_;         // of that shape
 };
 
 /// The ground planes among the shapes of an environment that collide.

@@ -92,6 +92,12 @@ std::span<const PairContact> contacts_of(int a, int b, const std::vector<PairCon
   return {pair.begin(), pair.end()};
 }
 
+/// A part of uneven ground on which one stands, and that is no wall.
+bool is_slope(const StaticCompound& environment, int shape) noexcept {
+  const StaticCompound::Ground* ground = environment.ground_of(shape);
+  return ground && (ground->at.orientation * ground->relief->triangles()[shape - ground->first].normal).z > GroundSurface::steepest;
+}
+
 void leave(MovingEntity& moving_entity, const StaticCompound& environment, double dt, TestCounts& tests) noexcept {
   if (!moving_entity.is_near_statics(environment, moving_entity.r[0], moving_entity.compound.reach(), tests.volumes)) {
     return;
@@ -99,6 +105,7 @@ void leave(MovingEntity& moving_entity, const StaticCompound& environment, doubl
   moving_entity.refit();
   Deepest deepest;
   tests.volumes += for_pairs(moving_entity.compound, environment.compound(), [&](int i, int j) {
+    if (is_slope(environment, j)) return true;
     ++tests.objects;
     const Shape &own = moving_entity.compound.shapes()[i].placed.shape, &other = environment.shape(j).placed.shape;
     geometry::Manifold found;

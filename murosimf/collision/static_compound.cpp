@@ -1,5 +1,8 @@
 #include "murosimf/collision/static_compound.h"
 
+#include <algorithm>
+
+#include "murosimf/collision/interpenetration.h"
 #include "murosimf/geometry/sphere_contact.h"
 
 namespace murosimf::collision {
@@ -23,7 +26,18 @@ StaticCompound::StaticCompound(const Entity* environment) : compound_(make_compo
     R.push_back(place.turn);
   }
   compound_.refit(r, R);
-  for (int i = 0; i < static_cast<int>(compound_.shapes().size()); ++i) places_.push_back(compound_.pose(i, r, R));
+  for (int i = 0; i < static_cast<int>(compound_.shapes().size()); ++i) {
+    places_.push_back(compound_.pose(i, r, R));
+    const CollidingShape& own = shape(i);
+    const ReliefPtr* relief = model.find(properties::relief, own.object);
+    if (relief && own.index == 0) grounds_.push_back({*relief, {r[own.object], R[own.object]}, own.object, i});
+    thicknesses_.push_back(relief ? (*relief)->thickness() : collision::thickness(own.placed.shape));
+  }
+}
+
+const StaticCompound::Ground* StaticCompound::ground_of(int i) const noexcept {
+  const auto found = std::ranges::find_if(grounds_, [&](const Ground& ground) { return ground.has(i); });
+  return found == grounds_.end() ? nullptr : &*found;
 }
 
 std::shared_ptr<const StaticCompound> static_compound_of(const Entity* environment) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "murosimf/collision/compound.h"
+#include "murosimf/collision/relief/relief.h"
 #include "murosimf/model/entity.h"
 
 namespace murosimf::collision {
@@ -22,12 +23,30 @@ class StaticCompound {
   [[nodiscard]] const CollidingShape& shape(int i) const { return compound_.shapes()[i]; }
   [[nodiscard]] const Transformd& pose(int i) const { return places_[i]; }
 
+  /// Uneven ground, whose shapes are prisms below its triangles.
+  struct Ground {
+    ReliefPtr relief;
+    Transformd at;   ///< world
+    int object = 0;  ///< of the environment
+    int first = 0;   ///< shape: that of its triangle 0
+    [[nodiscard]] bool has(int i) const {
+      return i >= first && i < first + static_cast<int>(relief->triangles().size());
+    }
+  };
+  [[nodiscard]] const std::vector<Ground>& uneven_grounds() const { return grounds_; }
+  /// The uneven ground that shape i belongs to; null if it is something else.
+  [[nodiscard]] const Ground* ground_of(int i) const noexcept;
+  /// [m] Of shape i (interpenetration.h); that of the whole ground if it is a part of one.
+  [[nodiscard]] double thickness(int i) const { return thicknesses_[static_cast<std::size_t>(i)]; }
+
   /// True if the sphere about `center` [m] meets any shape; adds the tests of volumes to `tests`.
   [[nodiscard]] bool is_near(const Vec3d& center, double radius, std::int64_t& tests) const noexcept;
 
  private:
   Compound compound_;
-  std::vector<Transformd> places_;  // of each shape, world
+  std::vector<Transformd> places_;   // of each shape, world
+  std::vector<double> thicknesses_;  // [m] of each shape
+  std::vector<Ground> grounds_;
 };
 
 /// The one that all who move in this environment share.

@@ -248,7 +248,7 @@ bool ArticulatedDynamics::solve(multibody::Loads loads) noexcept {
       multibody::accelerate_with_friction<double>(tree, tree_.links, bodies_, friction_, base_acceleration());
   if (couplings_.empty()) return wrong == 0;
   couple();
-  return multibody::wrong_decisions<double>(friction_) == 0;
+  return multibody::wrong_decisions<double>(friction_) == 0 && multibody::follow_their_lines(friction_, dt_);
 }
 
 void ArticulatedDynamics::factor() noexcept {

@@ -50,8 +50,11 @@ void Backlash::turn(int i, const MotorTorque& motor, double qd, double dt) noexc
     const double push = (gear.inertia + line.inertia) * w + dt * line.torque;
     return std::abs(push) <= most ? 0 : push - std::copysign(most, push);
   };
-  const double D = inertia(motor.free);
-  const auto line = multibody::followed_line(motor, D, (momentum(motor.free) - D * w) / dt);
+  multibody::TorqueLine<double> line = motor.free;
+  for (int turn = 1; turn < multibody::lines_in_turn; ++turn) {
+    const double D = inertia(line);
+    line = multibody::followed_line(motor, line, D, (momentum(line) - D * w) / dt);
+  }
   rate_[i] = momentum(line) / inertia(line);
   play_[i] += dt * (rate_[i] - qd);
   if (std::abs(play_[i]) < gear.half_play) return;

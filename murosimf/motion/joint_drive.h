@@ -27,16 +27,27 @@ void pull(DriveOf<S>& drive, const PassiveJoint& spring, const S& q, double dt) 
   drive.inertia = drive.inertia + 0.25 * dt * dt * spring.stiffness;
 }
 
+/// The end that the joint comes near in a step of `dt` [s] > 0.
 template <class S>
-void stop(DriveOf<S>& drive, const JointStop& end, const S& q, const S& qd, double dt) {
+[[nodiscard]] multibody::RangeEnd<S> end_ahead(const JointStop& stop, const S& q, const S& qd, double dt) {
   const S next = q + dt * qd;
-  const S beyond = next - multibody::clamped<S>(next, end.lowest, end.highest);
+  const auto up = next > S(0.5 * (stop.lowest + stop.highest));
+  multibody::RangeEnd<S> end;
+  end.direction = select(up, S(1.0), S(-1.0));
+  end.gap = select(up, stop.highest - next, next - stop.lowest);
+  const auto& [k, d] = stop.implicit;
+  end.line = {end.direction * (k * end.gap) - d * qd, dt * d + dt * dt * k};
+  return end;
+}
+
+/// Explicitly: what the end does now.
+template <class S>
+void stop(DriveOf<S>& drive, const JointStop& stop, const S& q, const S& qd) {
+  const S beyond = q - multibody::clamped<S>(q, stop.lowest, stop.highest);
   const auto inside = beyond == S(0.0);
   if (all(inside)) return;
-  const S torque = drive.torque - (end.stiffness * beyond + end.damping * qd);
-  const S inertia = drive.inertia + (dt * end.damping + dt * dt * end.stiffness);
+  const S torque = drive.torque - (stop.explicitly.stiffness * beyond + stop.explicitly.damping * qd);
   drive.torque = select(inside, drive.torque, torque);
-  drive.inertia = select(inside, drive.inertia, inertia);
 }
 
 }  // namespace murosimf::motion

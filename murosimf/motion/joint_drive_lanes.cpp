@@ -63,7 +63,7 @@ DriveOf<Pack8> JointDriveLanes::drive(std::size_t link, int object, const Pack8&
     rest = viscous;
   }
   rest.inertia = rest.inertia + joint.rotor;
-  JointDrives::add_passive(joint, q, qd, dt, rest);
+  JointDrives::add_passive(joint, q, qd, dt, rest, to.end);
   to.torque = rest.torque;
   to.inertia = rest.inertia;
   return viscous;

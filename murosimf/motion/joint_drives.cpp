@@ -28,7 +28,7 @@ JointDrives::JointDrives(Setup& setup, const std::string& law)
   for (const int i : objects_) {
     joints_[i] = make_joint(setup.model(), i, law);
     const auto& [lowest, highest] = bus_.coupled().range(i);
-    joints_[i].end = joint_stop(setup.model(), i, lowest, highest);
+    joints_[i].stop = joint_stop(setup.model(), i, lowest, highest);
     const Servo* servo = setup.model().find(properties::servo, i);
     if (servo) joints_[i].rate_limit = rate_limit(*servo, bus_.coupled().rate_limit(i));
     if (backlash_.at(i) || condition_.heats(i)) remembering_.push_back(i);
@@ -92,7 +92,7 @@ JointDrive JointDrives::drive(int i, double q, double qd, double dt,
     rest.inertia += joint.rotor;
     if (backlash_.at(i) && dt > 0) rest.torque += backlash_.arrival(i, qd, dt);
   }
-  add_passive(joint, q, qd, dt, rest);
+  add_passive(joint, q, qd, dt, rest, to.end);
   to.torque = rest.torque;
   to.inertia = rest.inertia;
   return viscous;

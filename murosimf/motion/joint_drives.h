@@ -75,14 +75,21 @@ class JointDrives {
     double viscous = 0;                  // [N m s/rad] of the servo
     double coulomb = 0;                  // [N m | N] dry friction of the joint itself
     const GearFriction* gear = nullptr;  // dry friction of the servo; null: none
-    JointStop end;
+    JointStop stop;
   };
   /// Damper and spring of the joint itself, and the ends of its range.
   template <class S>
-  static void add_passive(const Joint& joint, const S& q, const S& qd, double dt, DriveOf<S>& rest) {
+  static void add_passive(const Joint& joint, const S& q, const S& qd, double dt, DriveOf<S>& rest,
+                          multibody::RangeEnd<S>& end) {
     damp(rest, joint.passive.damping, qd, dt);
     if (joint.passive.stiffness > 0) pull(rest, joint.passive, q, dt);
-    if (joint.end.stiffness > 0) stop(rest, joint.end, q, qd, dt);
+    if (!joint.stop.stops()) {
+      end = {};
+    } else if (dt > 0) {
+      end = end_ahead(joint.stop, q, qd, dt);
+    } else {
+      stop(rest, joint.stop, q, qd);
+    }
   }
   [[nodiscard]] static Joint make_joint(const Model& model, int i, const std::string& law);
   [[nodiscard]] MotorTorque motor(int i, double q, double rate, double dt) const noexcept;

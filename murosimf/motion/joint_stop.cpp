@@ -11,11 +11,14 @@
 namespace murosimf::motion {
 namespace {
 
-constexpr double bend = 0.25 * pi / 180;     // [rad]
-constexpr double shift = 0.5e-3;             // [m]
-constexpr double damping_time = 5e-3;        // [s] damper over spring
-constexpr double free_damping_time = 10e-3;  // [s] likewise, without servo
-constexpr double frequency = 200;            // [rad/s] without servo
+constexpr double bend = 0.25 * pi / 180;  // [rad]
+constexpr double shift = 0.5e-3;          // [m]
+constexpr double frequency = 800;         // [rad/s]
+constexpr double damping_time = 5e-3;     // [s] damper over spring
+
+// Explicitly, without servo.
+constexpr double free_damping_time = 10e-3;  // [s]
+constexpr double free_frequency = 200;       // [rad/s]
 
 /// Inertia [kg m^2 | kg] that a joint moves against its parent while all joints are at zero.
 double carried_inertia(const Model& model, int joint) {
@@ -46,9 +49,13 @@ JointStop joint_stop(const Model& model, int joint, double lowest, double highes
   const double stall = servo ? servo->stall_torque : 0;
   const bool slider = model.objects()[joint].kind == Kind::prismatic;
   const double k = slider ? std::max(stall, weight) / shift : std::max(stall, 0.1 * weight) / bend;
-  if (servo) return {lowest, highest, k, k * damping_time};
-  const double firm = std::max(k, carried_inertia(model, joint) * frequency * frequency);
-  return {lowest, highest, firm, firm * free_damping_time};
+  const double inertia = carried_inertia(model, joint);
+  const double firm = std::max(k, inertia * frequency * frequency);
+  JointStop stop{lowest, highest, {firm, firm * damping_time}, {k, k * damping_time}};
+  if (servo) return stop;
+  const double soft = std::max(k, inertia * free_frequency * free_frequency);
+  stop.explicitly = {soft, soft * free_damping_time};
+  return stop;
 }
 
 }  // namespace murosimf::motion

@@ -8,7 +8,7 @@
 ///     m <= 0:  b = min(T / -m, B)       tau' = b m - h b s qdd       it brakes
 ///
 /// with B = T / (w / 50): so at the end of a step a joint that its servo alone accelerates is never faster than w, whatever its
-/// inertia. Explicitly (h = 0), where a stiff line does not hold, B = T / (w / 5).
+/// inertia; and where something else stops it in the step, the torque is what the servo law allows. Explicitly (h = 0), where a stiff line does not hold, B = T / (w / 5).
 /// Source: URDF XML specification, "joint", limit velocity; the line is the project's own.
 #pragma once
 
@@ -34,37 +34,34 @@ struct RateLimit {
 /// [rad/s | m/s] of a joint (an object of the model); infinite: none, as is a limit of 0. Throws SetupError for a negative one.
 [[nodiscard]] double joint_rate_limit(const Model& model, int joint);
 
-/// The bound of a motor in one direction, and what it makes now.
+/// The line of the limit in one direction, where the motor has the `bound`; and what it makes now.
 template <class S>
-void limit_rate_towards(double direction, const RateLimit& limit, const S& qd, double dt,
-                        multibody::TorqueLine<S>& bound, S& now) {
+[[nodiscard]] multibody::TorqueLine<S> limit_rate_towards(double direction, const RateLimit& limit, const S& qd,
+                                                          double dt, const multibody::TorqueLine<S>& bound, S& now) {
   const S line = dt > 0 ? limit.line : 0.1 * limit.line;
   const S margin = limit.rate - direction * qd;
   const auto slower = margin > S(0.0);
   const S tiny = 1e-9, away = select(slower, margin, -1.0 * margin);
   const S secant = select(slower, direction * bound.torque, S(limit.most)) / select(away < tiny, tiny, away);
   const S slope = select(secant < line, secant, line);
-  const S most = slope * margin, inertia = dt * slope;
+  const S most = slope * margin;
   const S present = direction * now, most_now = select(slower, line * margin, most);
-  bound.torque = direction * most;
-  bound.inertia = select(bound.inertia < inertia, inertia, bound.inertia);
   now = direction * select(present < most_now, present, most_now);
+  const S inertia = dt * slope;
+  return {direction * most, select(bound.inertia < inertia, inertia, bound.inertia)};
 }
 
 /// What is left of the torque of a servo that is switched on.
 template <class S>
 void limit_rate(const RateLimit& limit, const S& enabled, const S& qd, double dt, multibody::MotorTorque<S>& torque) {
   if (!limit.limits()) return;
-  const multibody::MotorTorque<S> off = torque;
-  limit_rate_towards(1.0, limit, qd, dt, torque.highest, torque.now);
-  limit_rate_towards(-1.0, limit, qd, dt, torque.lowest, torque.now);
+  const S when_off = torque.now;
+  torque.ceiling = limit_rate_towards(1.0, limit, qd, dt, torque.highest, torque.now);
+  torque.floor = limit_rate_towards(-1.0, limit, qd, dt, torque.lowest, torque.now);
   const auto is_off = enabled == S(0.0);
-  const auto where_on = [&](S& number, const S& when_off) { number = select(is_off, when_off, number); };
-  where_on(torque.now, off.now);
-  where_on(torque.highest.torque, off.highest.torque);
-  where_on(torque.highest.inertia, off.highest.inertia);
-  where_on(torque.lowest.torque, off.lowest.torque);
-  where_on(torque.lowest.inertia, off.lowest.inertia);
+  torque.now = select(is_off, when_off, torque.now);
+  torque.ceiling.torque = select(is_off, S(torque.unbounded), torque.ceiling.torque);
+  torque.floor.torque = select(is_off, S(-torque.unbounded), torque.floor.torque);
 }
 
 }  // namespace murosimf::motion

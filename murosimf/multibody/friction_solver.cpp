@@ -28,24 +28,51 @@ MUROSIMF_INLINE S shrink(const S& p, const S& most) {
   return select(p > S(0.0), size, -size);
 }
 
-/// Decides about a joint of the inertia `rest` without its motor, and takes motor and friction into account.
+/// Inertia and torque of a joint without friction.
+template <class S>
+struct Driven {
+  S D, torque;
+};
+
+/// With `rest` all but its motor: the motor's line, and p without the load. What is left, `moving`, accelerates it.
+template <class S>
+MUROSIMF_INLINE Driven<S> drive_by_motor(FrictionalJoint<S>& j, const Driven<S>& rest, double dt, S& moving) {
+  Driven<S> sum;
+  TorqueLine<S> line = j.motor.free;
+  for (int turn = 0; turn < lines_in_turn; ++turn) {
+    sum = {rest.D + line.inertia, rest.torque + line.torque};
+    const S to_stop = sum.D * j.rate * (1 / dt);
+    j.drive = to_stop + sum.torque;
+    j.line = line;
+    moving = shrink(j.drive + j.load, j.budget) - to_stop;
+    line = followed_line(j.motor, line, sum.D, moving);
+    if (all(line == j.line)) break;  // most often at once
+  }
+  j.D = sum.D;
+  return sum;
+}
+
+/// Likewise, with the end of its range.
+template <class S>
+MUROSIMF_INLINE Driven<S> drive_in_range(FrictionalJoint<S>& j, const S& inertia, double dt) {
+  S moving;
+  const Driven<S> rest{inertia, j.torque};
+  const Driven<S> sum = drive_by_motor(j, rest, dt, moving);
+  const auto beyond = is_beyond(j.end, sum.D, moving, dt);
+  if (!any(beyond)) return sum;
+  const Driven<S> stopped{select(beyond, rest.D + j.end.line.inertia, rest.D),
+                          select(beyond, rest.torque + j.end.line.torque, rest.torque)};
+  return drive_by_motor(j, stopped, dt, moving);
+}
+
+/// Decides about a joint of the inertia `rest` without its motor, and takes motor, stop and friction into account.
 template <class S>
 MUROSIMF_INLINE Axle<S> decide(FrictionalJoint<S>& j, const S& rest, Loads loads, double dt) {
   if (loads != Loads::of_repeated_pass) {  // F follows the load, and would make joints change their minds once more
     j.budget = j.coulomb;
     if (j.gear) j.budget = j.budget + dry_friction_with_share(*j.gear, j.share, j.motor.now, j.load);
   }
-  S D = rest + j.motor.free.inertia, torque = j.torque + j.motor.free.torque;
-  const S to_stop = D * j.rate * (1 / dt);
-  j.drive = to_stop + torque;
-  j.line = j.motor.free;
-  const S moving = shrink(j.drive + j.load, j.budget) - to_stop;
-  if (any(is_over(j.motor, D, moving)) || any(is_under(j.motor, D, moving))) {  // seldom, in whole packs
-    j.line = followed_line(j.motor, D, moving);
-    D = rest + j.line.inertia;
-    torque = j.torque + j.line.torque;
-    j.drive = D * j.rate * (1 / dt) + torque;
-  }
+  const auto [D, torque] = drive_in_range(j, rest, dt);
   const S push = j.drive + j.load;
   const S size = abs(push);
   const auto sticks = size < j.budget;
@@ -130,6 +157,14 @@ S wrong_decisions(std::span<const FrictionalJoint<S>> joints) noexcept {
   S wrong = 0.0;
   for (std::size_t l = 1; l < joints.size(); ++l) wrong = wrong + select(is_wrong(joints[l]), S(1.0), S(0.0));
   return wrong;
+}
+
+bool follow_their_lines(std::span<const FrictionalJoint<double>> joints, double dt) noexcept {
+  for (const FrictionalJoint<double>& j : joints.subspan(1)) {
+    const double moving = shrink(j.drive + j.load, j.budget) - j.D * j.rate * (1 / dt);
+    if (!(followed_line(j.motor, j.line, j.D, moving) == j.line)) return false;
+  }
+  return true;
 }
 
 #define MUROSIMF_INSTANTIATE(S)                                                                                      \

@@ -9,7 +9,8 @@
 ///     |p| < F: it sticks, qdd = -qd / h;   else it slides, tau -= sign(p) F
 ///
 /// so one joint alone ends at the rate sign(p) max(0, |p| - F) h / D. What tau and A have of a motor is the line (torque_line.h) that it
-/// follows at that end. a'_p is not known before the sweep is over: the sweep takes that of the last pass. If with the true a'_p friction of some joint is off by more than a quarter of F, the pass has to be
+/// follows at that end, and what they have of an end of the joint's range is its line where the joint would be beyond it by then: from
+/// without a stop to with it, the motor's line is decided anew. a'_p is not known before the sweep is over: the sweep takes that of the last pass. If with the true a'_p friction of some joint is off by more than a quarter of F, the pass has to be
 /// repeated; with less, the next step decides better. In a repeated pass a sliding joint feels -b (rate after the step), b = F
 /// over the rate at which it should end: should passes run out before all joints agree, friction has driven none.
 ///
@@ -35,9 +36,11 @@ struct FrictionalJoint {
   double coulomb = 0;                  ///< [N m | N] friction of the joint itself; in
   S rate{};                            ///< qd [rad/s | m/s]; in
   MotorTorque<S> motor;                ///< of the servo; in
+  RangeEnd<S> end;                     ///< of its range; in
   S torque{};                          ///< [N m | N] of all else but dry friction; in
   S inertia{};                         ///< [kg m^2 | kg] of all else; in
   TorqueLine<S> line;                  ///< that the motor follows; out
+  S D{};                               ///< [kg m^2 | kg] inertia of the joint with that line; out
   S load{};                            ///< tau_e [N m | N]; in for `Loads::of_last_step`; out
   S share{};                           ///< s of gear_friction.h at this rate; out
   S own_load{};                        ///< -s . pA [N m | N]; out
@@ -64,6 +67,9 @@ template <class S>
 /// The same count for what the joints feel now (`load`), if that has changed since.
 template <class S>
 [[nodiscard]] S wrong_decisions(std::span<const FrictionalJoint<S>> joints) noexcept;
+
+/// Whether each motor follows the line that it should for what the joints feel now (`load`), after a step of `dt` [s].
+[[nodiscard]] bool follow_their_lines(std::span<const FrictionalJoint<double>> joints, double dt) noexcept;
 
 /// The motor is at none of its bounds in this step; in lanes: where.
 template <class S>

@@ -1,4 +1,5 @@
-/// torque_line.h - a torque that is linear in the joint's acceleration of this step, and a motor's, which has bounds.
+/// torque_line.h - a torque that is linear in the joint's acceleration of this step; a motor's, which has bounds; and that of an end
+/// of the joint's range, which acts beyond it.
 #pragma once
 
 #include <limits>
@@ -20,7 +21,14 @@ struct TorqueLine {
   }
 };
 
-/// What a motor makes: `free` as far as it stays between `lowest` and `highest`, else the one of these that it would cross.
+/// Whether the first of two lines is above the second one at the acceleration `push` / D, D [kg m^2 | kg] > 0; in lanes: where.
+template <class S>
+[[nodiscard]] MUROSIMF_INLINE auto is_above(const TorqueLine<S>& one, const TorqueLine<S>& other, const S& D,
+                                            const S& push) {
+  return (one.torque - other.torque) * D > (one.inertia - other.inertia) * push;
+}
+
+/// What a motor makes: `free`, but no more than `ceiling` and no less than `floor`; and whatever these say, between `lowest` and `highest`.
 template <class S>
 struct MotorTorque {
   static constexpr double unbounded = std::numeric_limits<double>::infinity();
@@ -29,27 +37,51 @@ struct MotorTorque {
   TorqueLine<S> free;
   TorqueLine<S> highest{unbounded};
   TorqueLine<S> lowest{-unbounded};
+  TorqueLine<S> ceiling{unbounded};  ///< as a limit of its rate has it
+  TorqueLine<S> floor{-unbounded};
 };
 
-/// Where a motor is beyond a bound in a step whose acceleration is `push` / D with the free line. Each line falls with the acceleration,
-/// and so does all that acts in a joint: there the bound is the true line, also where that gives another acceleration.
-/// D [kg m^2 | kg] > 0 is with the free line's inertia.
+/// The line that a motor goes to from `line`, which gives the acceleration `push` / D: the lowest one that it must not be above, else the
+/// highest that it must not be below. From a limit of the rate it goes to one of the torque, and from there nowhere. Each line falls with
+/// the acceleration, and so does all that acts in a joint: of two lines, the one that the step follows shows at the acceleration of either.
+/// So it is found after lines_in_turn lines.
 template <class S>
-[[nodiscard]] MUROSIMF_INLINE auto is_over(const MotorTorque<S>& motor, const S& D, const S& push) {
-  return (motor.free.torque - motor.highest.torque) * D > (motor.free.inertia - motor.highest.inertia) * push;
+[[nodiscard]] MUROSIMF_INLINE TorqueLine<S> followed_line(const MotorTorque<S>& motor, const TorqueLine<S>& line,
+                                                          const S& D, const S& push) {
+  const auto chosen = [](const auto& where, const TorqueLine<S>& one, const TorqueLine<S>& other) {
+    return TorqueLine<S>{select(where, one.torque, other.torque), select(where, one.inertia, other.inertia)};
+  };
+  const auto lower = [&](const TorqueLine<S>& one, const TorqueLine<S>& other) {
+    return chosen(is_above(one, other, D, push), other, one);
+  };
+  const auto higher = [&](const TorqueLine<S>& one, const TorqueLine<S>& other) {
+    return chosen(is_above(other, one, D, push), other, one);
+  };
+  const auto free = line == motor.free, last = (line == motor.highest) | (line == motor.lowest);
+  const TorqueLine<S> high = chosen(free, lower(motor.ceiling, motor.highest), motor.highest);
+  const TorqueLine<S> low = chosen(free, higher(motor.floor, motor.lowest), motor.lowest);
+  return chosen(last, line, chosen(is_above(line, high, D, push), high, higher(line, low)));
 }
-template <class S>
-[[nodiscard]] MUROSIMF_INLINE auto is_under(const MotorTorque<S>& motor, const S& D, const S& push) {
-  return (motor.free.torque - motor.lowest.torque) * D < (motor.free.inertia - motor.lowest.inertia) * push;
-}
+constexpr int lines_in_turn = 3;
 
-/// The line that the motor follows in that step.
+/// From the free line.
 template <class S>
 [[nodiscard]] MUROSIMF_INLINE TorqueLine<S> followed_line(const MotorTorque<S>& motor, const S& D, const S& push) {
-  const TorqueLine<S>& free = motor.free;
-  const auto over = is_over(motor, D, push), under = is_under(motor, D, push);
-  return {select(over, motor.highest.torque, select(under, motor.lowest.torque, free.torque)),
-          select(over, motor.highest.inertia, select(under, motor.lowest.inertia, free.inertia))};
+  return followed_line(motor, motor.free, D, push);
+}
+
+/// The end of a joint's range that it is nearer to: its line acts where the step's acceleration takes the joint beyond it.
+template <class S>
+struct RangeEnd {
+  S direction = 1.0;                                ///< 1: upwards, -1: downwards
+  S gap = std::numeric_limits<double>::infinity();  ///< [rad | m] to it after a step without acceleration
+  TorqueLine<S> line;
+};
+
+/// Whether a step of `dt` [s] whose acceleration is `push` / D without the end goes beyond it.
+template <class S>
+[[nodiscard]] MUROSIMF_INLINE auto is_beyond(const RangeEnd<S>& end, const S& D, const S& push, double dt) {
+  return end.direction * push * (dt * dt) > end.gap * D;
 }
 
 }  // namespace murosimf::multibody

@@ -9,6 +9,7 @@
 #include "murosimf/files/toml_color.h"
 #include "murosimf/model/error.h"
 #include "murosimf/scene_file/all_sections.h"
+#include "murosimf/scene_file/body_surface.h"
 #include "murosimf/scene_file/section_readers.h"
 
 namespace murosimf::scene_file {
@@ -53,17 +54,36 @@ Shape read_round_shape(const files::TomlTable& table, const std::string& name) {
   return Capsule{radius, 0.5 * length - radius};
 }
 
-Shape read_shape(const files::TomlTable& table) {
-  std::string name;
-  table.read("shape", name);
-  const std::vector<std::string_view> known{"box", "sphere", "cylinder", "capsule"};
-  if (std::find(known.begin(), known.end(), name) == known.end()) {
-    throw SetupError(fmt::format("{}: {}", table.where("shape"), unknown_name("shape", name, known)));
+constexpr auto surface_keys = {"file", "heights", "height_scale", "scale", "thickness"};
+
+void read_surface(const files::TomlTable& table, const std::string& name, const std::filesystem::path& folder,
+                  BodySpec& body) {
+  refuse_keys(table, name, {"radius", "length", "drag", "lift"});
+  if (name == "heightfield") {
+    refuse_keys(table, name, {"scale"});
+    return read_height_field(table, folder, body);
   }
+  refuse_keys(table, name, {"size", "heights", "height_scale"});
+  read_mesh(table, folder, body);
+}
+
+Shape read_solid(const files::TomlTable& table, const std::string& name) {
+  for (const char* key : surface_keys) refuse_keys(table, name, {key});
   if (name != "sphere") refuse_keys(table, name, {"drag", "lift"});
   if (name != "box") return read_round_shape(table, name);
   refuse_keys(table, name, {"radius", "length"});
   return read_box(table);
+}
+
+void read_shape(const files::TomlTable& table, const std::filesystem::path& folder, BodySpec& body) {
+  std::string name;
+  table.read("shape", name);
+  const std::vector<std::string_view> known{"box", "sphere", "cylinder", "capsule", "heightfield", "mesh"};
+  if (std::find(known.begin(), known.end(), name) == known.end()) {
+    throw SetupError(fmt::format("{}: {}", table.where("shape"), unknown_name("shape", name, known)));
+  }
+  if (name == "heightfield" || name == "mesh") return read_surface(table, name, folder, body);
+  body.shape = read_solid(table, name);
 }
 
 void read_mass(const files::TomlTable& table, BodySpec& body) {
@@ -76,25 +96,26 @@ void read_mass(const files::TomlTable& table, BodySpec& body) {
   require(body.mass > 0, table, has_density ? "density" : "mass", "must be positive");
 }
 
-void read_kind(const files::TomlTable& table, BodySpec& body) {
+void read_kind(const files::TomlTable& table, const std::filesystem::path& folder, BodySpec& body) {
   require(body.model.empty() != (table.find("shape") == nullptr), table, "shape",
-          body.model.empty() ? "is missing: box, sphere, cylinder or capsule; or 'model'"
+          body.model.empty() ? "is missing: box, sphere, cylinder, capsule, heightfield or mesh; or 'model'"
                              : "and 'model' say the same; keep one");
   if (body.model.empty()) {
-    body.shape = read_shape(table);
+    read_shape(table, folder, body);
     return;
   }
+  for (const char* key : surface_keys) refuse_keys(table, "body with a model", {key});
   refuse_keys(table, "body with a model", {"size", "radius", "length", "mass", "density", "material", "drag", "lift"});
   require(!body.is_static, table, "model", "cannot be static; use a shape");
 }
 
-BodySpec read_body(const toml::table& node) {
+BodySpec read_body(const toml::table& node, const std::filesystem::path& folder) {
   const files::TomlTable table(node, body_section().names());
   BodySpec body;
   body.where = table.where();
   body_section().read(table, body);
   require(!body.name.empty(), table, "name", "of the body is missing");
-  read_kind(table, body);
+  read_kind(table, folder, body);
   if (body.is_static) {
     refuse_keys(table, "static body",
                 {"mass", "density", "drag", "lift", "jitter", "velocity", "angular_velocity", "contact", "present"});
@@ -118,10 +139,20 @@ const Section<BodySpec>& body_section() {
   static const Section<BodySpec> section(
       "[[bodies]]",
       {{"name", &BodySpec::name, "", "of the entity", {}, "(needed)"},
-       {"shape", {}, "", "box, sphere, cylinder, capsule", {}, "(or model)"},
-       {"size", {}, "m", "of a box: lengths of its edges, [x, y, z]"},
+       {"shape", {}, "", "box, sphere, cylinder, capsule, mesh; heightfield, if it is static", {}, "(or model)"},
+       {"size", {}, "m", "of a box: lengths of its edges, [x, y, z]; of a heightfield: [x, y]"},
        {"radius", {}, "m", "of a sphere, cylinder, capsule"},
        {"length", {}, "m", "of a cylinder, capsule: from end to end, along z"},
+       {"file", {}, "", "of a heightfield: PNG, NPY, CSV; of a mesh: STL, OBJ, DAE"},
+       {"heights", {}, "m", "of a heightfield instead of a file: rows of numbers, the first at the largest y"},
+       {"height_scale", {}, "", "of a heightfield: m of white in a picture, else a factor of the numbers", {}, "1"},
+       {"scale", {}, "", "of a mesh: factor of its numbers", {}, "1"},
+       {"thickness",
+        {},
+        "m",
+        "of a heightfield below its lowest height; of a static mesh below its triangles",
+        {},
+        "0.1"},
        {"mass", &BodySpec::mass, "kg", "the inertia is that of the homogeneous shape", {}, "(or density)"},
        {"density", {}, "kg/m^3", "instead of the mass"},
        {"model", &BodySpec::model, "", "a robot file, instead of shape, mass and material"},
@@ -137,7 +168,8 @@ const Section<BodySpec>& body_section() {
         {},
         "gray"},
        {"static", &BodySpec::is_static, "", "it stands there for good, without mass, velocity and contact law"},
-       {"position", &BodySpec::position, "m", "x and y of its middle, z of its lowest point", up_to(farthest_place)},
+       {"position", &BodySpec::position, "m",
+        "x and y of its middle, z of its lowest point; of uneven ground: of its frame", up_to(farthest_place)},
        {"heading_deg", Turn{&BodySpec::heading}, "deg", "about the vertical", turns},
        {"roll_deg", Turn{&BodySpec::roll}, "deg", "about x, before the heading", turns},
        {"pitch_deg", Turn{&BodySpec::pitch}, "deg", "about y, before roll and heading; below 0 raises the +x end",
@@ -153,7 +185,7 @@ const Section<BodySpec>& body_section() {
 
 void read_bodies(const files::TomlTable& scene, SceneSpec& spec) {
   for (const toml::table* node : scene.tables("bodies")) {
-    BodySpec body = read_body(*node);
+    BodySpec body = read_body(*node, spec.file.parent_path());
     if (is_taken(spec, body.name)) {
       files::fail_at(node->get("name")->source(), fmt::format("two entities are called '{}'", body.name));
     }

@@ -15,9 +15,17 @@ namespace {
 PlacedShape shape_of(const BodySpec& body) {
   PlacedShape placed;
   placed.shape = *body.shape;
+  placed.position = -body.center;
   placed.surface.material = body.material;
   placed.color = body.color;
   return placed;
+}
+
+Chain uneven_ground(const BodySpec& body) {
+  Chain chain;
+  chain.translation(body.position).rotation(attitude_of(body), body.name);
+  chain.with(properties::shapes, body.relief->prisms({.material = body.material}, body.color));
+  return chain.with(properties::relief, body.relief).endpoint();
 }
 
 }  // namespace
@@ -32,6 +40,7 @@ ModelPtr body_model(const BodySpec& body) {
       .with(properties::mass, body.mass)
       .with(properties::inertia, body.mass * description::unit_inertia(*body.shape))
       .with(properties::shapes, Shapes{shape_of(body)});
+  if (body.mesh) chain.with(properties::visuals, Visuals{*body.mesh});
   if (std::holds_alternative<Sphere>(*body.shape)) {
     chain.with(properties::drag_coefficient, body.drag).with(properties::lift_coefficient, body.lift);
   }
@@ -39,6 +48,7 @@ ModelPtr body_model(const BodySpec& body) {
 }
 
 Chain static_body(const BodySpec& body) {
+  if (body.relief) return uneven_ground(body);
   const PlacedShape shape = shape_of(body);
   const Mat3d R = attitude_of(body);
   const double lowest = collision::lowest_point(collision::ground_shape(0, shape, 0), {}, R, {});

@@ -113,19 +113,32 @@ TEST(JointDrives, AnyDryNumberOfAGearMakesABudget) {
   }
 }
 
-// Beyond an end: -k (q + h qd - end) - d qd with the inertia h d + h^2 k.
+// -k (q + h qd - end) - d qd with the inertia h d + h^2 k, of the end ahead.
 TEST(JointDrives, StopIsASpringAndADamperOfTheEndOfTheStep) {
   Drives drives;
-  const JointStop end = joint_stop(drives.entity.model(), drives.index("all"), -0.4, 0.9);
-  ASSERT_GT(end.stiffness, 100);
-  const auto inside = drives.drive("all", 0.85, 1), beyond = drives.drive("all", 0.85, 40);
+  const JointStop stop = joint_stop(drives.entity.model(), drives.index("all"), -0.4, 0.9);
+  const auto& [k, d] = stop.implicit;
+  ASSERT_GT(k, 100);
+  const auto upper = drives.drive("all", 0.85, 40).end;
+  EXPECT_EQ(upper.direction, 1);
+  EXPECT_NEAR(upper.gap, 0.9 - (0.85 + h * 40), 1e-15);
+  EXPECT_NEAR(upper.line.torque, -k * (0.85 + h * 40 - 0.9) - d * 40, 1e-9);
+  EXPECT_NEAR(upper.line.inertia, h * d + h * h * k, 1e-12);
+  const auto lower = drives.drive("all", -0.42, 0).end;
+  EXPECT_EQ(lower.direction, -1);
+  EXPECT_NEAR(lower.gap, -0.02, 1e-15);
+  EXPECT_NEAR(lower.line.torque, k * 0.02, 1e-9);
+  EXPECT_TRUE(std::isinf(drives.drive("free", 50, 50).end.gap));
+}
+
+TEST(JointDrives, StopIsTheTorqueOfThisInstantInAnExplicitStep) {
+  Drives drives;
+  const JointStop stop = joint_stop(drives.entity.model(), drives.index("all"), -0.4, 0.9);
+  const auto beyond = drives.drive("all", 0.91, 2, 0), inside = drives.drive("all", 0.89, 40, 0);
   const auto rest = [](double q, double qd) { return -0.07 * qd - 0.2 * qd - 5 * (q + 0.3); };
-  EXPECT_NEAR(inside.inertia, 0.013 + h * 0.27 + 0.25 * h * h * 5, 1e-12);
-  const double far = 0.85 + h * 40 - 0.9;
-  EXPECT_NEAR(beyond.torque, rest(0.85, 40) - end.stiffness * far - end.damping * 40, 1e-9);
-  EXPECT_NEAR(beyond.inertia, 0.013 + h * 0.27 + 0.25 * h * h * 5 + h * end.damping + h * h * end.stiffness, 1e-12);
-  const auto lower = drives.drive("all", -0.42, 0);
-  EXPECT_NEAR(lower.torque, -5 * (-0.42 + 0.3) + end.stiffness * 0.02, 1e-9);
+  EXPECT_NEAR(beyond.torque, rest(0.91, 2) - stop.explicitly.stiffness * 0.01 - stop.explicitly.damping * 2, 1e-9);
+  EXPECT_NEAR(inside.torque, rest(0.89, 40), 1e-12);
+  EXPECT_TRUE(std::isinf(beyond.end.gap));
 }
 
 TEST(JointDrives, InitializeStandsWhereTargetsAreInsideTheRange) {

@@ -37,31 +37,40 @@ JointStop stop(const Servo* servo, bool slider) {
   return joint_stop(model, model.object_index("joint"), -0.3, 0.8);
 }
 
-// k = T / 0.25 degree, T = the larger of stall torque and weight times 0.1 m; d = 5 ms k.
-TEST(JointStopNumbers, WithServoAreThoseOfItsTorqueOrTheWeight) {
-  for (const double stall : {2.0, 5.0}) {
-    const Servo servo{.stall_torque = stall};
-    const JointStop found = stop(&servo, false);
-    const double k = std::max(stall, 0.1 * 3.3 * g) / bend;
-    EXPECT_NEAR(found.stiffness / k, 1, 1e-12);
-    EXPECT_NEAR(found.damping / k, 5e-3, 1e-12);
-    EXPECT_EQ(found.lowest, -0.3);
-    EXPECT_EQ(found.highest, 0.8);
-  }
-  for (const double stall : {2.0, 50.0}) {
-    const Servo servo{.stall_torque = stall};
-    EXPECT_NEAR(stop(&servo, true).stiffness * shift, std::max(stall, 3.3 * g), 1e-9);
-  }
+constexpr double frequency = 800, soft_frequency = 200;  // [rad/s]
+
+void expect_spring(const JointStop::Spring& found, double k, double damping_time) {
+  EXPECT_NEAR(found.stiffness / k, 1, 1e-12);
+  EXPECT_NEAR(found.damping / k, damping_time, 1e-12);
 }
 
 // J about y through the joint: 0.3 kg at (0.05, -0.02), 2 kg at (0.2 - 0.1, 0.3), whose x axis is the joint's y axis.
-TEST(JointStopNumbers, WithoutServoAreAtLeastThoseOfWhatTheJointMoves) {
-  const double J = 0.004 + 0.02 + 0.3 * (0.05 * 0.05 + 0.02 * 0.02) + 0.5 + 2 * (0.1 * 0.1 + 0.3 * 0.3);
-  const JointStop found = stop(nullptr, false);
-  EXPECT_NEAR(found.stiffness, J * 200 * 200, 1e-6);
-  EXPECT_NEAR(found.damping, J * 200 * 200 * 10e-3, 1e-8);
-  EXPECT_GT(found.stiffness, 0.1 * 3.3 * g / bend);
-  EXPECT_NEAR(stop(nullptr, true).stiffness, 2.304 * 200 * 200, 1e-6) << "a slider moves masses";
+constexpr double J = 0.004 + 0.02 + 0.3 * (0.05 * 0.05 + 0.02 * 0.02) + 0.5 + 2 * (0.1 * 0.1 + 0.3 * 0.3);
+constexpr double M = 0.004 + 0.3 + 2;  // [kg] that the slider moves
+
+// k is at least T / 0.25 degree, T = the larger of stall torque and weight times 0.1 m, and J (800 rad/s)^2; d = 5 ms k.
+TEST(JointStopNumbers, AreThoseOfTorqueOrWeightAndOfWhatTheJointMoves) {
+  for (const double stall : {2.0, 5.0, 3000.0}) {
+    const Servo servo{.stall_torque = stall};
+    const JointStop found = stop(&servo, false);
+    const double k = std::max(stall, 0.1 * 3.3 * g) / bend;
+    expect_spring(found.implicit, std::max(k, J * frequency * frequency), 5e-3);
+    expect_spring(found.explicitly, k, 5e-3);
+    EXPECT_EQ(found.lowest, -0.3);
+    EXPECT_EQ(found.highest, 0.8);
+  }
+  for (const double stall : {2.0, 5000.0}) {
+    const Servo servo{.stall_torque = stall};
+    const double k = std::max(stall, 3.3 * g) / shift;
+    expect_spring(stop(&servo, true).implicit, std::max(k, M * frequency * frequency), 5e-3);
+    expect_spring(stop(&servo, true).explicitly, k, 5e-3);
+  }
+}
+
+TEST(JointStopNumbers, WithoutServoAreFirmExplicitlyToo) {
+  expect_spring(stop(nullptr, false).implicit, J * frequency * frequency, 5e-3);
+  expect_spring(stop(nullptr, false).explicitly, J * soft_frequency * soft_frequency, 10e-3);
+  expect_spring(stop(nullptr, true).explicitly, M * soft_frequency * soft_frequency, 10e-3);
 }
 
 TEST(JointStopNumbers, LightLinksHaveTheStopOfTheWeight) {
@@ -71,9 +80,9 @@ TEST(JointStopNumbers, LightLinksHaveTheStopOfTheWeight) {
                                  .revolute("joint", {0, 1, 0})
                                  .with(properties::mass, 0.001)
                                  .with(properties::center_of_mass, {0.01, 0, 0}));
-  EXPECT_NEAR(joint_stop(model, 1, -infinity, 1).stiffness, 0.1 * 3.001 * g / bend, 1e-9);
-  EXPECT_EQ(joint_stop(model, 1, -infinity, infinity).stiffness, 0) << "no end at all";
-  EXPECT_GT(joint_stop(model, 1, -1, infinity).stiffness, 0);
+  expect_spring(joint_stop(model, 1, -infinity, 1).implicit, 0.1 * 3.001 * g / bend, 5e-3);
+  EXPECT_FALSE(joint_stop(model, 1, -infinity, infinity).stops()) << "no end at all";
+  EXPECT_TRUE(joint_stop(model, 1, -1, infinity).stops());
 }
 
 }  // namespace

@@ -3,60 +3,37 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/model/properties.h"
 #include "murosimf/motion/mimic_joints.h"
-#include "murosimf/motion/motion_properties.h"
+#include "murosimf/motion/servo_law.h"
 #include "tests/fixtures.h"
-#include "tests/physics/rig.h"
+#include "tests/motion/limb.h"
 
 namespace murosimf::motion {
 namespace {
 
 constexpr double most = 2;  // [rad/s]
 
-/// A bolted base and a limb with `inertia` [kg m^2] about a vertical hinge; with `arm` [m] its 1 kg hangs beside a level hinge.
-ModelPtr limb_model(const Servo& servo, double inertia, double arm = 0) {
-  Chain chain = Chain{}
-                    .base("base")
-                    .with(properties::mass, 3.0)
-                    .with(properties::inertia, diagonal(0.1))
-                    .revolute("j", arm == 0 ? Vec3d{0, 0, 1} : Vec3d{0, 1, 0})
-                    .with(properties::joint_rate_limit, most)
-                    .with(properties::servo, servo)
-                    .with(properties::mass, 1.0)
-                    .with(properties::center_of_mass, {arm, 0, 0})
-                    .with(properties::inertia, diagonal(inertia));
-  return std::make_shared<const Model>("limb", chain);
+/// [kg m^2] about a vertical hinge; with `arm` [m] its 1 kg hangs beside a level hinge.
+test::LimbModel limb_model(const Servo& servo, double inertia, double arm = 0) {
+  return {.servo = servo, .inertia = inertia, .arm = arm, .rate_limit = most};
 }
 
 Servo ideal(double torque) {
   return {.law = "ideal_pd", .stall_torque = torque, .position_gain = 10 * torque, .velocity_gain = 0.5 * torque};
 }
 
-struct Limb {
-  Limb(const ModelPtr& model, const std::string& level, double target, double rate = 1000,
+struct Limb : test::Limb {
+  Limb(const test::LimbModel& model, const std::string& level, double target, double rate = 1000,
        ReferenceKind kind = ReferenceKind::filter)
-      : rig(0.8, 0, rate), entity(rig.add("limb", model)) {
-    rig.attach_dynamics(entity, {.level = level,
-                                 .on_ground = false,
-                                 .options = {.reference = {.kind = kind}},
-                                 .tree = {.fixed_base = level != "simplified_dynamics"}});
-    rig.simulation.initialize();
-    entity.object("j").set(properties::joint_target, target);
+      : test::Limb(model, {.steps_per_second = rate, .level = level, .reference = kind}) {
+    go_to(target);
   }
   /// The largest rate on the way.
   double fastest(double time) {
     double fastest = 0;
-    for (double t = 0; t < time; t += 1 / rig.rate) {
-      rig.simulation.step();
-      fastest = std::max(fastest, std::abs(entity.object("j").get(properties::joint_velocity)));
-    }
+    run(time, [&] { fastest = std::max(fastest, std::abs(qd())); });
     return fastest;
   }
-  double q() { return entity.object("j").get(properties::joint_position); }
-
-  test::Rig rig;
-  Entity& entity;
 };
 
 class EveryLevel : public testing::TestWithParam<std::string> {};
@@ -115,6 +92,36 @@ TEST(RateLimit, LeavesSlowMotionAlone) {
   const multibody::TorqueLine<double> line = followed_line(torque, 1.0, 0.0);
   EXPECT_DOUBLE_EQ(line.torque, 2.9);
   EXPECT_EQ(line.inertia, 0.001);
+}
+
+double at(const multibody::TorqueLine<double>& line, double acceleration) {
+  return line.torque - line.inertia * acceleration;
+}
+
+// Torque limits prevail over those of the rate, whichever line the free one leads to. The balance J a = torque + load falls in a.
+TEST(RateLimit, LineIsTheOneThatBalances) {
+  fixtures::Dice dice("rate limit in turns");
+  int by_torque = 0, by_rate = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const double h = dice.uniform(5e-4, 1e-2), J = std::pow(10.0, dice.uniform(-5, 0)), qd = dice.uniform(-6, 6);
+    const Servo servo = ideal(dice.uniform(1, 100));
+    multibody::MotorTorque<double> motor =
+        make_servo_law(servo)->torque({.target = dice.uniform(-1, 1), .rate = qd}, h);
+    limit_rate(rate_limit(servo, 5), 1.0, qd, h, motor);
+    const double load = servo.stall_torque * dice.uniform(-3, 3);
+    multibody::TorqueLine<double> line = motor.free;
+    for (int turn = 1; turn < multibody::lines_in_turn; ++turn) {
+      line = followed_line(motor, line, J + line.inertia, line.torque + load);
+    }
+    const double a = (line.torque + load) / (J + line.inertia);
+    const double limited = std::min(std::max(at(motor.free, a), at(motor.floor, a)), at(motor.ceiling, a));
+    const double made = std::clamp(limited, at(motor.lowest, a), at(motor.highest, a));
+    EXPECT_NEAR(at(line, a), made, 1e-9 * servo.stall_torque) << i;
+    by_torque += line == motor.highest || line == motor.lowest;
+    by_rate += line == motor.ceiling || line == motor.floor;
+  }
+  EXPECT_GT(by_torque, 500);
+  EXPECT_GT(by_rate, 500);
 }
 
 TEST(RateLimit, OfAFollowerIsThatOfItsLeader) {

@@ -5,42 +5,12 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/model/properties.h"
-#include "murosimf/motion/motion_properties.h"
-#include "tests/fixtures.h"
-#include "tests/physics/rig.h"
+#include "tests/motion/limb.h"
 
 namespace murosimf::motion {
 namespace {
 
-ModelPtr limb_model(const Servo& servo, double inertia, double arm) {
-  Chain chain = Chain{}
-                    .base("base")
-                    .with(properties::mass, 3.0)
-                    .with(properties::inertia, diagonal(0.1))
-                    .revolute("j", arm == 0 ? Vec3d{0, 0, 1} : Vec3d{0, 1, 0})
-                    .with(properties::servo, servo)
-                    .with(properties::mass, 1.0)
-                    .with(properties::center_of_mass, {arm, 0, 0})
-                    .with(properties::inertia, diagonal(inertia));
-  return std::make_shared<const Model>("limb", chain);
-}
-
-/// One joint on a fixed base: about the vertical, or level with 1 kg at `arm` [m].
-struct Limb {
-  Limb(const Servo& servo, double inertia, double steps_per_second, double arm = 0)
-      : rig(0.8, 0, steps_per_second), entity(rig.add("limb", limb_model(servo, inertia, arm))) {
-    rig.attach_dynamics(entity, {.level = "articulated_dynamics", .on_ground = false, .tree = {.fixed_base = true}});
-    rig.simulation.initialize();
-  }
-  void go_to(double target) { entity.object("j").set(properties::joint_target, target); }
-  double torque() { return entity.object("j").get(properties::joint_torque); }
-  double q() { return entity.object("j").get(properties::joint_position); }
-  double qd() { return entity.object("j").get(properties::joint_velocity); }
-
-  test::Rig rig;
-  Entity& entity;
-};
+using test::Limb;
 
 TEST(TorqueLimit, HoldsAndALightLimbComesToRest) {
   for (const double limit : {5.0, 20.0, 100.0}) {
@@ -50,7 +20,7 @@ TEST(TorqueLimit, HoldsAndALightLimbComesToRest) {
                       .velocity_gain = 0.15 * limit};
     for (const double inertia : {1e-5, 3e-4, 2e-3, 0.02, 0.1}) {
       for (const double steps_per_second : {100.0, 125.0, 200.0, 500.0, 1000.0, 2000.0}) {
-        Limb limb(servo, inertia, steps_per_second);
+        Limb limb({.servo = servo, .inertia = inertia}, {.steps_per_second = steps_per_second});
         limb.go_to(0.3);
         double largest = 0;
         for (int i = 0; i < 3 * steps_per_second; ++i) {
@@ -72,7 +42,7 @@ TEST(TorqueLimit, IsWhatAcceleratesAHeavyLimb) {
       .law = "dc_motor", .stall_torque = 50, .no_load_speed = 100, .position_gain = 1500, .torque_limit = 5};
   for (const Servo& servo : {pd, motor}) {
     for (const double steps_per_second : {100.0, 125.0, 500.0, 2000.0}) {
-      Limb limb(servo, 1, steps_per_second);
+      Limb limb({.servo = servo, .inertia = 1}, {.steps_per_second = steps_per_second});
       limb.go_to(1.5);
       limb.rig.run(0.2);
       EXPECT_NEAR(limb.qd(), 5 * 0.2 / 1, 1e-12) << servo.law << ' ' << steps_per_second;
@@ -85,7 +55,7 @@ TEST(TorqueLimit, IsWhatALoadHasAgainstIt) {
   const Servo servo{.law = "ideal_pd", .stall_torque = 5, .position_gain = 500, .velocity_gain = 5};
   for (const double steps_per_second : {100.0, 1000.0}) {
     for (const double load : {3.0, 7.0}) {
-      Limb limb(servo, 0.01, steps_per_second, load / 9.81);
+      Limb limb({.servo = servo, .arm = load / 9.81}, {.steps_per_second = steps_per_second});
       limb.go_to(0);
       limb.rig.run(load < 5 ? 1 : 0.2);
       if (load < 5) {

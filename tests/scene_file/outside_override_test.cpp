@@ -157,7 +157,7 @@ TEST(OutsideOverride, KeysThatAreClosed) {
                   "defaults", "robots", "bodies", "materials", "events", "pushes", "communication", "league"}));
   EXPECT_EQ(closed("robots", "robot."), (Keys{"name", "options", "level_options", "contact_options", "library",
                                               "call_budget", "reload", "link", "keyframe", "no_contact"}));
-  EXPECT_EQ(closed("bodies", "box."), Keys{"name"});
+  EXPECT_EQ(closed("bodies", "box."), (Keys{"name", "file", "heights"}));
   EXPECT_EQ(closed("league", "league."), (Keys{"place_penalized", "answer_port"}));
   for (const char* section : {"start", "air", "field", "view", "light", "ball", "communication"}) {
     EXPECT_EQ(closed(section, std::string(section) + "."), Keys{}) << section;
