@@ -20,7 +20,7 @@ Vec3d unit(const Vec3d& v) {
 
 bool is_finite(const Vec3d& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-/// [m] Less than what a single-precision number of that size has: no area.
+/// False if the three corners lie in a line.
 bool has_area(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   const double longest = std::max({norm(b - a), norm(c - b), norm(a - c)});
   return norm(cross(b - a, c - a)) > 1e-9 * longest * longest;
