@@ -95,7 +95,8 @@ std::span<const PairContact> contacts_of(int a, int b, const std::vector<PairCon
 /// A part of uneven ground on which one stands, and that is no wall.
 bool is_slope(const StaticCompound& environment, int shape) noexcept {
   const StaticCompound::Ground* ground = environment.ground_of(shape);
-  return ground && (ground->at.orientation * ground->relief->triangles()[shape - ground->first].normal).z > GroundSurface::steepest;
+  return ground && (ground->at.orientation * ground->relief->triangles()[shape - ground->first].normal).z >
+                       GroundSurface::steepest;
 }
 
 void leave(MovingEntity& moving_entity, const StaticCompound& environment, double dt, TestCounts& tests) noexcept {

@@ -113,7 +113,7 @@ bool ArticulatedDynamics::end_step() noexcept {
   if (!targets_sane_ || !accelerations_are_sane()) return false;
   report_torques();
   keep_loads();
-  watch_saturation(dt_);
+  saturation_.look(tree_.columns.model.tree(), friction_, dt_);
   tree_.contacts.commit();
   if (!tree_.advance_base(bodies_[0].acceleration, dt_)) return false;
   advance_joints(dt_);
@@ -142,7 +142,7 @@ void ArticulatedDynamics::step_rk4(double dt) noexcept {
   drives_.wrap(tree_.columns.q);
   report_torques();
   keep_loads();
-  watch_saturation(dt);
+  saturation_.look(tree_.columns.model.tree(), friction_, dt);
   tree_.finish_step();
 }
 
@@ -314,14 +314,6 @@ void ArticulatedDynamics::report_torques() noexcept {
     }
     joint_torque_[links[l].object] = torque;
     if (!motor_torque_.empty()) motor_torque_[links[l].object] = motor_torque(l);
-  }
-}
-
-void ArticulatedDynamics::watch_saturation(double dt) noexcept {
-  saturation_.begin(dt);
-  const auto& links = tree_.columns.model.tree().links;
-  for (std::size_t l = 1; l < links.size(); ++l) {
-    if (!multibody::is_free(friction_[l])) saturation_.add(links[l].object, dt);
   }
 }
 

@@ -62,7 +62,6 @@ class ArticulatedDynamics final : public MotionLevel, private collision::Impulse
   void predict_contacts(double dt) noexcept;
   void start_loads();
   void report_torques() noexcept;
-  void watch_saturation(double dt) noexcept;
   [[nodiscard]] double motor_torque(std::size_t link) const noexcept;
   void finish_drives() noexcept;
   void advance_joints(double dt) noexcept;

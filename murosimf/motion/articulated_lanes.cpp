@@ -256,7 +256,7 @@ void ArticulatedLanes::report_torques(LaneMask lanes) noexcept {
   put_back(motor_torque_, [&](int lane) { return member(lane).motor_torque_.data(); });
 }
 
-/// ArticulatedDynamics::watch_saturation.
+/// SaturationWatch::look, in all lanes at once.
 void ArticulatedLanes::watch_saturation(LaneMask lanes) noexcept {
   for_lanes(lanes, [&](int lane) { member(lane).saturation_.begin(dt_); });
   const auto& links = trees_.poses.structure.links;

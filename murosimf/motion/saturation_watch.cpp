@@ -41,6 +41,14 @@ void SaturationWatch::initialize() noexcept {
   watched_ = 0;
 }
 
+void SaturationWatch::look(const Tree& tree, std::span<const multibody::FrictionalJoint<double>> joints,
+                           double dt) noexcept {
+  begin(dt);
+  for (std::size_t l = 1; l < joints.size(); ++l) {
+    if (!multibody::is_free(joints[l])) add(tree.links[l].object, dt);
+  }
+}
+
 std::string saturation_message(const Entity& entity) {
   const std::vector<Share> shares = saturated_joints(entity);
   if (shares.empty()) return {};

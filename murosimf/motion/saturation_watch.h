@@ -9,6 +9,7 @@
 
 #include "murosimf/model/entity.h"
 #include "murosimf/model/setup.h"
+#include "murosimf/multibody/friction_solver.h"
 
 namespace murosimf::motion {
 
@@ -17,6 +18,8 @@ class SaturationWatch {
   explicit SaturationWatch(Setup& setup);
 
   void initialize() noexcept;
+  /// After a step of `dt` [s] in which the joints of these links, in their order, have moved.
+  void look(const Tree& tree, std::span<const multibody::FrictionalJoint<double>> joints, double dt) noexcept;
   /// A step of `dt` [s] begins to count.
   void begin(double dt) noexcept { watched_ += dt; }
   /// The servo of a joint (an object of the model) was at a bound in this step.

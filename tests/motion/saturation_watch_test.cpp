@@ -38,7 +38,8 @@ double share_while_lifting(const std::string& load) {
          "size='.02' pos='.1 0 0' mass='"
       << load << "'/></body></body></worldbody></mujoco>";
   std::ofstream(std::filesystem::path(model).replace_extension(".toml"))
-      << "[servos.s]\nlaw = 'ideal_pd'\nstall_torque = 2\nposition_gain = 1000\nvelocity_gain = 10\nrotor_inertia = 0.001\njoints = ['j']\n";
+      << "[servos.s]\nlaw = 'ideal_pd'\nstall_torque = 2\nposition_gain = 1000\nvelocity_gain = 10\nrotor_inertia = "
+         "0.001\njoints = ['j']\n";
   scene::Scene scene(fixtures::write_scene("[[robots]]\nname = 'r'\nmodel = '" + model.string() +
                                            "'\nlevel = 'articulated_dynamics'\ncontroller = 'none'\n"));
   scene.simulation().run(from_seconds(1));

@@ -1,6 +1,7 @@
 // A robot that gets up changes its level on the way: joints that servos have left behind may not throw it up when they catch up.
 #include <gtest/gtest.h>
 
+#include "murosimf/model/properties.h"
 #include "murosimf/scene/scene.h"
 #include "tests/law.h"
 

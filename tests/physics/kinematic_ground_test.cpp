@@ -1,6 +1,7 @@
 // Kinematic walking on what stands on the field: plates, ramps, steps.
 #include <gtest/gtest.h>
 
+#include "murosimf/collision/contact_properties.h"
 #include "murosimf/model/feet.h"
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/scene/scene.h"
