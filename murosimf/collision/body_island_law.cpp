@@ -1,5 +1,6 @@
 #include "murosimf/collision/body_island_law.h"
 
+#include <algorithm>
 #include <span>
 
 #include "murosimf/collision/body_explicit_laws.h"
@@ -27,6 +28,7 @@ void BodyIslandLaw::push(std::vector<MovingEntity>& moving_entities, PairSet& se
     member_[member].number = start_member(moving_entities[member], dt) ? 0 : insane;
   });
   helpers.for_each(first_members_, [&](std::size_t i) { solve(static_cast<int>(i), moving_entities, set, dt); });
+  count_unsettled(moving_entities, dt, set);
   for (int island = 0; island < islands_.count(); ++island) push_members(island, moving_entities, set, dt);
   helpers.for_each(entities_, [&](std::size_t i) { finish_member(in_islands_[i], moving_entities); });
 }
@@ -89,6 +91,27 @@ void BodyIslandLaw::solve(int number, std::vector<MovingEntity>& moving_entities
   }
   solver.sweep(sweeps_);
   solver.finish_points();
+}
+
+void BodyIslandLaw::count_unsettled(const std::vector<MovingEntity>& moving_entities, double dt,
+                                    PairSet& set) const noexcept {
+  UnsettledSteps& second = set.unsettled;
+  IslandSolver::Rest most;
+  for (int island = 0; island < islands_.count(); ++island) {
+    const IslandSolver::Rest& rest = island_[island].solver.rest();
+    most.sweeps = std::max(most.sweeps, rest.sweeps);
+    most.change = std::max(most.change, rest.change);
+    if (rest.change <= second.most_left) continue;
+    second.most_left = rest.change;
+    second.first = moving_entities[islands_.members(island).front()].number;
+    second.members = static_cast<int>(islands_.members(island).size());
+  }
+  if (most.change > 0) ++second.unsettled;
+  second.sweeps += most.sweeps;
+  second.left += most.change;
+  if (++second.steps * dt < 1) return;
+  if (second.left > set.most_unsettled.left) set.most_unsettled = second;
+  second = {};
 }
 
 /// Several islands may push one entity that cannot be pushed, and add to its ledger.

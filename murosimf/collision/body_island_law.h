@@ -48,6 +48,7 @@ class BodyIslandLaw final : public BodyContactLaw {
   void solve(int island, std::vector<MovingEntity>& moving_entities, PairSet& set, double dt) noexcept;
   void push_members(int island, std::vector<MovingEntity>& moving_entities, const PairSet& set, double dt) noexcept;
   void finish_member(int moving_entity, std::vector<MovingEntity>& moving_entities) noexcept;
+  void count_unsettled(const std::vector<MovingEntity>& moving_entities, double dt, PairSet& set) const noexcept;
   [[nodiscard]] bool is_row(const PairContact& contact) const;
   [[nodiscard]] IslandSolver::Side side(int moving_entity, int object, const Vec3d& velocity) const;
 

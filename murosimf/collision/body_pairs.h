@@ -26,6 +26,17 @@ struct PairContact : ContactPoint {
 [[nodiscard]] constexpr int shape_of_a(const PairContact& c) { return static_cast<int>(c.shapes >> 16 & 0xffff); }
 [[nodiscard]] constexpr int shape_of_b(const PairContact& c) { return static_cast<int>(c.shapes & 0xffff); }
 
+/// Steps of a second in which islands of contacts did not settle within their sweeps (island_solver.h). Plain data.
+struct UnsettledSteps {
+  int steps = 0;         ///< of the second so far
+  int unsettled = 0;     ///< of these
+  double sweeps = 0;     ///< [1] sum over these: sweeps that the worst island would have taken, over those that it had
+  double left = 0;       ///< [m/s] sum over these: what these sweeps would have changed
+  double most_left = 0;  ///< [m/s] in one of these, by the island
+  int first = -1;        ///< whose first entity has this number in the world (World::index_of)
+  int members = 0;       ///< and which has so many
+};
+
 /// All contacts between moving entities. One value, in a column of the world (World::common).
 struct PairSet {
   std::vector<int> entities;                  ///< by PairContact::a and b: number in the world (World::index_of)
@@ -34,6 +45,7 @@ struct PairSet {
   std::vector<PairContact> blocked;           ///< between two that cannot be pushed: no force (kinematic_separation.h)
   std::vector<PairContact> previous;          ///< of the step before; working memory
   std::vector<Interpenetration> interpenetrations;  ///< so far, for warnings
+  UnsettledSteps unsettled, most_unsettled;         ///< of the present second, and of the worst one so far; no state
   TestCounts tests;  ///< of this step; no state: they depend on what is remembered of neighbors
 };
 

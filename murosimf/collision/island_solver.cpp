@@ -20,6 +20,14 @@ Mat3d frame_about(const Vec3d& n) {
   return {n, t, cross(n, t)};
 }
 
+/// After `sweeps`, with changes [m/s] that have fallen geometrically.
+IslandSolver::Rest rest_of(int sweeps, double at_half, double at_end) {
+  constexpr double most = 100;  // [1] times the sweeps that there were
+  const double fall = 2 * std::log(at_half / at_end), missing = std::log(at_end / IslandSolver::nearly_settled);
+  const bool falls = missing < most * fall;
+  return {falls ? std::max(0.0, missing / fall) : most, at_end * sweeps * (falls ? std::min(most, 1 / fall) : most)};
+}
+
 /// Both sides of a contact may be bodies of one entity: numbers that belong together are added up. The second side's begin at `middle`.
 void merge_equal(ResponseRows& rows, std::size_t middle) {
   std::size_t end = middle;
@@ -191,14 +199,20 @@ double IslandSolver::within_cone(const Contact& c, double normal, const Vec3d& f
 }
 
 int IslandSolver::sweep(int sweeps) noexcept {
+  double change = 0, at_half = 0;  // [m/s]
   for (int i = 0; i < sweeps; ++i) {
-    double change = 0;
+    change = 0;
     const std::size_t count = contacts_.size();
     for (std::size_t k = 0; k < count; ++k) {
       change = std::max(change, solve(contacts_[i % 2 == 0 ? k : count - 1 - k]));
     }
-    if (change < (i < usual_sweeps ? settled : nearly_settled)) return i + 1;
+    if (change < (i < usual_sweeps ? settled : nearly_settled)) {
+      rest_ = {};
+      return i + 1;
+    }
+    if (i + 1 == sweeps / 2) at_half = change;
   }
+  rest_ = rest_of(sweeps, at_half, change);
   return sweeps;
 }
 

@@ -43,6 +43,13 @@ class IslandSolver {
 
   /// At most `sweeps`; returns how many it took.
   int sweep(int sweeps) noexcept;
+  /// What the last sweep() has left undone, if velocities go on to change as from half of its sweeps on.
+  struct Rest {
+    double sweeps = 0;  ///< [1] to be settled, over those that it had
+    double change = 0;  ///< [m/s] of the contact that changed the most
+  };
+  /// Zero if it has settled.
+  [[nodiscard]] const Rest& rest() const noexcept { return rest_; }
   /// Memory and forces of all points, and the impulses to the entities.
   void finish() noexcept;
   /// The parts of that: all points, and the entity with this number.
@@ -90,6 +97,7 @@ class IslandSolver {
   void finish(Contact& contact) noexcept;
 
   double dt_ = 0;
+  Rest rest_;
   std::vector<Member> members_;
   std::vector<double> z_;  // the first number is nobody's
   std::vector<Contact> contacts_;

@@ -12,6 +12,7 @@
 #include "murosimf/motion/saturation_watch.h"
 #include "murosimf/motion/torque_watch.h"
 #include "murosimf/scene/interpenetration_warnings.h"
+#include "murosimf/scene/unsettled_warning.h"
 
 namespace murosimf::scene {
 namespace {
@@ -65,6 +66,7 @@ std::vector<std::string> warnings_of(const Scene& scene, const Lateness& latenes
     if (auto line = motion::overload_message(*entity); !line.empty()) all.push_back(std::move(line));
   }
   for (auto& line : interpenetration_warnings(scene.simulation().world())) all.push_back(std::move(line));
+  if (auto line = unsettled_warning(scene.simulation().world()); !line.empty()) all.push_back(std::move(line));
   add_control_warnings(scene, all);
   if (lateness.late_steps > 0) all.push_back(to_text(lateness));
   return all;
