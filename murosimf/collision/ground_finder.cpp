@@ -192,7 +192,11 @@ GroundBelow GroundSurface::below(const Vec3d& point) noexcept {
   };
   for (const GroundPlane& plane : planes_) {
     const Vec3d& n = plane.normal;
-    if (n.z > 0) see((plane.height - n.x * point.x - n.y * point.y) / n.z, n);
+    if (n.z == 1) {
+      see(plane.height, n);
+    } else if (n.z > 0) {
+      see((plane.height - n.x * point.x - n.y * point.y) / n.z, n);
+    }
   }
   constexpr double reach = 0.2;  // [m] of a foot
   std::int64_t tests = 0;
@@ -208,7 +212,7 @@ GroundBelow GroundSurface::below(const Vec3d& point) noexcept {
     };
     std::visit([&](const auto& tree) { geometry::for_leaves(tree, wanted, look); }, statics_->compound().tree());
   }
-  if (normal.z < steepest) normal = {0, 0, 1};
+  if (normal.z == 1 || normal.z < steepest) return {height, 0, 0};
   return {height, -normal.x / normal.z, -normal.y / normal.z};
 }
 

@@ -39,8 +39,8 @@ std::vector<Foot> two_feet(const Model& model) {
 
 /// The shortest turn from the vertical to the normal of a plane of these slopes.
 Mat3d tilt_of(double slope_x, double slope_y) {
+  if (slope_x == 0 && slope_y == 0) return rotation_z(0.0);
   const double steepness = std::hypot(slope_x, slope_y);
-  if (steepness == 0) return rotation_z(0.0);
   return to_matrix(exponential((std::atan(steepness) / steepness) * Vec3d{slope_y, -slope_x, 0}));
 }
 
@@ -180,7 +180,9 @@ void KinematicWalking::pin() noexcept {
 
 /// Puts the base where the standing sole is where it is to be; `sole`: its pose in the base.
 void KinematicWalking::pin(const Transformd& sole) noexcept {
-  const Mat3d flat = tilt_of(stance_ground_.y, stance_ground_.z) * rotation_z(stance_pose_.z);
+  const bool slopes = stance_ground_.y != 0 || stance_ground_.z != 0;
+  const Mat3d level = rotation_z(stance_pose_.z);
+  const Mat3d flat = slopes ? tilt_of(stance_ground_.y, stance_ground_.z) * level : level;
   const Mat3d R = to_matrix(exponential(remaining_turn_)) * flat * transpose(sole.orientation);
   columns_.Q[0] = from_matrix(R);
   columns_.R[0] = R;

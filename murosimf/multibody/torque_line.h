@@ -41,6 +41,13 @@ struct MotorTorque {
   TorqueLine<S> floor{-unbounded};
 };
 
+/// Whether the free line is beyond some other one at the acceleration `push` / D; in lanes: where.
+template <class S>
+[[nodiscard]] MUROSIMF_INLINE auto leaves_free_line(const MotorTorque<S>& motor, const S& D, const S& push) {
+  return is_above(motor.free, motor.highest, D, push) | is_above(motor.lowest, motor.free, D, push) |
+         is_above(motor.free, motor.ceiling, D, push) | is_above(motor.floor, motor.free, D, push);
+}
+
 /// The line that a motor goes to from `line`, which gives the acceleration `push` / D: the lowest one that it must not be above, else the
 /// highest that it must not be below. From a limit of the rate it goes to one of the torque, and from there nowhere. Each line falls with
 /// the acceleration, and so does all that acts in a joint: of two lines, the one that the step follows shows at the acceleration of either.
