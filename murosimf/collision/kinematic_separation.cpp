@@ -11,7 +11,7 @@ namespace murosimf::collision {
 namespace {
 
 constexpr double fastest = 1;      // [m/s]
-constexpr double bearable = 0.25;  // [1] of the thinner one's thickness: an overlap with what can be pushed
+constexpr double bearable = 0.15;  // [1] of the thinner one's thickness: an overlap with what can be pushed
 
 /// The deepest overlap that has been seen, less what is `bearable` [m] of each.
 class Deepest {

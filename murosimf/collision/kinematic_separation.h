@@ -6,7 +6,7 @@
 /// from above: no walker steps on another one's.
 ///
 /// A walker pushes what can be pushed. But its joints know no limit: it would press a ball, or a robot that cannot get out of the way,
-/// into what is behind. So it gives way, too, by what the deepest overlap is more than a quarter of the thinner shape's thickness (half
+/// into what is behind. So it gives way, too, by what the deepest overlap is more than 0.15 of the thinner shape's thickness (half
 /// is where shapes go through each other, interpenetration.h): its own with what it touches, and those of that with others. Feet are again
 /// compared as seen from above.
 #pragma once

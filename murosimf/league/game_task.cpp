@@ -35,6 +35,13 @@ double seen_from(int own, int team) { return team == no_team ? -1 : team == own 
 
 }  // namespace
 
+/// Number by number: the bytes between them may be anything.
+static void state(StateArchive& archive, GameState& game) {
+  archive(game.protocol, game.state, game.first_half, game.stopped, game.phase, game.kick_off_team);
+  archive(game.secondary_state, game.secondary_team, game.secondary_phase, game.seconds_left,
+          game.secondary_seconds_left, game.teams);
+}
+
 GameTask::GameTask(Setup& setup, const std::vector<Player>& players, Referee& referee, Options options)
     : options_(std::move(options)), referee_(&referee), holds_(players.size()) {
   for (const Player& player : players) members_.push_back(member(setup.of(*player.robot), player));

@@ -45,7 +45,7 @@ MUROSIMF_INLINE Driven<S> drive_by_motor(FrictionalJoint<S>& j, const Driven<S>&
     j.drive = to_stop + sum.torque;
     j.line = line;
     moving = shrink(j.drive + j.load, j.budget) - to_stop;
-    if (turn == 0 && !any(leaves_free_line(j.motor, sum.D, moving))) break;  // most often
+    if (turn == 0 && !leaves_free_line(j.motor, sum.D, moving)) break;  // most often
     line = followed_line(j.motor, line, sum.D, moving);
     if (all(line == j.line)) break;
   }

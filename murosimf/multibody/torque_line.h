@@ -41,11 +41,11 @@ struct MotorTorque {
   TorqueLine<S> floor{-unbounded};
 };
 
-/// Whether the free line is beyond some other one at the acceleration `push` / D; in lanes: where.
+/// Whether the free line is beyond some other one at the acceleration `push` / D, in any lane.
 template <class S>
-[[nodiscard]] MUROSIMF_INLINE auto leaves_free_line(const MotorTorque<S>& motor, const S& D, const S& push) {
-  return is_above(motor.free, motor.highest, D, push) | is_above(motor.lowest, motor.free, D, push) |
-         is_above(motor.free, motor.ceiling, D, push) | is_above(motor.floor, motor.free, D, push);
+[[nodiscard]] MUROSIMF_INLINE bool leaves_free_line(const MotorTorque<S>& motor, const S& D, const S& push) {
+  return any(is_above(motor.free, motor.highest, D, push)) || any(is_above(motor.lowest, motor.free, D, push)) ||
+         any(is_above(motor.free, motor.ceiling, D, push)) || any(is_above(motor.floor, motor.free, D, push));
 }
 
 /// The line that a motor goes to from `line`, which gives the acceleration `push` / D: the lowest one that it must not be above, else the
