@@ -18,6 +18,7 @@ FullDynamics::FullDynamics(Setup& setup, const FullDynamicsOptions& options)
       joint_motion_(tree_.links.size()),
       link_force_(tree_.links.size()),
       has_servo_(old_rate_.size()) {
+  reference_.know_torques(watch_.need());
   for (const int i : setup.model().having(properties::servo)) has_servo_[i] = true;
   for (const Link& link : setup.model().tree().links) {
     rotor_.push_back(rotor_inertia(setup.model(), link.object));

@@ -58,7 +58,6 @@ JointReference::JointReference(Setup& setup, const JointReferenceOptions& option
       offset_(setup.write(properties::joint_offset)),
       kind_(setup.write(properties::joint_reference_kind)[0]),
       catch_up_time_(setup.write(properties::catch_up_time)[0]),
-      torque_need_(setup.input(properties::torque_need, 0.0)),
       target_range_(target_ranges(setup.model(), coupled_, turning_)),
       leader_(target_.size()),
       ratio_(target_.size()) {
@@ -127,7 +126,8 @@ MUROSIMF_INLINE double JointReference::largest_rate(int joint, double now) const
   const double most = coupled_.rate_limit(joint);
   if (!catches_up()) return most;
   const Motor& motor = motors_[static_cast<std::size_t>(joint)];
-  const double load = std::max(0.0, torque_need_[joint] * (now < 0 ? -1 : 1)) / motor.stall_torque;
+  const double torque = torque_need_.empty() ? 0 : torque_need_[joint];
+  const double load = std::max(0.0, torque * (now < 0 ? -1 : 1)) / motor.stall_torque;
   return std::min(most, std::max(motor.no_load_rate * std::max(slowest_share, 1 - load), std::abs(now)));
 }
 

@@ -80,6 +80,8 @@ class JointReference {
   void fade_offsets(double dt) noexcept;
   /// Joints beyond the ends of their range stand there, coupled ones where their leaders take them.
   void stop_at_limits(PoseColumns& columns) const noexcept;
+  /// By object [N m | N], of a level that knows what torques its motion takes (torque_watch.h).
+  void know_torques(std::span<const double> needed) noexcept { torque_need_ = needed; }
   [[nodiscard]] const MimicJoints& coupled() const { return coupled_; }
   /// Throws SetupError if the reference has no differential equation for `integrator`.
   void check(Integrator integrator) const;
@@ -112,7 +114,7 @@ class JointReference {
   std::span<double> offset_;                      // [rad | m] o, by object
   double& kind_;                                  // properties::joint_reference_kind
   double& catch_up_time_;                         // [s] left in which joints with an offset are as slow as their servos
-  std::span<const double> torque_need_;           // [N m | N] by object; 0 where the level does not know it
+  std::span<const double> torque_need_;           // [N m | N] by object; empty where the level does not know it
   std::vector<Motor> motors_;                     // by object
   std::vector<MimicJoints::Range> target_range_;  // by object
   std::vector<int> leader_;                       // [objects] whom a joint follows; itself if nobody

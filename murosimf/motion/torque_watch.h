@@ -21,6 +21,8 @@ class TorqueWatch {
   explicit TorqueWatch(Setup& setup);
 
   void initialize() noexcept;
+  /// [N m | N] by object: properties::torque_need.
+  [[nodiscard]] std::span<const double> need() const noexcept { return need_; }
   /// torque [N m | N], rate [rad/s | m/s] by object.
   void look(const Instant& instant, std::span<const double> torque, std::span<const double> rate) noexcept;
 

@@ -172,7 +172,8 @@ TEST(JointReferenceTakeOver, CatchesUpOnTheSpeedTorqueLineOfItsServo) {
     Servoed reference({.filter_frequency = wf});
     reference.part->take_over(reference.columns);
     reference.object("hinge").set(properties::joint_target, 2.5);
-    reference.object("hinge").set(properties::torque_need, load);
+    const std::vector<double> loads(static_cast<std::size_t>(reference.entity.model().size()), load);
+    reference.part->know_torques(loads);
     for (int step = 0; step < 50; ++step) ASSERT_TRUE(reference.part->advance(reference.columns, h));
     EXPECT_NEAR(reference.rate(), rate, 1e-12) << load;
   }
