@@ -5,8 +5,8 @@
 #include "murosimf/model/feet.h"
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/scene/scene.h"
-#include "tests/fixtures.h"
 #include "tests/law.h"
+#include "tests/physics/rig.h"
 #include "tests/written_scene.h"
 
 namespace murosimf::test {

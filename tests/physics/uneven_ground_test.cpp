@@ -9,6 +9,7 @@
 #include "murosimf/collision/queries.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/scene/scene.h"
+#include "tests/fixtures.h"
 #include "tests/law.h"
 #include "tests/temp_folder.h"
 #include "tests/written_scene.h"
