@@ -24,7 +24,9 @@ class Deepest {
   void see(const Shape& a, const Transformd& at_a, const Shape& b, const Transformd& at_b,
            double allowed = 0) noexcept {
     geometry::Manifold found;
-    if (!geometry::collide(a, at_a, b, at_b, found)) return;
+    if (geometry::collide(a, at_a, b, at_b, found)) see(found, allowed);
+  }
+  void see(const geometry::Manifold& found, double allowed = 0) noexcept {
     for (int k = 0; k < found.count; ++k) see(found.normal, found.points[k].depth - allowed);
   }
 
@@ -110,9 +112,9 @@ void leave(MovingEntity& moving_entity, const StaticCompound& environment, doubl
     ++tests.objects;
     const Shape &own = moving_entity.compound.shapes()[i].placed.shape, &other = environment.shape(j).placed.shape;
     geometry::Manifold found;
-    if (!geometry::collide(own, moving_entity.pose(i), other, environment.pose(j), found)) return true;
-    if (found.normal.z >= GroundSurface::steepest) return true;  // it carries
-    for (int k = 0; k < found.count; ++k) deepest.see(found.normal, found.points[k].depth);
+    const bool meet = geometry::collide(own, moving_entity.pose(i), other, environment.pose(j), found);
+    const auto carries = [&] { return found.normal.z >= GroundSurface::steepest; };
+    if (meet && !carries()) deepest.see(found);
     return true;
   });
   moving_entity.separation[0] += deepest.way_out(1, dt);

@@ -2,8 +2,8 @@
 ///
 /// No force acts between them (both are kinematic walkers): they get a `separation`, a way along the ground that their
 /// level adds to the place of the standing foot. It is the horizontal part of the deepest overlap, half for either of
-/// two walkers, all for one that runs into a goal, and at most 1 m/s, so that nothing jumps. What carries from below (GroundSurface) is no wall. Feet are compared as seen
-/// from above: no walker steps on another one's.
+/// two walkers, all for one that runs into a goal, and at most 1 m/s, so that nothing jumps. What carries from below (GroundSurface) is no
+/// wall. Feet are compared as seen from above: no walker steps on another one's.
 ///
 /// A walker pushes what can be pushed. But its joints know no limit: it would press a ball, or a robot that cannot get out of the way,
 /// into what is behind. So it gives way, too, by what the deepest overlap is more than 0.15 of the thinner shape's thickness (half

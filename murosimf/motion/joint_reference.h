@@ -13,7 +13,8 @@
 ///
 ///     qdd = wf (rate target - qd) / (1 + wf dt)
 ///
-/// A level that takes over finds joints beside their reference: servos have let them sag, or the reference before was of another kind. The offset o = q - reference then,
+/// A level that takes over finds joints beside their reference: servos have let them sag, or the reference before was of another kind. The
+/// offset o = q - reference then,
 ///
 ///     o = q + lag - target        lag = 2 qd / wf (filter: its acceleration begins at 0), 0 (linear, exact)      o' = -o / 0.1 s
 ///

@@ -18,7 +18,7 @@ constexpr double penetration = -1e-6;       // [m] rounding of a foot that just 
 constexpr double fading_time = 0.1;         // [s] of what a robot is away from its pinned pose when it is taken over
 constexpr double stopping_time = 0.02;      // [s] of the motion of its standing sole then
 constexpr double steepest = 30 * pi / 180;  // [rad] lean of a robot that can be taken over
-constexpr double highest_sole = 0.02;       // [m] of its lower foot, from the plane
+constexpr double highest_sole = 0.02;       // [m] of its lower foot, from the ground
 constexpr double largest_margin = 1e-3;     // [m] by which a foot must be lower than one that still turns flat
 
 JointReferenceOptions without_load(JointReferenceOptions options) {

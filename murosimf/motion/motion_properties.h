@@ -62,9 +62,9 @@ inline constexpr Property<Vec3d>  common_center_of_mass_velocity {{"common_cente
 inline constexpr Property<SymMat3d> common_inertia   {{"common_inertia", "kg m^2", "world, at the common center of mass", "xx yy zz xy xz yz", Scope::base}};
 inline constexpr Property<Vec3d>  stance_pose        {{"stance_pose", "m, m, rad", "world", "x, y and heading of the standing sole", Scope::base}};
 inline constexpr Property<Vec3d>  stance_ground      {{"stance_ground", "m, 1, 1", "world", "ground below the standing sole: height, dz/dx, dz/dy", Scope::base, true}};
-inline constexpr Property<Vec3d>  remaining_shift    {{"remaining_shift", "m", "world", "of the standing sole from its place on the plane at kinematic_walking, until it has faded", Scope::base}};
+inline constexpr Property<Vec3d>  remaining_shift    {{"remaining_shift", "m", "world", "of the standing sole from its place on the ground at kinematic_walking, until it has faded", Scope::base}};
 inline constexpr Property<Vec3d>  remaining_turn     {{"remaining_turn", "rad", "world", "of the standing sole from lying flat, likewise, as rotation vector", Scope::base}};
-inline constexpr Property<Twistd>   remaining_twist    {{"remaining_twist", "rad/s, m/s", "world, at the sole", "what is left of the standing sole's motion when kinematic_walking took over", Scope::base, true}};
+inline constexpr Property<Twistd>   remaining_twist    {{"remaining_twist", "rad/s, m/s", "world, at the sole", "what is left of the standing sole's motion when it landed or kinematic_walking took over", Scope::base, true}};
 inline constexpr Property<double> distance_walked    {{"distance_walked", "m", "world, horizontal", "length of the base's path, sampled twice a second", Scope::base}};
 inline constexpr Property<double> falls              {{"falls", "1", "-", "how often the base tilted over 60 degrees", Scope::base}};
 inline constexpr Property<double> lying              {{"lying", "1", "-", "1 while the base leans over after a fall", Scope::base}};

@@ -8,7 +8,8 @@
 ///     m <= 0:  b = min(T / -m, B)       tau' = b m - h b s qdd       it brakes
 ///
 /// with B = T / (w / 50): so at the end of a step a joint that its servo alone accelerates is never faster than w, whatever its
-/// inertia; and where something else stops it in the step, the torque is what the servo law allows. Explicitly (h = 0), where a stiff line does not hold, B = T / (w / 5).
+/// inertia; and where something else stops it in the step, the torque is what the servo law allows. Explicitly (h = 0), where a stiff
+/// line does not hold, B = T / (w / 5).
 /// Source: URDF XML specification, "joint", limit velocity; the line is the project's own.
 #pragma once
 

@@ -35,8 +35,7 @@ std::string unsettled_warning(const World& world) {
   const Entity& first = *world.entities()[static_cast<std::size_t>(second.first)];
   return fmt::format(
       "contacts of {} and {} more did not settle in {} of {} steps of a second: they carry too much, or stand too "
-      "high, "
-      "for steps of {:g} ms; rate = {:.0f} Hz would settle them",
+      "high, for steps of {:g} ms; rate = {:.0f} Hz would settle them",
       first.name(), second.members - 1, second.unsettled, second.steps, 1000.0 / second.steps,
       grain * std::ceil(needed * second.steps / grain));
 }
