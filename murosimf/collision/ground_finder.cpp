@@ -175,45 +175,60 @@ std::uint32_t GroundFinder::surface(std::size_t other_kind, std::size_t own_shap
   return static_cast<std::uint32_t>(other_kind * own_kinds_.surfaces().size() + own_kinds_.of(own_shape));
 }
 
+namespace {
+
+/// The highest surface that is not above a limit [m].
+struct Highest {
+  double limit = 0;
+  bool found = false;
+  double height = 0;  ///< [m] the plane z = 0 where none is found
+  Vec3d normal{0, 0, 1};
+
+  void see(double z, const Vec3d& up) noexcept {
+    if (z > limit || (found && z <= height)) return;
+    found = true;
+    height = z;
+    normal = up;
+  }
+};
+
+/// Where a ray straight down through `point`, from the limit on, enters static shapes.
+void see_statics(const StaticCompound& statics, const Vec3d& point, Highest& highest) noexcept {
+  const geometry::Ray ray{{point.x, point.y, highest.limit}, {0, 0, -1}};
+  const auto wanted = [&](const auto& volume) {
+    return geometry::ray_enters(volume, ray, std::numeric_limits<double>::infinity());
+  };
+  const auto look = [&](int i) {
+    const auto entry = geometry::meet(ray, statics.shape(i).placed.shape, statics.pose(i));
+    if (entry && entry->distance > 0) highest.see(ray.origin.z - entry->distance, entry->normal);  // 0: begins inside
+    return true;
+  };
+  std::visit([&](const auto& tree) { geometry::for_leaves(tree, wanted, look); }, statics.compound().tree());
+}
+
+}  // namespace
+
 GroundSurface::GroundSurface(const Entity* environment)
     : planes_(ground_planes(environment)), statics_(static_compound_of(environment)) {
   if (statics_ && statics_->empty()) statics_ = nullptr;
 }
 
 GroundBelow GroundSurface::below(const Vec3d& point) noexcept {
-  bool found = false;
-  double height = 0;
-  Vec3d normal{0, 0, 1};
-  const auto see = [&](double z, const Vec3d& up) {
-    if (z > point.z + highest_step || (found && z <= height)) return;
-    found = true;
-    height = z;
-    normal = up;
-  };
+  Highest highest{.limit = point.z + highest_step};
   for (const GroundPlane& plane : planes_) {
     const Vec3d& n = plane.normal;
     if (n.z == 1) {
-      see(plane.height, n);
+      highest.see(plane.height, n);
     } else if (n.z > 0) {
-      see((plane.height - n.x * point.x - n.y * point.y) / n.z, n);
+      highest.see((plane.height - n.x * point.x - n.y * point.y) / n.z, n);
     }
   }
   constexpr double reach = 0.2;  // [m] of a foot
   std::int64_t tests = 0;
-  if (statics_ && is_near_(*statics_, point, reach, tests)) {
-    const geometry::Ray ray{point + Vec3d{0, 0, highest_step}, {0, 0, -1}};
-    const auto wanted = [&](const auto& volume) {
-      return geometry::ray_enters(volume, ray, std::numeric_limits<double>::infinity());
-    };
-    const auto look = [&](int i) {
-      const auto entry = geometry::meet(ray, statics_->shape(i).placed.shape, statics_->pose(i));
-      if (entry && entry->distance > 0) see(ray.origin.z - entry->distance, entry->normal);  // 0: it begins inside
-      return true;
-    };
-    std::visit([&](const auto& tree) { geometry::for_leaves(tree, wanted, look); }, statics_->compound().tree());
-  }
-  if (normal.z == 1 || normal.z < steepest) return {height, 0, 0};
-  return {height, -normal.x / normal.z, -normal.y / normal.z};
+  if (statics_ && is_near_(*statics_, point, reach, tests)) see_statics(*statics_, point, highest);
+  const Vec3d& normal = highest.normal;
+  if (normal.z == 1 || normal.z < steepest) return {highest.height, 0, 0};
+  return {highest.height, -normal.x / normal.z, -normal.y / normal.z};
 }
 
 }  // namespace murosimf::collision
