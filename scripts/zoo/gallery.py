@@ -1,11 +1,12 @@
 """docs/gallery_robots.md: every robot of the wheels with its picture, and what it can."""
 
+import itertools
 import subprocess
 import tempfile
 from pathlib import Path
 
 try:
-    from PIL import Image
+    from PIL import Image, ImageChops
 except ImportError:
     Image = None
 
@@ -13,19 +14,33 @@ from zoo.trials import LEVELS, is_humanoid
 from zoo.wheels import WHEELS
 
 SIZE = (150, 170)  # [px] of a picture, width and height
-TALL = 512  # [px] height at which the program draws
 HEAD = """# Robots of others
 
 Every robot file of some packages of PyPI, read as it is, by `scripts/robot_zoo --gallery`; the files belong to their authors and
 are not part of this project. Joints are those that move; a humanoid has two legs with soles. **s** stands 10 s, **w** walks
 0.1 m/s for 10 s (no fall, 0.5 to 1.3 m forward, at most 0.5 m to the side), with servos and a gait that are guessed from the file
-alone ([robots.md](robots.md)), at `kinematic_walking`, `simplified_dynamics`, `full_dynamics`, `articulated_dynamics`; `-` does not.
+alone ([robots.md](robots.md)), at `kinematic_walking`, `simplified_dynamics`, `full_dynamics`, `articulated_dynamics`; `-` does
+not.
 Robots that are no humanoids have no such columns.
 """
 
 
+def last_view(whole):
+    """The last of the four views that `check` draws side by side, which the three widest gaps part."""
+    views = whole.crop((0, whole.height // 10, whole.width, whole.height))  # without the title
+    background = Image.new("RGB", views.size, views.getpixel((0, views.height - 1)))
+    shape = ImageChops.difference(views, background).convert("L").point(lambda level: 255 if level > 12 else 0)
+    columns = [x for x in range(views.width) if shape.crop((x, 0, x + 1, views.height)).getbbox()]
+    if not columns:
+        return views
+    gaps = sorted(((right - left, right) for left, right in itertools.pairwise(columns)), reverse=True)
+    left = max((right for width, right in gaps[:3] if width > 1), default=columns[0])
+    _, top, _, bottom = shape.crop((left, 0, views.width, views.height)).getbbox()
+    return views.crop((left, top, columns[-1] + 1, bottom))
+
+
 def draw(program, file, out):
-    """The right quarter of the picture of `check`: the robot from an angle. False where nothing can be drawn."""
+    """The last view of the picture of `check`: the robot from an angle. False where nothing can be drawn."""
     if Image is None:
         return False
     with tempfile.TemporaryDirectory() as folder:
@@ -33,11 +48,10 @@ def draw(program, file, out):
         subprocess.run([program, "check", str(file), "--picture", str(picture)], capture_output=True, check=False)
         if not picture.is_file():
             return False
-        whole = Image.open(picture).convert("RGB")
-    quarter = whole.crop((whole.width * 3 // 5, whole.height // 12, whole.width * 9 // 10, whole.height))
-    quarter.thumbnail(SIZE)
+        view = last_view(Image.open(picture).convert("RGB"))
+    view.thumbnail(SIZE)
     out.parent.mkdir(parents=True, exist_ok=True)
-    quarter.save(out, quality=80)
+    view.save(out, quality=80)
     return True
 
 
