@@ -63,7 +63,7 @@ void define_run(const Command& command, RunOptions& options) {
   add_supervision(command, options.supervision).excludes(pictures);
   command.add("--serial", options.serial,
               "Folder for links to the serial lines of robots with controller = \"serial\", one for each, named as it");
-  command.add("--no-cameras", options.no_cameras, "Draw nothing for cameras: they have no frames then");
+  add_no_cameras(command, options.no_cameras);
 }
 
 void check(const RunOptions& options) {

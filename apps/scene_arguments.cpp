@@ -37,9 +37,7 @@ void add_scene(const Command& command, SceneArguments& scene, const char* meanin
       .one_at_a_time();
   add_lenient(command, scene.lenient);
   add_plugins(command, scene.plugins);
-  command.add(
-      "--libraries", scene.libraries,
-      "Load the control software that the scene file names (controller = \"library\"): it may do what it likes");
+  add_libraries(command, scene.libraries);
 }
 
 scene::SceneOptions options_of(const SceneArguments& scene) {
@@ -66,6 +64,16 @@ void add_seed(const Command& command, std::optional<std::uint64_t>& seed) { add_
 
 void add_lenient(const Command& command, bool& lenient) {
   command.add("--lenient", lenient, "Accept unknown elements in model files, with a warning");
+}
+
+void add_no_cameras(const Command& command, bool& no_cameras) {
+  command.add("--no-cameras", no_cameras, "Draw nothing for cameras: they have no frames then");
+}
+
+void add_libraries(const Command& command, bool& libraries) {
+  command.add(
+      "--libraries", libraries,
+      "Load the control software that the scene file names (controller = \"library\"): it may do what it likes");
 }
 
 void add_plugins(const Command& command, std::vector<std::string>& plugins) {

@@ -35,6 +35,8 @@ void add_scene_file(const Command& command, std::string& file, const char* meani
 void add_seed(const Command& command, std::optional<std::int64_t>& seed);
 void add_seed(const Command& command, std::optional<std::uint64_t>& seed);
 void add_lenient(const Command& command, bool& lenient);
+void add_no_cameras(const Command& command, bool& no_cameras);
+void add_libraries(const Command& command, bool& libraries);
 /// Files for catalog::load_plugin.
 void add_plugins(const Command& command, std::vector<std::string>& plugins);
 /// Throws SetupError.
