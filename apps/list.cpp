@@ -74,15 +74,17 @@ std::string file_names(std::string_view kind, std::string_view extension) {
 
 /// The pairs that come with the program; a scene changes them by [[materials]] and --set materials.friction.
 std::string materials_text() {
-  std::string text = fmt::format("{:<10} {:<10} {:>9} {:>9} {:>12} {:>12} {:>20} {:>8} {:>17} {:>14}\n", "material",
-                                 "and", "friction", "rolling", "restitution", "stiffness", "friction_anisotropy",
-                                 "rebound", "viscous_friction", "spin_friction");
+  std::string text =
+      fmt::format("{:<10} {:<10} {:>9} {:>9} {:>9} {:>12} {:>12} {:>20} {:>19} {:>8} {:>17} {:>14}\n", "material",
+                  "and", "friction", "rolling", "torsional", "restitution", "stiffness", "friction_anisotropy",
+                  "rolling_anisotropy", "rebound", "viscous_friction", "spin_friction");
   const MaterialTable materials = MaterialTable::standard();
   for (const auto& [names, pair] : materials.pairs()) {
     const std::string stiffness = pair.stiffness > 0 ? fmt::format("{:g} N/m", pair.stiffness) : "by weight";
-    text += fmt::format("{:<10} {:<10} {:>9g} {:>9g} {:>12g} {:>12} {:>20g} {:>8g} {:>17g} {:>14g}\n", names.first,
-                        names.second, pair.friction, pair.rolling, pair.restitution, stiffness,
-                        pair.friction_anisotropy, pair.rebound, pair.viscous_friction, pair.spin_friction);
+    text += fmt::format("{:<10} {:<10} {:>9g} {:>9g} {:>9g} {:>12g} {:>12} {:>20g} {:>19g} {:>8g} {:>17g} {:>14g}\n",
+                        names.first, names.second, pair.friction, pair.rolling, pair.torsional, pair.restitution,
+                        stiffness, pair.friction_anisotropy, pair.rolling_anisotropy, pair.rebound,
+                        pair.viscous_friction, pair.spin_friction);
   }
   return text;
 }

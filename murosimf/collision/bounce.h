@@ -11,7 +11,8 @@
 ///
 ///     u_-^2 = (v_- + g_n dt/2)^2 - 2 g_n delta,    v_+ = sqrt(e^2 u_-^2 + 2 g_n delta) - g_n dt/2
 ///
-/// gives the height e^2 h of a fall from h. After that step the point leaves freely, and only is not let in any deeper; if it comes to
+/// gives the height e^2 h of a fall from h. e counts as 0.005 at least: a dead ball that has come into a wall by a part of a step would
+/// else stop there, and its spring throw it out again, with 0.12 of 3 m/s in steps of 1 ms and 0.57 in steps of 10 ms. After that step the point leaves freely, and only is not let in any deeper; if it comes to
 /// rest there, its spring takes over. Nothing gains energy at one point; several at once may, as all of Newton's impacts with friction
 /// (Kane, "A dynamics puzzle", Stanford Mechanics Alumni Club Newsletter, 1984).
 /// Source: Brach, Mechanical Impact Dynamics, 1991, ch. 2 (Newton's and Coulomb's law); the depth: conservation of energy.
@@ -24,7 +25,8 @@
 
 namespace murosimf::collision {
 
-inline constexpr double slowest_bounce = 0.1;  ///< [m/s] what comes slower is stopped by its spring
+inline constexpr double slowest_bounce = 0.1;       ///< [m/s] what comes slower is stopped by its spring
+inline constexpr double least_restitution = 0.005;  ///< [1] of what is not stopped by its spring
 
 /// In a bounce or on its way out of it.
 [[nodiscard]] inline bool is_bouncing(const ContactPoint& c) noexcept { return c.bounce >= 0; }
@@ -41,7 +43,8 @@ inline void begin_bounce(ContactPoint& c, const ContactParameters& p, const Vec3
   if (approach <= slowest_bounce) return;
   const double fallen = 2 * into * c.depth;
   const double impact = std::max(0.0, approach * approach - fallen);
-  const double leaves = std::max(0.0, p.restitution * p.restitution * impact + fallen);
+  const double e = std::max(p.restitution, least_restitution);
+  const double leaves = std::max(0.0, e * e * impact + fallen);
   c.bounce = std::max(0.0, std::sqrt(leaves) - within_step);
 }
 

@@ -38,15 +38,19 @@ inline void clear_force(ContactPoint& c) noexcept {
 /// Resistance of a round body that is pressed with f_n [N] to rolling and spinning, as dampings [N m s]: with w_t and w_n the parts of
 /// its angular velocity across and along n
 ///
-///     moment = -rolling r f_n w_t / |w_t| - torsional f_n w_n / |w_n|
+///     moment = -rolling r f_n (1 - rolling_direction . u) w_t / |w_t| - torsional f_n w_n / |w_n|,     u = w_t x n / |w_t|
 ///
-/// Both fall linearly to zero below 0.5 rad/s. Zero for corners.
+/// u is where the body rolls to: with a pile that leans along x and rolling_direction = g x, a ball rolls as far as 1 / (1 - g cos a)
+/// says. Only the size depends on the direction: nothing turns the ball's way. Both fall linearly to zero below 0.5 rad/s, and the
+/// part of the direction with them. Zero for corners.
 inline void resist_turning(ContactPoint& c, const ContactParameters& p, double f_n) noexcept {
   constexpr double slow_turn = 0.5;  // [rad/s]
   if (c.radius == 0 || (p.rolling == 0 && p.torsional == 0)) return;
   const double spin = dot(c.angular_velocity, c.normal);
   const Vec3d roll = c.angular_velocity - spin * c.normal;
-  c.angular_damping = p.rolling * c.radius * f_n / std::max(norm(roll), slow_turn);
+  const double rate = std::max(norm(roll), slow_turn);
+  const double share = 1 - dot(p.rolling_direction, cross(roll, c.normal)) / rate;
+  c.angular_damping = p.rolling * c.radius * f_n * share / rate;
   c.spin_damping = p.torsional * f_n / std::max(std::abs(spin), slow_turn);
   c.moment = -c.angular_damping * roll - c.spin_damping * spin * c.normal;
 }

@@ -15,7 +15,8 @@
 ///
 /// Nothing of that depends on the step: shorter steps approach the motion of one model. A contact oscillates with sqrt(g0 / (2
 /// delta_s)), 221 rad/s at 0.1 mm whatever the weight, critically damped; longer steps than that resolves are dead and stable.
-/// A stack of N cubes of edge h stands on springs as long as N^3 < 7.837 h / (4 delta_s), 12 cubes of 10 cm at 0.1 mm (Greenhill,
+/// A stack of N cubes of edge h stands on springs as long as N^3 < 7.837 h / (4 delta_s), about: 11 cubes of 10 cm at 0.1 mm, and of 12,
+/// which are at the limit, none that has been touched (scene_file/unsteady_stacks.h; Greenhill,
 /// "Determination of the greatest height consistent with stability", Proc. Cambridge Phil. Soc. 4, 1881).
 /// 0.4 mm under explicit laws: the project's prototype stood and walked with it on a robot of 4.3 kg (k = 13 kN/m, d = 120 N
 /// s/m) at 1 ms.

@@ -33,6 +33,7 @@ struct ContactParameters {
   double torsional = 0;          ///< [m] resistance of a round body to spinning
   double restitution = -1;       ///< [1] of a body that bounces; negative: it has none
   Vec3d friction_direction;  ///< [1] world frame: friction towards the unit vector d is mu (1 - friction_direction . d)
+  Vec3d rolling_direction;   ///< [1] the same of the rolling resistance, d where the body rolls to
   double mass = 0;           ///< [kg] that moves at the point, as the constants were chosen for
   double theta = 1;          ///< [1] 1: depth after the step counts, 0: depth before it
   double rebound = 1;        ///< [1] s_b of the paper's laws (paper_law.h)

@@ -51,6 +51,7 @@ void GroundContact::make_terms() {
     for (ContactTerms* terms : {&soft_terms_, &stiff_terms_}) {
       ContactParameters p = contact_parameters(model(), pair, {terms->dt, terms == &stiff_terms_});
       p.friction_direction = pair.friction_anisotropy * meeting.friction_direction;
+      p.rolling_direction = pair.rolling_anisotropy * meeting.friction_direction;
       terms->parameters.push_back(p);
     }
     environment_objects_.push_back(meeting.object);

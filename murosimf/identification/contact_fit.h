@@ -59,8 +59,8 @@ struct Bouncing : Estimate {
 /// Of that mean, by what each of them does not know alone.
 [[nodiscard]] double known_error(std::span<const Estimate> runs);
 
-/// Friction or rolling by direction: c (1 - g cos a), a from the lean of the pile to the way; of friction g is friction_anisotropy
-/// (docs/scenes.md).
+/// Friction or rolling by direction: c (1 - g cos a), a from the lean of the pile to the way; g is friction_anisotropy
+/// or rolling_anisotropy (docs/scenes.md).
 struct Lean {
   double mean = 0;        ///< c [1]
   double anisotropy = 0;  ///< g [1]

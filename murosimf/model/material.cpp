@@ -27,9 +27,11 @@ MaterialTable MaterialTable::standard() {
   // rebounds by 0.6 to 0.85 m, e = sqrt(h / 2 m) = 0.55 to 0.65. One that comes down a ramp of 1 m rolls for 4 to 10 m: its energy
   // m g h is spent on c m g d, c = 0.1 to 0.25, of which the shortest pile, as on fields of robots, has the least. A test foot of 70 mm
   // presses 2.7 kN into 4 to 10 mm, 100 N / cm^3: 0.05 mm under a sole of 100 cm^2 that carries 5 kg, 0.2 mm under one that carries 20 kg.
-  // Spinning: Coulomb friction over a round patch of radius a resists by 2/3 mu a; a = 6 mm on carpet, 15 mm in grass. All else is an
+  // Spinning: Coulomb friction over a round patch of radius a resists by 2/3 mu a; a = 6 mm on carpet, 15 mm in grass. Wood is
+  // the floor of a sports hall: EN 14904 allows 5 mm under 1500 N, 0.16 mm under a robot of 5 kg. All else is an
   // assumption, of the right order of magnitude: grass is slipperier than carpet, plastic is slipperier than rubber, bodies of
   // robots hardly resist rolling. Grass leans, so friction differs by +-15 % along and against it; carpet of needle felt has no pile.
+  // docs/materials.md has what was measured elsewhere, number by number.
   constexpr double turf = 0.2e-3;  // [m] deflection
   MaterialTable table;
   table.set("rubber", "carpet", {.friction = 0.8, .rolling = 0.03, .restitution = 0.4});
@@ -43,6 +45,9 @@ MaterialTable MaterialTable::standard() {
   set_on_grass("rubber", {.friction = 0.7, .rolling = 0.1, .restitution = 0.3});
   set_on_grass("plastic", {.friction = 0.45, .rolling = 0.1, .restitution = 0.3});
   set_on_grass("ball", {.friction = 0.5, .rolling = 0.1, .torsional = 0.005, .restitution = 0.6});
+  table.set("rubber", "wood", {.friction = 0.8, .rolling = 0.01, .restitution = 0.5});
+  table.set("plastic", "wood", {.friction = 0.35, .rolling = 0.01, .restitution = 0.5});
+  table.set("ball", "wood", {.friction = 0.5, .rolling = 0.01, .torsional = 0.001, .restitution = 0.75});
   // Nets of goals hang loosely: what flies into them falls down. They give way to a ball that slides along them, and friction does not
   // make it spin: one that spins would come out again along the side net.
   table.set("ball", "net", {.friction = 0.02, .torsional = 0.005, .restitution = 0, .static_deflection = turf});
@@ -69,8 +74,10 @@ void MaterialTable::set(const std::string& a, const std::string& b, const PairSu
   const bool viscous = std::isfinite(pair.viscous_friction + pair.spin_friction);
   if (!viscous || pair.viscous_friction < 0 || pair.spin_friction < 0)
     refuse(a, b, "viscous_friction and spin_friction must be finite and at least 0");
-  if (!(pair.friction_anisotropy >= 0 && pair.friction_anisotropy < 1))
-    refuse(a, b, "friction_anisotropy must be at least 0 and below 1");
+  for (const auto& [g, name] : {std::pair{pair.friction_anisotropy, "friction_anisotropy"},
+                                std::pair{pair.rolling_anisotropy, "rolling_anisotropy"}}) {
+    if (!(g >= 0 && g < 1)) refuse(a, b, fmt::format("{} must be at least 0 and below 1", name));
+  }
   pairs_[key(a, b)] = pair;
 }
 

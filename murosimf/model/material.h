@@ -23,6 +23,7 @@ struct PairSurface {
       1e-4;  ///< [m] how far a body presses its points in by its weight on Earth, without a stiffness
   double friction_anisotropy =
       0;  ///< [1] g, 0 <= g < 1: friction (1 - g) along the pile of the ground, (1 + g) against it
+  double rolling_anisotropy = 0;  ///< [1] the same of the rolling resistance
   // of the paper's laws (paper_law.h); figures of the project's prototype, the paper gives none
   double rebound = 0.4;         ///< [1] s_b: share of the spring's force while bodies part, 0..1
   double viscous_friction = 5;  ///< [s/m] s_mu: force per normal force and velocity
@@ -32,7 +33,7 @@ struct PairSurface {
 class MaterialTable {
  public:
   /// The pairs that come with the program: "rubber", "plastic" and "ball" among each other and with the grounds
-  /// "carpet" and "grass".
+  /// "carpet", "grass" and "wood".
   [[nodiscard]] static MaterialTable standard();
 
   /// Order of the two names does not matter. Throws SetupError if a number is not finite or impossible.

@@ -28,7 +28,7 @@ JointDrives::JointDrives(Setup& setup, const std::string& law)
   for (const int i : objects_) {
     joints_[i] = make_joint(setup.model(), i, law);
     const auto& [lowest, highest] = bus_.coupled().range(i);
-    joints_[i].stop = joint_stop(setup.model(), i, lowest, highest);
+    joints_[i].stop = joint_stop(setup.model(), i, lowest, highest, bus_.coupled().pairs());
     const Servo* servo = setup.model().find(properties::servo, i);
     if (servo) joints_[i].rate_limit = rate_limit(*servo, bus_.coupled().rate_limit(i));
     if (backlash_.at(i) || condition_.heats(i)) remembering_.push_back(i);

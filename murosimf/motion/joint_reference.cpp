@@ -116,8 +116,8 @@ MUROSIMF_INLINE double JointReference::limited_rate(int joint, double rate) cons
 JointReference::Motor JointReference::motor_of(const Model& model, int joint) {
   Motor motor;
   const Servo* servo = model.find(properties::servo, joint);
-  if (servo && servo->no_load_speed > 0) motor.no_load_rate = servo->no_load_speed;
-  if (servo && servo->stall_torque > 0) motor.stall_torque = servo->stall_torque;
+  if (servo && servo->no_load_speed > 0) motor.no_load_rate = servo->duty_limit * servo->no_load_speed;
+  if (servo && servo->stall_torque > 0) motor.stall_torque = servo->duty_limit * servo->stall_torque;
   return motor;
 }
 

@@ -21,7 +21,8 @@
 /// is added to the target (filter, exact) or to the line (linear), and fades: nothing jerks the base. Implicit Euler. For a second
 /// after servos no joint gets faster than they can, unless it is so already:
 ///
-///     |qd| <= w_0 max(0.1, 1 - tau / T)     w_0, T: no-load rate and stall torque of its servo; tau: torque that its motion takes
+///     |qd| <= w_0 max(0.1, 1 - tau / T)     w_0, T: no-load rate and stall torque of its servo at its duty limit;
+///                                           tau: torque that its motion takes
 ///
 /// (tau: torque_need in the direction of the motion, known at full_dynamics, else 0). What it is behind then is added to o. Else limbs that carry
 /// the robot throw it up when they catch up (docs/levels.md has the measure).
@@ -88,7 +89,7 @@ class JointReference {
   void check(Integrator integrator) const;
 
  private:
-  /// The speed-torque line of a joint's servo.
+  /// The speed-torque line of a joint's servo, at the largest duty cycle that its firmware gives.
   struct Motor {
     double no_load_rate = std::numeric_limits<double>::infinity();  // [rad/s | m/s]
     double stall_torque = std::numeric_limits<double>::infinity();  // [N m | N]

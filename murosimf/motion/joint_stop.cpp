@@ -40,16 +40,59 @@ double carried_inertia(const Model& model, int joint) {
   return sum;
 }
 
+/// How a link moves when all joints are at zero: its pose and velocities in the frame of the base.
+struct Moving {
+  Transformd pose;
+  Vec3d w, v;  // [rad/s], [m/s] of its origin
+};
+
+/// `rate` [rad/s | m/s] of the link's own joint.
+Moving moved_by(const Link& link, const Moving& parent, double rate) {
+  Moving moving{parent.pose * Transformd{link.offset, link.turn}, parent.w, parent.v};
+  moving.v += cross(parent.w, moving.pose.position - parent.pose.position);
+  const Vec3d axis = rate * (moving.pose.orientation * link.axis);
+  (link.kind == LinkKind::prismatic ? moving.v : moving.w) += axis;
+  return moving;
+}
+
+/// The same of a joint that others follow: twice the kinetic energy when it moves with a rate of 1.
+double inertia_with_followers(const Model& model, int leader, std::span<const MimicJoints::Pair> coupled) {
+  const Tree& tree = model.tree();
+  std::vector<double> rates(tree.links.size());
+  rates[tree.link_of[leader]] = 1;
+  double sum = rotor_inertia(model, leader);
+  for (const MimicJoints::Pair& pair : coupled) {
+    if (pair.leader != leader) continue;
+    rates[tree.link_of[pair.follower]] = pair.ratio;
+    sum += pair.ratio * pair.ratio * rotor_inertia(model, pair.follower);
+  }
+  std::vector<Moving> all(tree.links.size());
+  for (std::size_t l = 0; l < tree.links.size(); ++l) {
+    const Link& link = tree.links[l];
+    if (link.parent >= 0) all[l] = moved_by(link, all[link.parent], rates[l]);
+    const auto& [pose, w, v] = all[l];
+    const Vec3d center = v + cross(w, pose.orientation * link.com);
+    sum += link.mass * dot(center, center) + dot(w, rotated(pose.orientation, link.inertia) * w);
+  }
+  return sum;
+}
+
+double moved_inertia(const Model& model, int joint, std::span<const MimicJoints::Pair> coupled) {
+  const bool leads = std::ranges::any_of(coupled, [&](const auto& pair) { return pair.leader == joint; });
+  return leads ? inertia_with_followers(model, joint, coupled) : carried_inertia(model, joint);
+}
+
 }  // namespace
 
-JointStop joint_stop(const Model& model, int joint, double lowest, double highest) {
+JointStop joint_stop(const Model& model, int joint, double lowest, double highest,
+                     std::span<const MimicJoints::Pair> coupled) {
   if (std::isinf(lowest) && std::isinf(highest)) return {};
   const double weight = model.tree().mass * 9.81;
   const Servo* servo = model.find(properties::servo, joint);
   const double stall = servo ? servo->stall_torque : 0;
   const bool slider = model.objects()[joint].kind == Kind::prismatic;
   const double k = slider ? std::max(stall, weight) / shift : std::max(stall, 0.1 * weight) / bend;
-  const double inertia = carried_inertia(model, joint);
+  const double inertia = moved_inertia(model, joint, coupled);
   const double firm = std::max(k, inertia * frequency * frequency);
   JointStop stop{lowest, highest, {firm, firm * damping_time}, {k, k * damping_time}};
   if (servo) return stop;

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "murosimf/model/model.h"
-#include "murosimf/motion/joint_stop.h"
 
 namespace murosimf::motion {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 #include <set>
+#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
@@ -15,8 +16,10 @@
 #include "murosimf/scene/model_constants.h"
 #include "murosimf/scene/property_checks.h"
 #include "murosimf/scene/start_overlaps.h"
+#include "murosimf/scene_file/automatic_rate.h"
 #include "murosimf/scene_file/section_change.h"
 #include "murosimf/scene_file/setting_targets.h"
+#include "murosimf/scene_file/unsteady_stacks.h"
 #include "murosimf/scene_file/unused_settings.h"
 
 namespace murosimf::scene {
@@ -89,6 +92,13 @@ void warn_about_things(SceneParts& parts) {
   for (const scene_file::BodySpec& body : parts.spec.bodies) {
     if (body.is_static) continue;
     warn_about_steps(parts, body.name, {body.contact, {}, "simplified_dynamics", step});
+    const bool round = body.shape && std::holds_alternative<Sphere>(*body.shape);
+    const double stiff = scene_file::longest_stiff_step(parts.spec, body.contact, body.material, body.mass);
+    if (round || step <= stiff) continue;
+    parts.remarks.warn(body.name,
+                       fmt::format("the 'stiffness' of its pair of materials needs steps of {:.2g} ms under {}; these "
+                                   "are {:.3g} ms long",
+                                   1e3 * stiff, body.contact, 1e3 * step));
   }
 }
 
@@ -152,6 +162,7 @@ void warn_about_settings(SceneParts& parts) {
   const std::vector<std::string> used(materials.begin(), materials.end());
   parts.remarks.warn(scene_file::unused_pairs(spec, used));
   if (auto line = scene_file::unused_friction_direction(spec, used); !line.empty()) parts.remarks.warn(std::move(line));
+  parts.remarks.warn(scene_file::unsteady_stacks(spec));
   warn_about_things(parts);
   for (std::size_t i = 0; i < parts.robots.size(); ++i) {
     const scene_file::RobotSpec& robot = spec.robots[i];

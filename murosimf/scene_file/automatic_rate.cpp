@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -10,8 +13,12 @@
 namespace murosimf::scene_file {
 namespace {
 
-constexpr std::array<double, 5> choices{0.01, 0.005, 0.002, 0.001, 0.0005};  // [s]
+constexpr std::array<double, 7> choices{0.01, 0.005, 0.002, 0.001, 0.0005, 0.0002, 0.0001};  // [s]
 constexpr double longest_kinematic = 0.005;  // [s] 1.2 % of the way in a curve; 2.8 % at 10 ms
+
+constexpr double share_of_radius = 0.2;       // [1] that a ball goes in a step
+constexpr double shortest_fast = 0.0005;      // [s] for fast balls
+constexpr double explicit_resolution = 0.02;  // [1] dt^2 k / m_p
 
 /// The shortest of the steps that somebody demands.
 class Demands {
@@ -65,16 +72,41 @@ void add_thing(const std::string& name, const std::string& contact, Demands& dem
   demands.add(steps.without_servos, fmt::format("{} under {}", name, contact));
 }
 
+void add_speed(const std::string& name, double radius, double speed, Demands& demands) {
+  if (speed == 0) return;
+  demands.add(std::max(share_of_radius * radius / speed, shortest_fast), fmt::format("{} at {:.3g} m/s", name, speed));
+}
+
+void add_body(const SceneSpec& scene, const BodySpec& body, Demands& demands) {
+  add_thing(body.name, body.contact, demands);
+  const auto* sphere = body.shape ? std::get_if<Sphere>(&*body.shape) : nullptr;
+  if (sphere) return add_speed(body.name, sphere->radius, norm(body.velocity), demands);
+  const double stiff = longest_stiff_step(scene, body.contact, body.material, body.mass);
+  demands.add(std::max(stiff, choices.back()), fmt::format("{} on stiff ground under {}", body.name, body.contact));
+}
+
 }  // namespace
+
+double longest_stiff_step(const SceneSpec& scene, const std::string& contact, const std::string& material,
+                          double mass) {
+  const double stiffness = scene.materials.find({.material = material}, {.material = scene.field.surface}).stiffness;
+  if (stiffness == 0 || mass == 0 || catalog::make_contact_law(contact)->implicit())
+    return std::numeric_limits<double>::infinity();
+  const double mass_at_point = mass / 2;  // half of four points meet the ground
+  return std::sqrt(explicit_resolution * mass_at_point / stiffness);
+}
 
 AutomaticRate automatic_rate(const SceneSpec& scene) {
   Demands demands;
   for (const RobotSpec& robot : scene.robots) add_robot(robot, scene.events, demands);
-  if (scene.ball) add_thing("ball", scene.ball->contact, demands);
+  if (const auto& ball = scene.ball) {
+    add_thing("ball", ball->contact, demands);
+    add_speed("ball", ball->radius, norm(ball->velocity), demands);
+  }
   std::size_t things = scene.robots.size() + (scene.ball ? 1 : 0);
   for (const BodySpec& body : scene.bodies) {
     if (body.is_static) continue;
-    add_thing(body.name, body.contact, demands);
+    add_body(scene, body, demands);
     ++things;
   }
   if (things > 1) {

@@ -94,6 +94,7 @@ const Section<PairSurface>& material_section() {
         "how far a body presses its points in by its weight on Earth"},
        {"friction_anisotropy", &PairSurface::friction_anisotropy, "",
         "g from 0 to below 1: friction (1 - g) along the pile of the ground, (1 + g) against it"},
+       {"rolling_anisotropy", &PairSurface::rolling_anisotropy, "", "the same of rolling"},
        {"rebound", &PairSurface::rebound, "", "paper's laws: share of the spring's force while bodies part (s_b)"},
        {"viscous_friction", &PairSurface::viscous_friction, "s/m",
         "paper's laws: force per normal force and velocity (s_mu)"},

@@ -218,7 +218,8 @@ std::string unused_friction_direction(const SceneSpec& spec, const std::vector<s
   ground.material = spec.field.surface;
   for (const std::string& name : used) {
     body.material = name;
-    if (spec.materials.find(ground, body).friction_anisotropy > 0) return {};
+    const PairSurface pair = spec.materials.find(ground, body);
+    if (pair.friction_anisotropy > 0 || pair.rolling_anisotropy > 0) return {};
   }
   return fmt::format("field: nothing here feels the pile of '{}'; 'friction_direction' changes nothing",
                      spec.field.surface);

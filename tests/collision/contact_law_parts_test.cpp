@@ -36,8 +36,9 @@ TEST(ContactForce, FrictionDependsOnTheDirectionByTheGrain) {
 }
 
 /// [N m] On a ball of 5 cm that is pressed with 10 N on level ground: rolling resistance 0.03, torsional 2 mm.
-Vec3d resistance(const Vec3d& angular_velocity, double radius = 0.05) {
+Vec3d resistance(const Vec3d& angular_velocity, double radius = 0.05, const Vec3d& rolling_direction = {}) {
   ContactParameters p = parameters();
+  p.rolling_direction = rolling_direction;
   p.rolling = 0.03;
   p.torsional = 0.002;
   ContactPoint c;
@@ -60,6 +61,18 @@ TEST(ContactForce, RollingAndSpinningAreResistedByTwoCoefficients) {
   EXPECT_LT(difference(resistance({0, 0, -0.25}), {0, 0, 0.01}), 1e-16);
   EXPECT_LT(difference(resistance({3, 4, -7}), {-0.009, -0.012, 0.02}), 1e-16);
   EXPECT_EQ(norm(resistance({3, 4, -7}, 0)), 0);
+}
+
+// Law: rolling (1 - g cos a) at the angle a between where the ball rolls and where the pile leans. A turn about y rolls along x. In
+// numbers: g = 0.4 along x, 15 mN m across. Spinning knows no direction, and at half of 0.5 rad/s half of g is left.
+TEST(ContactForce, RollingDependsOnTheDirectionByThePile) {
+  const Vec3d pile{0.4, 0, 0};
+  EXPECT_LT(difference(resistance({0, 10, 0}, 0.05, pile), {0, -0.009, 0}), 1e-16);
+  EXPECT_LT(difference(resistance({0, -10, 0}, 0.05, pile), {0, 0.021, 0}), 1e-16);
+  EXPECT_LT(difference(resistance({10, 0, 0}, 0.05, pile), {-0.015, 0, 0}), 1e-16);
+  EXPECT_LT(difference(resistance({0, 0, 10}, 0.05, pile), {0, 0, -0.02}), 1e-16);
+  EXPECT_LT(difference(resistance({-6, 8, 0}, 0.05, pile), 0.015 * (1 - 0.4 * 0.8) * Vec3d{0.6, -0.8, 0}), 1e-16);
+  EXPECT_LT(difference(resistance({0, 0.25, 0}, 0.05, pile), {0, -0.0075 * 0.8, 0}), 1e-16);
 }
 
 }  // namespace

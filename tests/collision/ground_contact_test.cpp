@@ -36,7 +36,7 @@ struct Standing {
   explicit Standing(std::shared_ptr<const ContactLaw> law = std::make_shared<ImplicitStick>(), double grain = 0) {
     PlacedShape plane = placed(Plane{}, {}, rotation_z(pi / 2));
     plane.surface = {"carpet", 0.8, {0, -3, 1}};
-    materials.set("carpet", "", {.friction = 0.6, .friction_anisotropy = grain});
+    materials.set("carpet", "", {.friction = 0.6, .friction_anisotropy = grain, .rolling_anisotropy = 2 * grain});
     field = &world.add("field", std::make_shared<const Model>("field", Chain{}
                                                                            .base("ground")
                                                                            .with(properties::shapes, Shapes{plane})
@@ -102,7 +102,8 @@ TEST(GroundContact, KnowsEveryPairOfSurfaces) {
   EXPECT_EQ(parameters[0].friction, 0.6);
   EXPECT_EQ(parameters[1].friction, 0.8);
   EXPECT_LT(difference(parameters[0].friction_direction, {0.25, 0, 0}), 1e-12) << "turned with the plane, in it, unit";
-  EXPECT_EQ(norm(parameters[1].friction_direction), 0);
+  EXPECT_LT(difference(parameters[0].rolling_direction, {0.5, 0, 0}), 1e-12);
+  EXPECT_EQ(norm(parameters[1].friction_direction) + norm(parameters[1].rolling_direction), 0);
   const PairSurface pair = standing.materials.find({"carpet"}, {});
   // no level, so joints do not give way
   EXPECT_EQ(parameters[0].stiffness,

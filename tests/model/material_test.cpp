@@ -66,6 +66,7 @@ TEST(Material, ImpossibleNumbers) {
   EXPECT_NE(refused({.stiffness = -1}), "no error");
   EXPECT_TRUE(says(refused({.friction_anisotropy = 1}), {"'wood'", "'felt'", "friction_anisotropy", "below 1"}));
   EXPECT_NE(refused({.friction_anisotropy = -0.1}), "no error");
+  EXPECT_TRUE(says(refused({.rolling_anisotropy = 1}), {"'wood'", "'felt'", "rolling_anisotropy", "below 1"}));
   EXPECT_TRUE(says(refused({.rebound = 1.1}), {"'wood'", "'felt'", "rebound", "0 to 1"}));
   EXPECT_NE(refused({.rebound = -0.1}), "no error");
   EXPECT_TRUE(says(refused({.viscous_friction = -0.1}), {"'wood'", "'felt'", "viscous_friction", "at least 0"}));
@@ -79,6 +80,7 @@ TEST(Material, ImpossibleNumbers) {
     EXPECT_NE(refused({.restitution = bad}), "no error");
     EXPECT_NE(refused({.stiffness = bad}), "no error");
     EXPECT_NE(refused({.friction_anisotropy = bad}), "no error");
+    EXPECT_NE(refused({.rolling_anisotropy = bad}), "no error");
   }
   EXPECT_EQ(refused({.friction = 0, .rolling = 0, .restitution = 0, .stiffness = 0}), "no error");
   EXPECT_EQ(refused({.restitution = 1}), "no error");
@@ -102,10 +104,11 @@ TEST(Material, StandardTableIsComplete) {
   const MaterialTable table = MaterialTable::standard();
   const double stranger = 99;  // friction that a pair has only if it is not in the table
   for (const char* body : {"rubber", "plastic", "ball"}) {
-    for (const char* other : {"rubber", "plastic", "ball", "carpet", "grass"}) {
+    for (const char* other : {"rubber", "plastic", "ball", "carpet", "grass", "wood"}) {
       const PairSurface pair = table.find(surface(body, stranger), surface(other, stranger));
       EXPECT_LT(pair.friction, stranger) << body << ' ' << other;
       EXPECT_EQ(pair.friction_anisotropy > 0, std::string(other) == "grass") << body << ' ' << other;
+      EXPECT_EQ(pair.rolling_anisotropy, 0) << body << ' ' << other << ": no measured figure for short pile";
     }
   }
 }

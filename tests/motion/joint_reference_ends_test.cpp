@@ -38,11 +38,11 @@ struct Reference : test::Alone<JointReference> {
 
 /// A hinge whose servo turns with 4 rad/s without load.
 struct Servoed : test::Alone<JointReference> {
-  explicit Servoed(const JointReferenceOptions& options)
+  explicit Servoed(const JointReferenceOptions& options, double duty_limit = 1)
       : Alone(Chain{}
                   .base("base")
                   .revolute("hinge", {0, 1, 0})
-                  .with(properties::servo, {.stall_torque = 2, .no_load_speed = 4}),
+                  .with(properties::servo, {.stall_torque = 2, .no_load_speed = 4, .duty_limit = duty_limit}),
               options),
         columns(holder.columns) {}
   [[nodiscard]] double rate() const { return columns.qd[index("hinge")]; }
@@ -170,6 +170,20 @@ TEST(JointReferenceTakeOver, CatchesUpNoFasterThanItsServo) {
 TEST(JointReferenceTakeOver, CatchesUpOnTheSpeedTorqueLineOfItsServo) {
   for (const auto& [load, rate] : {std::pair{0.5, 3.0}, {1.0, 2.0}, {-1.0, 4.0}, {3.0, 0.4}}) {
     Servoed reference({.filter_frequency = wf});
+    reference.part->take_over(reference.columns);
+    reference.object("hinge").set(properties::joint_target, 2.5);
+    const std::vector<double> loads(static_cast<std::size_t>(reference.entity.model().size()), load);
+    reference.part->know_torques(loads);
+    for (int step = 0; step < 50; ++step) ASSERT_TRUE(reference.part->advance(reference.columns, h));
+    EXPECT_NEAR(reference.rate(), rate, 1e-12) << load;
+  }
+}
+
+// Law: at the duty u a motor has u times its no-load rate and its stall torque. In numbers, u = 0.5: 2 rad/s, and at 0.4 of 1 N m
+// (1 - 0.4) of that.
+TEST(JointReferenceTakeOver, TheFirmwaresDutyLimitsTheServo) {
+  for (const auto& [load, rate] : {std::pair{0.0, 2.0}, {0.4, 1.2}}) {
+    Servoed reference({.filter_frequency = wf}, 0.5);
     reference.part->take_over(reference.columns);
     reference.object("hinge").set(properties::joint_target, 2.5);
     const std::vector<double> loads(static_cast<std::size_t>(reference.entity.model().size()), load);

@@ -85,5 +85,48 @@ TEST(JointStopNumbers, LightLinksHaveTheStopOfTheWeight) {
   EXPECT_TRUE(joint_stop(model, 1, -1, infinity).stops());
 }
 
+/// Two links of a finger: the second one's bearing is 0.1 m along x from the first one's, and follows with -0.5. Another finger, beside
+/// it, follows with 2.
+Chain hand() {
+  const auto finger = [](const std::string& name) {
+    return Chain{}
+        .translation({0, 0.3, 0})
+        .revolute(name, {0, 0, 1})
+        .with(properties::mass, 0.2)
+        .with(properties::center_of_mass, {0.05, 0, 0.7})
+        .with(properties::inertia, diagonal(1e-3));
+  };
+  Chain first = finger("leader");
+  first.translation({0.1, 0, 0})
+      .revolute("tip", {0, 0, 1})
+      .with(properties::mass, 0.1)
+      .with(properties::center_of_mass, {0.04, 0, 0})
+      .with(properties::inertia, diagonal(2e-4))
+      .with(properties::joint_armature, 1e-4)
+      .with(properties::joint_coupling, {"leader", -0.5, 0});
+  Chain second = finger("second");
+  second.with(properties::joint_coupling, {"leader", 2, 0});
+  return Chain{}
+      .base("base")
+      .with(properties::mass, 0.1)
+      .with(properties::inertia, diagonal(0.1))
+      .fork(std::move(first), std::move(second));
+}
+
+// Law: of two bodies at the ends of a gear the inertia is sum(r^2 J); of the tip, that turns with 1 - 0.5 rad/s while its bearing moves
+// with 0.1 m/s, 0.5^2 J + m (0.1 + 0.5 * 0.04)^2.
+TEST(JointStopNumbers, ALeaderMovesItsFollowersToo) {
+  const Model model("hand", hand());
+  const MimicJoints coupled(model);
+  const double finger = 1e-3 + 0.2 * 0.05 * 0.05;
+  const double tip = 0.25 * 2e-4 + 0.1 * 0.12 * 0.12 + 0.25 * 1e-4;
+  const double inertia = finger + tip + 4 * finger;
+  const auto firmness = [&](const char* joint) {
+    return joint_stop(model, model.object_index(joint), -infinity, 1, coupled.pairs()).implicit.stiffness;
+  };
+  EXPECT_NEAR(firmness("leader") / (inertia * frequency * frequency), 1, 1e-12);
+  EXPECT_NEAR(firmness("second") / (finger * frequency * frequency), 1, 1e-12) << "it leads nobody";
+}
+
 }  // namespace
 }  // namespace murosimf::motion

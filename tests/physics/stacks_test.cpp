@@ -153,7 +153,7 @@ double drift_of_top(Stack& stack, double seconds) {
   return norm(Rig::place(*stack.parts.back()) - before);
 }
 
-// Greenhill's column (contact_parameters.h) stands up to 12 cubes with springs that the weight of one presses by 0.1 mm, whatever the
+// Greenhill's column (contact_parameters.h) stands up to 11 cubes with springs that the weight of one presses by 0.1 mm, whatever the
 // step. Tolerance: a tenth of an edge, two more in long steps, where sweeps end before the column does not sway any more; the one that buckled lay 1 m away.
 TEST(TallStacks, OfTenCubesStandAMinute) {
   for (const int rate : {1000, 500, 200, 100}) {

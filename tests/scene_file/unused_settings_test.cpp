@@ -119,6 +119,7 @@ TEST(UnusedMaterials, APileThatNothingFeelsIsNamed) {
   EXPECT_TRUE(says(warnings_of({.set = {"field.friction_direction=[1, 0]"}}),
                    {"pile of 'carpet'", "'friction_direction' changes nothing"}));
   EXPECT_EQ(warnings_of({.set = {"field.friction_direction=[1, 0]", "field.surface=grass"}}), "");
+  EXPECT_EQ(warnings_of({.set = {"field.friction_direction=[1, 0]", "materials.rolling_anisotropy=0.1"}}), "");
 }
 
 TEST(UnusedMaterials, OfARobotsOwnFileAreKnown) {

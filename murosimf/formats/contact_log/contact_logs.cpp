@@ -116,6 +116,7 @@ std::vector<std::pair<std::string, double>> numbers_of(const PairSurface& pair) 
           {"stiffness", pair.stiffness},
           {"static_deflection", pair.static_deflection},
           {"friction_anisotropy", pair.friction_anisotropy},
+          {"rolling_anisotropy", pair.rolling_anisotropy},
           {"rebound", pair.rebound},
           {"viscous_friction", pair.viscous_friction},
           {"spin_friction", pair.spin_friction}};
@@ -129,9 +130,10 @@ std::string fitted_line(const FittedNumber& number) {
 
 std::string line_of(const ContactFit& fit, const std::string& key, double usual) {
   if (const FittedNumber* number = find_number(fit, key)) return fitted_line(*number);
-  const FittedNumber* friction = find_number(fit, "friction");
-  if (key == "friction_anisotropy" && friction && friction->lean) {
-    return fmt::format("{} = {:.3g}  # fitted\n", key, friction->lean->anisotropy);
+  for (const std::string number : {"friction", "rolling"}) {
+    const FittedNumber* fitted = find_number(fit, number);
+    if (key != number + "_anisotropy" || !fitted || !fitted->lean) continue;
+    return fmt::format("{} = {:.3g}  # fitted\n", key, fitted->lean->anisotropy);
   }
   return fmt::format("{} = {:g}\n", key, usual);
 }

@@ -106,6 +106,26 @@ TEST(ContactLogs, GivesBackFrictionAndThePileOfSimulatedSlides) {
   EXPECT_NEAR(std::atan2(direction.y, direction.x), 1.0, 0.1);
 }
 
+std::string ball_on_grass(double heading) {
+  return fmt::format(
+      "surface = 'grass'\nfriction_direction = [0, 1]\n[air]\ndensity = 0\n[ball]\nvelocity = [{}, {}, 0] # rolls\n"
+      "[[materials]]\npair = ['ball', 'grass']\nrolling = 0.08\nrolling_anisotropy = 0.2\n",
+      std::cos(heading), std::sin(heading));
+}
+
+TEST(ContactLogs, GivesBackThePileOfSimulatedRolls) {
+  ContactLogs logs;
+  for (const double heading : {0.2, 2.1, 4.4}) {
+    logs.rolls.push_back(record(fmt::format("grass_roll_{}", heading), ball_on_grass(heading), "ball", 2));
+  }
+  const ContactFit fit = fit_contact_logs(logs, {.body = "ball", .ground = "grass"});
+  EXPECT_NEAR(value(fit, "rolling"), 0.08, 0.002);
+  EXPECT_NEAR(value(fit, "rolling_anisotropy"), 0.2, 0.02);
+  EXPECT_EQ(value(fit, "friction_anisotropy"), 0.15) << "the table's";
+  ASSERT_TRUE(fit.numbers.at(0).lean);
+  EXPECT_NEAR(fit.numbers[0].lean->direction.y, 1, 0.01);
+}
+
 void expect_refused(const std::string& table, const std::string& words, bool drop = false) {
   const std::string file = write("bad.csv", table);
   const ContactLogs logs = drop ? ContactLogs{.rolls = {}, .slides = {}, .drops = {file}}

@@ -1,0 +1,147 @@
+#include "murosimf/scene_file/unsteady_stacks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "murosimf/catalog/algorithm_catalog.h"
+#include "murosimf/collision/contact_parameters.h"
+#include "murosimf/geometry/volume.h"
+
+namespace murosimf::scene_file {
+namespace {
+
+constexpr double gap = 2e-3;    // [m] between bodies that touch
+constexpr double most_x = 1e3;  // [1] lambda is not looked for above
+
+/// A body that stands upright.
+struct Block {
+  const BodySpec* spec;
+  ModelPtr model;
+  geometry::Aabb box;  // [m] world frame
+  [[nodiscard]] double bottom() const { return box.center.z - box.half.z; }
+  [[nodiscard]] double top() const { return box.center.z + box.half.z; }
+};
+
+bool is_flat(const Shape& shape) {
+  return std::holds_alternative<Box>(shape) || std::holds_alternative<Cylinder>(shape) ||
+         std::holds_alternative<Convex>(shape);
+}
+
+std::optional<Block> block_of(const BodySpec& body) {
+  if (!body.shape || body.is_static || !body.present || !is_flat(*body.shape)) return {};
+  if (body.roll != 0 || body.pitch != 0 || norm(body.velocity) + norm(body.angular_velocity) > 0) return {};
+  if (!catalog::make_contact_law(body.contact)->implicit()) return {};
+  auto box = geometry::fit<geometry::Aabb>(*body.shape, {{}, attitude_of(body)});
+  box.center += Vec3d{body.position.x, body.position.y, body.position.z + box.half.z} - Vec3d{0, 0, box.center.z};
+  return Block{&body, body_model(body), box};
+}
+
+bool stands_on(const Block& upper, const Block& lower) {
+  const Vec3d apart = upper.box.center - lower.box.center;
+  return std::abs(upper.bottom() - lower.top()) < gap && std::abs(apart.x) < lower.box.half.x &&
+         std::abs(apart.y) < lower.box.half.y;
+}
+
+/// From the ground up, as far as one stands on one.
+using Column = std::vector<const Block*>;
+
+Column column_on(const Block& first, const std::vector<Block>& blocks) {
+  Column column{&first};
+  for (;;) {
+    const Block* next = nullptr;
+    for (const Block& block : blocks) {
+      if (!stands_on(block, *column.back())) continue;
+      if (next) return {};  // several: no column
+      next = &block;
+    }
+    if (!next || column.size() == blocks.size()) return column;
+    column.push_back(next);
+  }
+}
+
+/// K [N m/rad] of the contact of a body with what is below it, for leaning along `axis` (x or y).
+double spring(const SceneSpec& spec, const Column& column, std::size_t i, double Vec3d::*axis) {
+  const Block& upper = *column[i];
+  const Surface own{.material = upper.spec->material};
+  double low = upper.box.center.*axis - upper.box.half.*axis, high = low + 2 * upper.box.half.*axis;
+  collision::ContactParameters contact;
+  if (i == 0) {
+    contact =
+        collision::contact_parameters(*upper.model, spec.materials.find(own, {.material = spec.field.surface}), {});
+  } else {
+    const Block& lower = *column[i - 1];
+    const PairSurface pair = spec.materials.find(own, {.material = lower.spec->material});
+    contact = collision::contact_parameters(*upper.model, *lower.model, pair, {});
+    low = std::max(low, lower.box.center.*axis - lower.box.half.*axis);
+    high = std::min(high, lower.box.center.*axis + lower.box.half.*axis);
+  }
+  const double arm = (high - low) / 2;
+  return 4 * contact.stiffness * arm * arm;
+}
+
+/// Whether K - lambda G is positive definite: all pivots of its elimination are.
+bool stands(const std::vector<double>& springs, const std::vector<double>& weights, double lambda) {
+  double pivot = 1, coupling = 0;
+  for (std::size_t i = 0; i < springs.size(); ++i) {
+    const double above = i + 1 < springs.size() ? springs[i + 1] : 0;
+    pivot = springs[i] + above - lambda * weights[i] - coupling * coupling / pivot;
+    if (pivot <= 0) return false;
+    coupling = above;
+  }
+  return true;
+}
+
+/// The least lambda of the header; `most_x` if it is more.
+double reserve(const SceneSpec& spec, const Column& column, double Vec3d::*axis) {
+  std::vector<double> springs, weights(column.size());
+  for (std::size_t i = 0; i < column.size(); ++i) springs.push_back(spring(spec, column, i, axis));
+  double above = 0;  // [kg]
+  for (std::size_t i = column.size(); i-- > 0;) {
+    const double height = 2 * column[i]->box.half.z;
+    weights[i] = -spec.gravity.z * height * (column[i]->spec->mass / 2 + above);
+    above += column[i]->spec->mass;
+  }
+  double low = 0, high = most_x;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (stands(springs, weights, middle) ? low : high) = middle;
+  }
+  return low;
+}
+
+std::string line_of(const Column& column, double lambda) {
+  double carried = 0;
+  for (const Block* block : column) carried += block->spec->mass;
+  const std::string& lowest = column[0]->spec->name;
+  constexpr double grain = 10, margin = 1.05;  // [1] of the number that is named
+  return fmt::format(
+      "{} with {} more on it ({:.3g} kg in all) falls at any rate of steps: the springs of its contacts are too soft "
+      "for a column "
+      "like this; {:.1f} times smaller 'static_deflection' of their pairs of materials would carry it",
+      lowest, column.size() - 1, carried, std::ceil(grain * margin / lambda) / grain);
+}
+
+}  // namespace
+
+std::vector<std::string> unsteady_stacks(const SceneSpec& spec) {
+  if (spec.gravity.z >= 0 || !catalog::make_body_contact_law(spec.body_contact)->implicit()) return {};
+  std::vector<Block> blocks;
+  for (const BodySpec& body : spec.bodies) {
+    if (auto block = block_of(body)) blocks.push_back(std::move(*block));
+  }
+  std::vector<std::string> lines;
+  for (const Block& block : blocks) {
+    if (std::abs(block.bottom()) > gap) continue;
+    const Column column = column_on(block, blocks);
+    if (column.size() < 2) continue;
+    const double lambda = std::min(reserve(spec, column, &Vec3d::x), reserve(spec, column, &Vec3d::y));
+    if (lambda < 1) lines.push_back(line_of(column, lambda));
+  }
+  return lines;
+}
+
+}  // namespace murosimf::scene_file
