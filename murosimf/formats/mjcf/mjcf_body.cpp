@@ -40,6 +40,7 @@ class BodyReader {
       if (++joints > 1) joint.fail("the base has a second joint; besides its free joint it can have none");
       description_.base_joint = joint.attribute("name").value_or("");
     }
+    check_gravity(base);
     description::BodyDescription body;
     body.name = context_.names.of(base);
     body.where = base.where();
@@ -48,6 +49,7 @@ class BodyReader {
 
   void read_body(const MjcfChild& child, int parent) {
     const files::XmlElement& element = child.element;
+    check_gravity(element);
     description::BodyDescription body;
     body.name = context_.names.of(element);
     body.where = element.where();
@@ -152,6 +154,15 @@ class BodyReader {
       camera.place = place * camera.place;
     }
     description_.sensors.push_back(std::move(camera));
+  }
+
+  /// Its weight is taken from a body with gravcomp="1", which is not simulated.
+  void check_gravity(const files::XmlElement& body) const {
+    if (own_attributes(body).number("gravcomp", 0) == 0) return;
+    const std::string what =
+        fmt::format("body '{}' feels another gravity (gravcomp), which is not simulated", context_.names.of(body));
+    if (!context_.lenient) body.fail(what + "; --lenient reads it without");
+    context_.warnings.push_back(files::one_line(fmt::format("{}: {}", body.where(), what)));
   }
 
   [[nodiscard]] static MjcfAttributes own_attributes(const files::XmlElement& element) {

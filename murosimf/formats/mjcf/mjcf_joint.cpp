@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/description/joint_inertia.h"
+#include "murosimf/model/error.h"
 
 namespace murosimf::formats::mjcf {
 namespace {
@@ -147,14 +148,19 @@ Vec3d ball_angles(const Mat3d& turn) {
 }
 
 void resolve_spring_dampers(const std::vector<MjcfSpringDamper>& springs, description::RobotDescription& description) {
-  for (const MjcfSpringDamper& spring : springs) {
-    for (std::size_t body = 0; body < description.bodies.size(); ++body) {
-      for (description::JointDescription& joint : description.bodies[body].joints) {
-        if (joint.name != spring.joint) continue;
-        const double inertia = description::reflected_inertia(description, body, joint);
-        joint.stiffness = inertia / (spring.time * spring.time * spring.ratio * spring.ratio);
-        joint.damping = 2 * inertia / spring.time;
+  if (springs.empty()) return;
+  const std::vector<double> inertias = description::free_inertias(description);
+  std::size_t number = 0;
+  for (description::BodyDescription& body : description.bodies) {
+    for (description::JointDescription& joint : body.joints) {
+      const std::size_t mine = number++;
+      const auto spring = std::ranges::find(springs, joint.name, &MjcfSpringDamper::joint);
+      if (spring == springs.end()) continue;
+      if (inertias.empty()) {
+        throw SetupError(joint.where + ": springdamper needs a robot of which everything that moves has a mass");
       }
+      joint.stiffness = inertias[mine] / (spring->time * spring->time * spring->ratio * spring->ratio);
+      joint.damping = 2 * inertias[mine] / spring->time;
     }
   }
 }

@@ -21,11 +21,11 @@ void read_joints(const MjcfChild& child, const MjcfContext& context,
 [[nodiscard]] Vec3d ball_angles(const Mat3d& turn);
 
 /// Stiffness and damping of joints with a `springdamper`, a time constant T [s] and a damping ratio z, for the inertia I [kg m^2 | kg]
-/// of what they move in the pose of the file:
+/// that they feel in the pose of the file while nothing holds the other joints (joint_inertia.h):
 ///
 ///     stiffness = I / (T z)^2       damping = 2 I / T
 ///
-/// Source: MuJoCo documentation, XML reference, "joint", attribute springdamper.
+/// Source: MuJoCo documentation, XML reference, "joint", attribute springdamper; the inertia as MuJoCo 4.0 takes it.
 void resolve_spring_dampers(const std::vector<MjcfSpringDamper>& springs, description::RobotDescription& description);
 
 }  // namespace murosimf::formats::mjcf

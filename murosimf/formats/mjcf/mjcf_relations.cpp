@@ -109,10 +109,11 @@ std::vector<std::string> world_geoms(const files::XmlElement& root) {
 
 class Pairs {
  public:
-  Pairs(const files::XmlElement& root, description::RobotDescription& description)
-      : outside_(world_geoms(root)), description_(description) {}
+  Pairs(const files::XmlElement& root, const MjcfNames& names, description::RobotDescription& description)
+      : outside_(world_geoms(root)), names_(names), description_(description) {}
 
   void read(const files::XmlElement& element) {
+    if (is_of_other_tree(element, "geom1") || is_of_other_tree(element, "geom2")) return;
     const auto first = shapes_of(element, "geom1");
     const auto second = shapes_of(element, "geom2");
     for (description::ShapeDescription* shape : first) collide(*shape, second.empty());
@@ -123,6 +124,11 @@ class Pairs {
   }
 
  private:
+  [[nodiscard]] bool is_of_other_tree(const files::XmlElement& element, const char* attribute) const {
+    const auto name = element.attribute(attribute);
+    return name && names_.is_elsewhere("geom", *name) && std::ranges::find(outside_, *name) == outside_.end();
+  }
+
   /// None for a geom outside the robot.
   std::vector<description::ShapeDescription*> shapes_of(const files::XmlElement& element, const char* attribute) {
     const auto name = element.attribute(attribute);
@@ -159,6 +165,7 @@ class Pairs {
   }
 
   std::vector<std::string> outside_;  // names of geoms of the world
+  const MjcfNames& names_;
   description::RobotDescription& description_;
 };
 
@@ -180,7 +187,7 @@ void read_relations(const files::XmlElement& root, const MjcfNames& names, const
     description.exclusions.push_back({name_in(element, "body1", "body", names.bodies()),
                                       name_in(element, "body2", "body", names.bodies()), element.where()});
   }
-  Pairs pairs(root, description);
+  Pairs pairs(root, names, description);
   for (const files::XmlElement& element : elements(root, "contact", "pair")) pairs.read(element);
   for (const files::XmlElement& section : root.children("sensor")) {
     for (const files::XmlElement& element : section.children()) {

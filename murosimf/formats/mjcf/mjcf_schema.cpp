@@ -143,22 +143,23 @@ files::XmlVocabulary make_rules() {
   const std::map<std::string_view, files::XmlWords> own{
       {"position", {"kp", "kv", "dampratio", "timeconst", "inheritrange"}},
       {"velocity", {"kv"}},
-      {"intvelocity", {"kp", "kv", "dampratio", "actrange", "actlimited"}},
+      {"intvelocity", {"kp", "kv", "dampratio"}},
       {"motor", {}},
-      {"general", {"gainprm", "biasprm", "gaintype", "biastype", "dyntype", "dynprm", "actrange", "actlimited"}}};
+      {"general", {"gainprm", "biasprm", "gaintype", "biastype", "dyntype", "dynprm"}}};
   // of a control that has several parts, or is called what it is
   const files::XmlWords labels{"input", "velrange", "ffrange"};
   for (const std::string_view actuator : actuators) {
-    const files::XmlWords common{"name",         "class",     "joint",       "forcerange",
-                                 "forcelimited", "ctrlrange", "ctrllimited", "gear"};
+    const files::XmlWords common{"name", "class", "joint", "forcerange", "forcelimited", "gear"};
+    const files::XmlWords control{"ctrlrange", "ctrllimited"}, activation{"actrange", "actlimited"};
     // without a joint it moves nothing, which is a warning
     const files::XmlWords unused{"group", "user",    "lengthrange",   "actdim",     "actearly",  "tendon",     "site",
                                  "body",  "refsite", "jointinparent", "slidersite", "cranksite", "cranklength"};
-    const bool holds_state = actuator == "general" || actuator == "intvelocity";
-    rules[std::string(actuator)] = {.used = common + own.at(actuator),
-                                    .unused =
-                                        unused + (actuator == "general" ? labels : files::XmlWords{}) +
-                                        (holds_state ? files::XmlWords{} : files::XmlWords{"actrange", "actlimited"})};
+    const bool general = actuator == "general", integrates = actuator == "intvelocity";
+    rules[std::string(actuator)] = {.used = common + own.at(actuator) + (integrates ? files::XmlWords{} : control) +
+                                            (general || integrates ? activation : files::XmlWords{}),
+                                    .unused = unused + (general      ? labels
+                                                        : integrates ? control
+                                                                     : activation)};
   }
   rules["actuator"] = {.children = actuators, .unused_children = idle_actuators};
   return rules;
