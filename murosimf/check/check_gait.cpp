@@ -62,6 +62,7 @@ std::vector<Demand> demands_of_walk(const Model& model, const locomotion::WalkPa
 }  // namespace
 
 std::vector<Finding> examine_gait(const description::RobotDescription& description, const Model& model) {
+  if (description.fixed_base) return {};
   std::vector<Demand> demands;
   double speed = 0;  // [m/s]
   try {

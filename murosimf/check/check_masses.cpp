@@ -56,7 +56,8 @@ double total_mass(const description::RobotDescription& description) {
 std::vector<Finding> examine_masses(const description::RobotDescription& description) {
   std::vector<Finding> findings;
   for (const description::BodyDescription& body : description.bodies) {
-    if (body.solid.mass > 0 && body.solid.mass < tiny_mass) {
+    const bool moves = body.parent >= 0 || !description.fixed_base;
+    if (moves && body.solid.mass > 0 && body.solid.mass < tiny_mass) {
       findings.push_back({Severity::warning, where_of(body),
                           fmt::format("'{}' moves and weighs only {:.3g} kg", body.name, body.solid.mass),
                           "fix its joint, or give it its mass"});

@@ -39,7 +39,7 @@ std::vector<Finding> examine(const robot::RobotFile& robot) {
 
 std::vector<Finding> examine_legs(const description::RobotDescription& description, const Model& model) {
   const std::size_t soles = model.having(properties::sole).size();
-  if (has_wheels(model)) return {};
+  if (has_wheels(model) || description.fixed_base) return {};
   const std::string& where = description.bodies[0].where;
   if (soles != 2 && soles != 4) {
     return {{Severity::warning, where, fmt::format("{} soles; a biped needs 2, a quadruped 4", soles),

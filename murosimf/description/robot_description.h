@@ -137,7 +137,8 @@ struct Unused {
 
 struct RobotDescription {
   std::string name;
-  std::string base_joint;  ///< name of the joint that makes the base free; empty: none
+  std::string base_joint;   ///< name of the joint that makes the base free; empty: none
+  bool fixed_base = false;  ///< the base is bolted to the world (model/fixed_base.h)
   std::filesystem::path file;
   std::vector<BodyDescription> bodies;
   std::vector<MimicDescription> mimics;

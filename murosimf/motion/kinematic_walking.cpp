@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/collision/contact_properties.h"
+#include "murosimf/model/fixed_base.h"
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/motion/sanity.h"
 #include "murosimf/motion/walking_lanes.h"
@@ -50,6 +51,7 @@ KinematicWalking::KinematicWalking(Setup& setup, const JointReferenceOptions& re
     : entity_(setup.entity()),
       columns_(setup),
       reference_(setup, without_load(reference)),
+      fixed_(has_fixed_base(setup.model())),
       environment_(environment),
       ground_(environment),
       stance_pose_(setup.write(properties::stance_pose)[0]),
@@ -60,6 +62,7 @@ KinematicWalking::KinematicWalking(Setup& setup, const JointReferenceOptions& re
       remaining_twist_(setup.write(properties::remaining_twist)[0]),
       separation_(setup.input(properties::separation, {})[0]),
       dynamic_(setup.write(properties::dynamic)[0]) {
+  if (fixed_) return;
   const auto feet = two_feet(setup.model());
   feet_ = {with_path(feet[0]), with_path(feet[1])};
   up_ = upright_axis();
@@ -77,9 +80,11 @@ void KinematicWalking::initialize() {
   reference_.initialize(columns_);
   place_at_start(columns_, entity_);
   dynamic_ = 0;
-  stand_on(lower_foot());
-  remaining_shift_ = remaining_turn_ = {};
-  pin();
+  if (!fixed_) {
+    stand_on(lower_foot());
+    remaining_shift_ = remaining_turn_ = {};
+    pin();
+  }
   columns_.update_poses();
   columns_.remember_base();
 }
@@ -107,6 +112,7 @@ void KinematicWalking::model_exchanged(const Entity& entity) {
 }
 
 std::string KinematicWalking::refusal() const {
+  if (fixed_) return {};
   const double lean = std::acos(std::clamp((columns_.R[0] * up_).z, -1.0, 1.0));
   if (!(lean <= steepest)) {
     return fmt::format("it leans {:.0f} degrees, more than {:.0f}; only a jump could make it stand on a foot",
@@ -124,20 +130,35 @@ std::string KinematicWalking::refusal() const {
 void KinematicWalking::take_over(const Momentum&) {
   reference_.take_over(columns_);
   dynamic_ = 0;
+  if (fixed_) columns_.v[0] = columns_.w[0] = {};
   columns_.update_poses();
   columns_.update_velocities();
-  stand_on(lower_foot());
-  keep_moving();
+  if (!fixed_) {
+    stand_on(lower_foot());
+    keep_moving();
+  }
   columns_.remember_base();
 }
 
 void KinematicWalking::step(const Instant& instant) noexcept {
+  if (fixed_) return step_fixed(seconds(instant.period));
   if (!begin_step(seconds(instant.period))) return;
   pin();
   columns_.update_poses();
   set_base_twist();
   columns_.update_velocities();
   end_step();
+}
+
+void KinematicWalking::step_fixed(double dt) noexcept {
+  if (!reference_.advance(columns_, dt)) {
+    columns_.stop();
+    return entity_.freeze(joints_insane);
+  }
+  columns_.v[0] = columns_.w[0] = {};
+  columns_.update_poses();
+  columns_.update_velocities();
+  columns_.remember_base();
 }
 
 /// The joints, and where the standing sole is to be. False if the entity was frozen.
@@ -166,7 +187,7 @@ void KinematicWalking::end_step() noexcept {
 
 bool KinematicWalking::goes_with(const Algorithm& other) const {
   const auto* same = dynamic_cast<const KinematicWalking*>(&other);
-  return same && &columns_.model == &same->columns_.model;
+  return same && !fixed_ && &columns_.model == &same->columns_.model;
 }
 
 std::unique_ptr<LaneGroup> KinematicWalking::join(std::span<Algorithm* const> members) const {

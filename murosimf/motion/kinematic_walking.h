@@ -19,6 +19,7 @@
 /// that of the stance before, which has led there. The other foot is lower when its lowest corner is 1 um below that of the
 /// standing one, and as long as that one turns also below what this moves the ends of the sole by, |t| half_length, at
 /// most 1 mm: else two feet that cannot both be flat would swap roles in every step.
+/// A robot whose base is bolted to the world (model/fixed_base.h) stands on no foot: its base keeps its place and its joints move.
 /// A robot that leans more than 30 degrees, or whose soles are both more than 20 mm away from the ground, is not taken over:
 /// only a jump could make it stand.
 /// Source:  paper 4.1.
@@ -43,7 +44,7 @@ class KinematicWalking final : public MotionLevel {
  public:
   static constexpr LevelTraits has{};
 
-  /// Throws SetupError if the model does not have exactly two soles.
+  /// Throws SetupError if the model has neither exactly two soles nor a fixed base.
   /// `environment`: what it walks on; null for the plane z = 0.
   explicit KinematicWalking(Setup& setup, const JointReferenceOptions& reference = {},
                             const Entity* environment = nullptr);
@@ -65,6 +66,7 @@ class KinematicWalking final : public MotionLevel {
     std::vector<int> path;  // links from the base outwards, base excluded
   };
 
+  void step_fixed(double dt) noexcept;
   [[nodiscard]] Foot with_path(const murosimf::Foot& foot) const;
   [[nodiscard]] std::size_t standing() const noexcept { return stance_foot_ != 0 ? 1 : 0; }  // number of that foot
   [[nodiscard]] const Foot& standing_foot() const noexcept { return feet_[standing()]; }
@@ -88,7 +90,8 @@ class KinematicWalking final : public MotionLevel {
   PoseColumns columns_;
   JointReference reference_;
   std::array<Foot, 2> feet_;
-  Vec3d up_;  // [1] axis of the base that is vertical when the robot stands with its joints at 0
+  bool fixed_;  // the base is bolted to the world; there are no feet then
+  Vec3d up_;    // [1] axis of the base that is vertical when the robot stands with its joints at 0
   const Entity* environment_;
   mutable collision::GroundSurface ground_;
   Vec3d& stance_pose_;       // [m, m, rad] x, y, heading of the standing sole

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "murosimf/model/fixed_base.h"
+
 namespace murosimf::properties {
 namespace {
 
@@ -12,6 +14,7 @@ constexpr std::array motion_entries{constant(joint_damping),
                                     constant(joint_rate_limit),
                                     constant(joint_spring_reference),
                                     constant(joint_coupling),
+                                    constant(fixed_base),
                                     variable(joint_load),
                                     variable(coupling_torque),
                                     variable(felt_acceleration),

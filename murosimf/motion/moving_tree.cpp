@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/collision/contact_properties.h"
+#include "murosimf/model/fixed_base.h"
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/multibody/integrate.h"
 
@@ -27,6 +28,7 @@ MovingTree::MovingTree(Setup& setup, const MovingTreeOptions& options, std::stri
       total_mass_(setup.write(properties::total_mass)[0]),
       dynamic_(setup.write(properties::dynamic)[0]),
       written_(columns) {
+  if (has_fixed_base(setup.model())) options_.fixed_base = true;
   if (!(setup.model().tree().mass > 0)) {
     throw SetupError(fmt::format("model '{}' has no mass; {} needs it", setup.model().name(), level));
   }

@@ -4,11 +4,26 @@
 #include <limits>
 
 #include "murosimf/collision/ground_points.h"
+#include "murosimf/model/fixed_base.h"
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/multibody/kinematics.h"
 #include "murosimf/multibody/link_motion.h"
 
 namespace murosimf::motion {
+namespace {
+
+/// [m] Of all that the robot has, where its base is now; 0 without shapes.
+double lowest_point(const PoseColumns& columns) noexcept {
+  const auto& shapes = collision::ground_shapes(columns.model);
+  if (shapes.empty()) return 0;
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const auto& shape : shapes) {
+    lowest = std::min(lowest, collision::lowest_point(shape, columns.r[shape.object], columns.R[shape.object], {}));
+  }
+  return lowest;
+}
+
+}  // namespace
 
 PoseColumns::PoseColumns(Setup& setup)
     : model(setup.model()),
@@ -64,19 +79,13 @@ void place_at_start(PoseColumns& columns, const Entity& entity) noexcept {
   columns.r[0] = {};
   columns.R[0] = Mat3d{};
   columns.update_poses();
-  if (const auto soles = model.having(properties::sole); !soles.empty() && !options.base_level) {
+  const bool fixed = has_fixed_base(model);
+  if (const auto soles = model.having(properties::sole); !soles.empty() && !options.base_level && !fixed) {
     columns.R[0] = transpose(columns.R[soles.front()]);
   }
   columns.R[0] = rotation_z(options.heading) * (options.attitude * columns.R[0]);
   columns.update_poses();
-
-  double lowest = 0;
-  const auto shapes = collision::ground_shapes(model);
-  if (!shapes.empty()) lowest = std::numeric_limits<double>::infinity();
-  for (const auto& shape : shapes) {
-    lowest = std::min(lowest, collision::lowest_point(shape, columns.r[shape.object], columns.R[shape.object], {}));
-  }
-  columns.r[0] = {options.position.x, options.position.y, options.position.z - lowest};
+  columns.r[0] = {options.position.x, options.position.y, options.position.z - (fixed ? 0 : lowest_point(columns))};
   columns.Q[0] = from_matrix(columns.R[0]);
   columns.update_poses();
 }

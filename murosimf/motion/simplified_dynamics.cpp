@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/collision/contact_properties.h"
+#include "murosimf/model/fixed_base.h"
 #include "murosimf/motion/free_state.h"
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/motion/rigid_lanes.h"
@@ -17,6 +18,7 @@ namespace murosimf::motion {
 SimplifiedDynamics::SimplifiedDynamics(Setup& setup, const SimplifiedDynamicsOptions& options)
     : entity_(setup.entity()),
       options_(options),
+      fixed_(has_fixed_base(setup.model())),
       period_(seconds(setup.period())),
       gravity_(setup.world().gravity),
       columns_(setup),
@@ -53,7 +55,7 @@ void SimplifiedDynamics::initialize() {
 void SimplifiedDynamics::check() const {
   reference_.check(options_.integrator);
   contacts_.check(options_.integrator, period_);
-  if (is_positive_definite(inertia_)) return;
+  if (fixed_ || is_positive_definite(inertia_)) return;
   throw SetupError(
       fmt::format("model '{}' has no inertia about some axis; give its masses an inertia", columns_.model.name()));
 }
@@ -70,10 +72,14 @@ void SimplifiedDynamics::take_over(const Momentum& momentum) {
   store_common_body(common_body());
   check();
   reference_.take_over(columns_);
-  columns_.w[0] = inverse(inertia_) * momentum.angular;
-  columns_.update_velocities();
-  velocity_ = (1 / mass_) * momentum.linear;
-  multibody::shift_all(columns_.v, velocity_ - common_body().velocity);
+  if (fixed_) {
+    follow_fixed_base();
+  } else {
+    columns_.w[0] = inverse(inertia_) * momentum.angular;
+    columns_.update_velocities();
+    velocity_ = (1 / mass_) * momentum.linear;
+    multibody::shift_all(columns_.v, velocity_ - common_body().velocity);
+  }
   dynamic_ = 1;
   columns_.remember_base();
   contacts_.answer_by(this);
@@ -84,7 +90,8 @@ bool SimplifiedDynamics::goes_with(const Algorithm& other) const {
   const auto keeps_center = [](const SimplifiedDynamicsOptions& options) {
     return options.integrator == Integrator::semi_implicit_euler && !options.base_rigid;
   };
-  return same && &columns_.model == &same->columns_.model && keeps_center(options_) && keeps_center(same->options_);
+  return same && !fixed_ && &columns_.model == &same->columns_.model && keeps_center(options_) &&
+         keeps_center(same->options_);
 }
 
 std::unique_ptr<LaneGroup> SimplifiedDynamics::join(std::span<Algorithm* const> members) const {
@@ -92,6 +99,7 @@ std::unique_ptr<LaneGroup> SimplifiedDynamics::join(std::span<Algorithm* const> 
 }
 
 void SimplifiedDynamics::step(const Instant& instant) noexcept {
+  if (fixed_) return step_fixed(seconds(instant.period));
   if (options_.integrator == Integrator::rk4 && !contacts_.solved()) return step_rk4(seconds(instant.period));
   const Course course = find_course(instant);
   if (!course.sane) return;
@@ -103,6 +111,22 @@ void SimplifiedDynamics::step(const Instant& instant) noexcept {
   } else {
     follow_center(course.body, course.angular_momentum);
   }
+  columns_.remember_base();
+}
+
+void SimplifiedDynamics::step_fixed(double dt) noexcept {
+  if (!contacts_.solved()) {
+    begin_step(dt);
+    contacts_.settle([&] {
+      solve(dt_);
+      predict_contacts();
+      return true;
+    });
+  }
+  if (!reference_.advance(columns_, dt_)) return halt(joints_insane);
+  contacts_.commit();
+  follow_fixed_base();
+  contacts_.renew();
   columns_.remember_base();
 }
 
@@ -186,6 +210,10 @@ void SimplifiedDynamics::begin_step(double dt) noexcept {
 }
 
 void SimplifiedDynamics::solve(double dt) noexcept {
+  if (fixed_) {
+    acceleration_ = {};
+    return;
+  }
   const Vec3d& w = columns_.w[0];
   Wrenchd force{-cross(w, inertia_ * w), mass_ * gravity_};
   Sym6d matrix{inertia_, {Vec3d{}, Vec3d{}, Vec3d{}}, diagonal(mass_)};
@@ -211,7 +239,7 @@ bool SimplifiedDynamics::free_pass(double dt) noexcept {
   pushed_in_island_ = false;
   begin_step(dt);
   solve(dt);
-  factor_.emplace(matrix_);
+  if (!fixed_) factor_.emplace(matrix_);
   return reference_.is_sane(columns_) && is_sane(acceleration_, dt);
 }
 
@@ -221,10 +249,11 @@ Vec3d SimplifiedDynamics::free_velocity(int, const Vec3d& point, const Vec3d& ve
 
 void SimplifiedDynamics::respond(int, const Vec3d& point, const Mat3d& directions,
                                  collision::ResponseRows& y) const noexcept {
-  collision::add_rigid_response(*factor_, collision::unit_forces(point - center_, directions), y);
+  if (!fixed_) collision::add_rigid_response(*factor_, collision::unit_forces(point - center_, directions), y);
 }
 
 void SimplifiedDynamics::apply(std::span<const double> z) noexcept {
+  if (fixed_) return;
   pushed_in_island_ = std::any_of(z.begin(), z.end(), [](double number) { return number != 0; });
   acceleration_ += (1 / dt_) * factor_->backward({z[0], z[1], z[2], z[3], z[4], z[5]});
 }
@@ -270,6 +299,14 @@ void SimplifiedDynamics::follow_base(const multibody::FreeBody<double>& body, co
   // the rigid body's velocity at the new center: joint rates do not count
   common.velocity = columns_.v[0] + cross(body.rate, common.center - columns_.r[0]);
   store_common_body(common);
+}
+
+void SimplifiedDynamics::follow_fixed_base() noexcept {
+  columns_.v[0] = columns_.w[0] = {};
+  columns_.update_poses();
+  columns_.update_velocities();
+  store_common_body(
+      multibody::common_body<double>(columns_.model.tree(), columns_.r, columns_.R, columns_.v, columns_.w));
 }
 
 void SimplifiedDynamics::store_common_body(const multibody::CommonBody<double>& common) noexcept {

@@ -26,6 +26,7 @@
 ///  * base-rigid (the paper's literal reading): the base is integrated as part of the rigid body, limbs then move the
 ///    center of mass (55 mm in the project's flight test), and w by Euler's equations, whatever they do to I.
 /// Joint motion never turns the base: that is the simplification; `full_dynamics` has it.
+/// A base that is bolted to the world (model/fixed_base.h) keeps its place, whatever pushes the robot: joints follow their targets.
 /// Source: paper 4.2.
 #pragma once
 
@@ -89,6 +90,9 @@ class SimplifiedDynamics final : public MotionLevel, private collision::ImpulseR
   void solve(double dt) noexcept;
   [[nodiscard]] Vec3d next_velocity(const Vec3d& point, const Vec3d& velocity) const noexcept;
   void predict_contacts() noexcept;
+  void step_fixed(double dt) noexcept;
+  /// The base at rest where it is, all else by the joints.
+  void follow_fixed_base() noexcept;
   /// [N m] that forces from outside make about the center of mass in the present step.
   [[nodiscard]] Vec3d outer_moment() const noexcept;
   [[nodiscard]] bool in_flight() const noexcept;
@@ -99,6 +103,7 @@ class SimplifiedDynamics final : public MotionLevel, private collision::ImpulseR
 
   Entity& entity_;
   SimplifiedDynamicsOptions options_;
+  bool fixed_;     // the base is bolted to the world
   double period_;  // [s]
   Vec3d gravity_;
   PoseColumns columns_;

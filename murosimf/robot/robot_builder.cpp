@@ -8,6 +8,7 @@
 #include "murosimf/description/robot_visuals.h"
 #include "murosimf/files/xml_element.h"
 #include "murosimf/model/error.h"
+#include "murosimf/model/fixed_base.h"
 #include "murosimf/model/keyframe.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
@@ -44,6 +45,7 @@ class Builder {
     if (base_joint != base) joints_.insert(base_joint);
     chain.base(free_name(base, description_.bodies[0].where, "body"));
     if (!base_joint.empty() && base_joint != base) chain.alias(base_joint);
+    if (description_.fixed_base) chain.with(properties::fixed_base, 1);
     if (!frames_.contains(base)) add_other_names(chain, table_.frames, base);
     add_pairs(chain);
     add_keyframes(chain);
@@ -232,7 +234,7 @@ class Builder {
       chain.with(properties::mass, body.solid.mass);
       chain.with(properties::center_of_mass, body.solid.center);
       chain.with(properties::inertia, body.solid.inertia);
-    } else if (!body.joints.empty() || body.parent < 0) {
+    } else if (!body.joints.empty() || (body.parent < 0 && !description_.fixed_base)) {
       description_.warnings.push_back(
           files::one_line(fmt::format("{}: body '{}' moves but has no mass; add an inertial", body.where, body.name)));
     }

@@ -84,7 +84,7 @@ void sort_feet(description::RobotDescription& description, std::vector<std::stri
 }
 
 void guess_soles(description::RobotDescription& description, RobotConfig& table) {
-  if (!table.soles.empty() || has_sole(description, table)) return;
+  if (description.fixed_base || !table.soles.empty() || has_sole(description, table)) return;
   std::vector<std::string> feet = frames_called_sole(description);
   std::erase_if(feet, [&](const std::string& foot) {
     return !sole_under(description, find_place(description, foot)->body, foot);

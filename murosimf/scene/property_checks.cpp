@@ -10,6 +10,7 @@
 
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/catalog/property_catalog.h"
+#include "murosimf/model/fixed_base.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/motion/servo_law.h"
@@ -176,8 +177,9 @@ std::string why_no_target(const Model& model, int joint, const std::vector<const
 
 /// It would move a base that is bolted to the world.
 bool moves_fixed_base(const scene_file::RobotSpec& robot, const std::vector<const catalog::LevelType*>& levels,
-                      int index, std::string_view property) {
+                      const Model& model, int index, std::string_view property) {
   const bool moves = property == "linear_velocity" || property == "angular_velocity" || property == "applied_force";
+  if (index == 0 && moves && has_fixed_base(model)) return true;
   return robot.fixed_base && index == 0 && moves && std::ranges::all_of(levels, [](const catalog::LevelType* level) {
            return catalog::has_word(level->keys, "fixed_base");
          });
@@ -190,7 +192,7 @@ std::string why_it_does_not_act(const scene_file::SceneSpec& spec, const scene_f
     return catalog::has_word(level->inputs, property.name);
   });
   if (!acts) return fmt::format("{} does not use '{}'", levels.front()->name, property.name);
-  if (moves_fixed_base(robot, levels, index, property.name)) return "its base is fixed";
+  if (moves_fixed_base(robot, levels, entity.model(), index, property.name)) return "its base is fixed";
   if (property.name == "joint_target" || property.name == "joint_velocity_target") {
     return why_no_target(entity.model(), index, levels, property.name);
   }

@@ -9,6 +9,7 @@
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/collision/ground_points.h"
 #include "murosimf/model/error.h"
+#include "murosimf/model/fixed_base.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/scene/scene_algorithms.h"
@@ -28,7 +29,7 @@ Mat3d turn_to(Entity& robot, double heading) {
 /// [m] Of the lowest point, above the base, after that turn.
 double lowest_point(Entity& robot, const Mat3d& turn) {
   const auto& shapes = collision::ground_shapes(robot.model());
-  if (shapes.empty()) return 0;
+  if (shapes.empty() || has_fixed_base(robot.model())) return 0;
   const Vec3d base = robot.base().get(properties::position);
   double lowest = std::numeric_limits<double>::infinity();
   for (const collision::GroundShape& shape : shapes) {

@@ -21,7 +21,7 @@ except ImportError as missing:
 from comparison import Worst
 
 # [rad] Steps of 1 ms here and of 0.1 ms there; joints swing by 1 rad in 0.1 s, so a millisecond is 10 mrad at the worst.
-TOLERANCES = {"joint position": 0.012, "mass": 1e-9, "place": 1e-9}
+TOLERANCES = {"joint position": 0.012, "mass": 1e-9, "place": 1e-9, "spring": 1e-6, "damper": 1e-6}
 TIMES = [0.05, 0.2, 1.0]  # [s]
 
 ARM = """<mujoco><compiler angle="radian"/>{before}<worldbody><body name="b" pos="0 0 1">{free}<geom size=".1"/>
@@ -61,7 +61,6 @@ name = "a"
 model = "robot.xml"
 level = "articulated_dynamics"
 controller = "none"
-fixed_base = true
 position = [0, 0, 1]
 """
 
@@ -84,10 +83,12 @@ def expected(text, control):
 
 
 def found(program, folder, text, target):
-    """The same here."""
+    """The same here, with a base that the scene bolts to the world if it has a free joint, else by the file itself."""
     scene, log = folder / "scene.toml", folder / "log.csv"
     (folder / "robot.xml").write_text(text, encoding="utf-8")
     words = SCENE.format(end=TIMES[-1] + 0.01)
+    if "<freejoint/>" in text:
+        words += "fixed_base = true\n"
     if "<key " in text:
         words += 'keyframe = "k"\n'
     if target is not None:
@@ -107,10 +108,11 @@ def compare_motion(program, folder, worst):
     """Where the joint is."""
     for case, (joint, sections, control, target) in CASES.items():
         theirs = ARM.format(before="", free="", joint=joint, after=sections.replace("{base}", ""))
-        ours = ARM.format(before="", free="<freejoint/>", joint=joint, after=sections.replace("{base}", "0 0 1 1 0 0 0 "))
-        here, there = found(program, folder, ours, target), expected(theirs, control)
-        for time, x, y in zip(TIMES, here, there, strict=True):
-            worst.note("joint position", f"{case} at {time} s: {x:.4f}, not {y:.4f}", abs(x - y))
+        freed = ARM.format(before="", free="<freejoint/>", joint=joint, after=sections.replace("{base}", "0 0 1 1 0 0 0 "))
+        there = expected(theirs, control)
+        for kind, ours in (("bolted by the scene", freed), ("bolted by the file", theirs)):
+            for time, x, y in zip(TIMES, found(program, folder, ours, target), there, strict=True):
+                worst.note("joint position", f"{case}, {kind}, at {time} s: {x:.4f}, not {y:.4f}", abs(x - y))
 
 
 COPIES = {
@@ -121,6 +123,11 @@ COPIES = {
     "attach": """<mujoco><compiler angle="radian"/><asset><model name="arm" file="arm.xml"/></asset><worldbody><body name="b">
 <freejoint/><geom size=".1"/><frame pos="0 .1 0" euler="0 0 1"><attach model="arm" body="up" prefix="l_"/></frame>
 <attach model="arm" body="up" prefix="r_"/></body></worldbody></mujoco>""",
+    "bolted": """<mujoco><compiler inertiagrouprange="0 2"/><worldbody><frame pos="0 .5 0" euler="30 0 0"><body name="stand" pos="0 0 1">
+<geom type="box" size=".1 .2 .3"/><body name="l" pos="0 0 .3"><joint name="j" axis="0 1 0"/><joint name="s" type="slide" axis="1 0 0"/>
+<geom type="box" size=".1 .2 .3" pos=".1 0 0"/><geom size=".2" group="3"/></body></body></frame><body name="spinner" pos="1 0 0">
+<joint name="k" axis="0 0 1" springdamper=".2 .7"/><geom type="capsule" fromto="0 0 0 .3 0 .1" size=".02"/><body name="m" pos=".3 0 0">
+<joint name="n" axis="0 0 1" springdamper=".1 1"/><geom size=".05"/></body></body></worldbody></mujoco>""",
     "frame": """<mujoco><worldbody><body name="b"><freejoint/><geom size=".1"/><frame euler="0 0 90"><body name="l">
 <frame pos="1 0 0" euler="0 0 90"><joint name="j" axis="1 0 0" pos="0 0 1"/><geom type="box" size=".1 .2 .3"/></frame>
 </body></frame></body></worldbody></mujoco>""",
@@ -132,7 +139,7 @@ ATTACHED = """<mujoco><compiler angle="degree"/><default><geom density="500"/></
 
 
 def joint_names(model):
-    return [model.joint(i).name for i in range(1, model.njnt)]
+    return [model.joint(i).name for i in range(model.njnt) if model.jnt_type[i] != mujoco.mjtJoint.mjJNT_FREE]
 
 
 def compare_copies(program, folder, worst):
@@ -147,13 +154,20 @@ def compare_copies(program, folder, worst):
             sys.exit(f"{case}: the joints are others: {joint_names(ours)}, not {joint_names(theirs)}")
         there, here = mujoco.MjData(theirs), mujoco.MjData(ours)
         for model, state in ((theirs, there), (ours, here)):
-            state.qpos[7:] = [0.3 * (i + 1) for i in range(model.njnt - 1)]
+            first = model.jnt_qposadr[0] + 7 if model.jnt_type[0] == mujoco.mjtJoint.mjJNT_FREE else 0
+            state.qpos[first:] = [0.3 * (i + 1) for i in range(model.nq - first)]
             mujoco.mj_forward(model, state)
-        worst.note("mass", case, abs(theirs.body_subtreemass[1] - ours.body_subtreemass[1]))
+        worst.note("mass", case, abs(theirs.body_subtreemass[0] - ours.body_subtreemass[0]))
+        worst.note("spring", case, np.max(np.abs(theirs.jnt_stiffness - ours.jnt_stiffness), initial=0))
+        worst.note("damper", case, np.max(np.abs(theirs.dof_damping - ours.dof_damping), initial=0))
+        free = theirs.jnt_type[0] == mujoco.mjtJoint.mjJNT_FREE  # then it is placed by scenes
+        origins = [state.xpos[1] if free else np.zeros(3) for state in (there, here)]
         for i in range(1, theirs.nbody):
             name = theirs.body(i).name
+            if name == "stand":
+                continue  # a part of the fixed base there
             k = ours.body(name).id
-            apart = (there.xipos[i] - there.xpos[1]) - (here.xipos[k] - here.xpos[1])
+            apart = (there.xipos[i] - origins[0]) - (here.xipos[k] - origins[1])
             worst.note("place", f"{case} {name}", np.max(np.abs(apart)))
 
 

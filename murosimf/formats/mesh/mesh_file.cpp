@@ -7,6 +7,7 @@
 #include "murosimf/files/input_file.h"
 #include "murosimf/files/xml_element.h"
 #include "murosimf/formats/mesh/dae_file.h"
+#include "murosimf/formats/mesh/msh_file.h"
 #include "murosimf/formats/mesh/obj_file.h"
 #include "murosimf/formats/mesh/stl_file.h"
 #include "murosimf/model/error.h"
@@ -27,10 +28,11 @@ std::size_t checked_size(const std::filesystem::path& path) {
 
 MeshFile read_any(const std::filesystem::path& path) {
   const std::string extension = lower_case(path.extension().string());
-  const bool known = extension == ".stl" || extension == ".obj" || extension == ".dae";
+  const bool known = extension == ".stl" || extension == ".obj" || extension == ".dae" || extension == ".msh";
   if (!known) fail(path, fmt::format("unknown kind of mesh file '{}'; convert it to .stl, .obj or .dae", extension));
   const std::size_t size = checked_size(path);
   if (extension == ".dae") return read_dae(path);
+  if (extension == ".msh") return read_msh(path, size);
   return extension == ".stl" ? read_stl(path, size) : read_obj(path);
 }
 

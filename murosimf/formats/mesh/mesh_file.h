@@ -1,10 +1,11 @@
-/// mesh_file.h - triangle meshes from STL, OBJ and COLLADA files.
+/// mesh_file.h - triangle meshes from STL, OBJ and COLLADA files, and MuJoCo's own.
 ///
 /// Our own small readers, because users need file and line of what is wrong with a mesh.
 /// STL: binary and ASCII, several solids count as one. Told apart by size and content, because many binary files begin
 /// with "solid", too. Normals and attribute bytes are ignored.
 /// OBJ: v and f lines, polygons as fans; normals, textures, materials, lines and curves are ignored.
 /// COLLADA: geometries of the scene (dae_file.h).
+/// MSH: MuJoCo's binary format (msh_file.h).
 #pragma once
 
 #include <cstddef>
@@ -31,7 +32,7 @@ struct MeshFile {
   std::vector<std::size_t> part_begin;  ///< first triangle of each object, group or geometry that has triangles
 };
 
-/// The kind of file goes by its extension, .stl, .obj or .dae in any case. Throws SetupError, one line: file, line if there is
+/// The kind of file goes by its extension, .stl, .obj, .dae or .msh in any case. Throws SetupError, one line: file, line if there is
 /// one, what is wrong, what to do. Finite numbers and valid indices are sure; that the surface closes is not.
 [[nodiscard]] MeshFile read_mesh_file(const std::filesystem::path& file);
 

@@ -52,7 +52,7 @@ class ActuatorReader {
 
   [[nodiscard]] MjcfControl control(std::string joint) const {
     const double gain = per_target();
-    if (gain == 0) return {std::move(joint)};
+    if (gain == 0 || gains_.integrates) return {std::move(joint)};
     return {std::move(joint), gains_.bias[1] != 0, gains_.gain / gain, gains_.bias[0] / gain};
   }
 
@@ -76,7 +76,9 @@ class ActuatorReader {
 
   void set_target_range(MjcfActuator& actuator) const {
     if (is_motor() || per_target() == 0) return;
-    if (gains_.inherited_range > 0) {
+    if (gains_.integrates) {
+      set_range_of_activation(actuator);
+    } else if (gains_.inherited_range > 0) {
       actuator.inherited_range = gains_.inherited_range;
       actuator.per_range = gains_.gain / per_target();
     } else if (gains_.gain == 0) {  // the control has no say
@@ -87,6 +89,14 @@ class ActuatorReader {
           scaled(gains_.gain / per_target(), gains_.bias[0] / per_target(), attributes_.numbers("ctrlrange", 2, 2));
       actuator.target_range = Vec3d{lowest, highest, 0};
     }
+  }
+
+  /// The integral of the control takes its place.
+  void set_range_of_activation(MjcfActuator& actuator) const {
+    if (!is_limited(attributes_, "actlimited", "actrange", compiler_)) return;
+    const auto [lowest, highest] =
+        scaled(gains_.gain / per_target(), gains_.bias[0] / per_target(), attributes_.numbers("actrange", 2, 2));
+    actuator.target_range = Vec3d{lowest, highest, 0};
   }
 
   const MjcfAttributes& attributes_;
@@ -126,19 +136,22 @@ std::string read_joint(const MjcfAttributes& attributes, const MjcfNames& names)
 /// Of the whole section.
 class Reader {
  public:
-  Reader(const MjcfDefaults& defaults, const MjcfCompiler& compiler, const MjcfNames& names, bool lenient,
+  Reader(const MjcfDefaults& defaults, const MjcfCompiler& compiler, const MjcfNames& names,
          description::RobotDescription& description)
-      : defaults_(defaults), compiler_(compiler), names_(names), lenient_(lenient), description_(description) {}
+      : defaults_(defaults), compiler_(compiler), names_(names), description_(description) {}
 
   void read(const files::XmlElement& element) {
     const auto name = element.attribute("name");
     if (name && !taken_.insert(*name).second)
       element.fail(fmt::format("actuator '{}' appears twice; rename one", *name));
+    if (!is_actuator(element.tag())) return leave_out(element, fmt::format("a {} is not simulated", element.tag()));
     const MjcfAttributes attributes = defaults_.resolve(element);
     const MjcfGains gains = read_gains(defaults_.settings(element), element);
-    if (!attributes.has("joint"))
-      return leave_out(element, "actuator without joint; add joint=\"...\"", "it moves no joint");
-    if (!gains.obstacle.empty()) return leave_out(element, "actuator: " + gains.obstacle, gains.obstacle);
+    if (!attributes.has("joint")) return leave_out(element, why_without_joint(attributes));
+    if (names_.is_elsewhere("joint", attributes.text("joint")))
+      return leave_out(element, "its joint is not the robot's");
+    if (!gains.obstacle.empty()) return leave_out(element, gains.obstacle);
+    if (gains.integrates) name_integral(element);
     const ActuatorReader reader(attributes, gains, compiler_);
     const std::string joint = read_joint(attributes, names_);
     result_.controls.push_back(reader.control(joint));
@@ -153,16 +166,28 @@ class Reader {
   [[nodiscard]] MjcfActuators result() && { return std::move(result_); }
 
  private:
-  void leave_out(const files::XmlElement& element, const std::string& refusal, const std::string& reason) {
-    if (!lenient_) element.fail(refusal);
-    description_.warnings.push_back(files::one_line(fmt::format("{}: actuator ignored: {}", element.where(), reason)));
+  void leave_out(const files::XmlElement& element, const std::string& reason) {
+    description_.warnings.push_back(files::one_line(fmt::format("{}: actuator '{}' moves nothing: {}", element.where(),
+                                                                element.attribute("name").value_or(""), reason)));
     result_.controls.emplace_back();
+  }
+
+  [[nodiscard]] static std::string why_without_joint(const MjcfAttributes& attributes) {
+    for (const char* other : {"tendon", "site", "body", "jointinparent", "slidersite", "cranksite"}) {
+      if (attributes.has(other)) return fmt::format("one of a {} is not simulated", other);
+    }
+    return "it has no joint; add joint=\"...\"";
+  }
+
+  void name_integral(const files::XmlElement& element) {
+    description_.notes.push_back(files::one_line(
+        fmt::format("{}: the control of this actuator is a rate in MuJoCo; here its joint has a target position",
+                    element.where())));
   }
 
   const MjcfDefaults& defaults_;
   const MjcfCompiler& compiler_;
   const MjcfNames& names_;
-  bool lenient_;
   description::RobotDescription& description_;
   std::set<std::string> taken_;
   MjcfActuators result_;
@@ -171,14 +196,30 @@ class Reader {
 }  // namespace
 
 MjcfActuators read_actuators(const files::XmlElement& root, const MjcfDefaults& defaults, const MjcfCompiler& compiler,
-                             const MjcfNames& names, bool lenient, description::RobotDescription& description) {
-  Reader reader(defaults, compiler, names, lenient, description);
+                             const MjcfNames& names, description::RobotDescription& description) {
+  Reader reader(defaults, compiler, names, description);
   for (const files::XmlElement& section : root.children("actuator")) {
     for (const files::XmlElement& element : section.children()) {
-      if (is_actuator(element.tag())) reader.read(element);
+      reader.read(element);
     }
   }
   return std::move(reader).result();
+}
+
+void drop_idle_controls(MjcfActuators& actuators, description::RobotDescription& description) {
+  std::set<std::string> known;
+  for (const description::BodyDescription& body : description.bodies) {
+    for (const description::JointDescription& joint : body.joints) known.insert(joint.name);
+  }
+  for (const auto& [joint, actuator] : actuators.by_joint) {
+    if (known.contains(joint)) continue;
+    description.warnings.push_back(
+        files::one_line(fmt::format("{}: actuators of joint '{}' move nothing: it is neither a hinge nor a slide",
+                                    description.file.string(), joint)));
+  }
+  for (MjcfControl& control : actuators.controls) {
+    if (!known.contains(control.joint)) control = {};
+  }
 }
 
 void set_torque_range(Servo& servo, double one, double other) {

@@ -7,6 +7,8 @@
 ///
 /// or, without b1, a rate: (b0 + gain u) / (-b2 g). Without both it is a motor, whose control is a torque. `ctrlrange` holds the
 /// target, or the torque of a motor; `forcerange`, g times, holds the torque. MJCF knows neither speed limit nor supply.
+/// An actuator whose control is integrated (`intvelocity`, `dyntype` integrator) moves that target at a rate; here software gives the
+/// target itself, held to `actrange`.
 /// Rotor inertia and friction are those of the joint (joint_armature, joint_damping, joint_friction), not repeated here.
 /// Source: MuJoCo documentation, "Actuation model" and "Actuator shortcuts".
 #pragma once
@@ -47,10 +49,13 @@ struct MjcfActuators {
 /// Torques [N m] that a servo can give, in any order.
 void set_torque_range(Servo& servo, double one, double other);
 
-/// Several actuators at one joint: the largest of each number counts, with a line in the notes of `description`. Throws SetupError for an
-/// unknown joint; an actuator without a joint, or of a kind that is not simulated, is refused unless `lenient`, then a warning.
+/// Several actuators at one joint: the largest of each number counts, with a line in the notes of `description`. An actuator without a
+/// joint, or of a kind that is not simulated, moves nothing and is a warning. Throws SetupError for an unknown joint.
 [[nodiscard]] MjcfActuators read_actuators(const files::XmlElement& root, const MjcfDefaults& defaults,
-                                           const MjcfCompiler& compiler, const MjcfNames& names, bool lenient,
+                                           const MjcfCompiler& compiler, const MjcfNames& names,
                                            description::RobotDescription& description);
+
+/// Once the bodies are read: actuators of what is no single joint of `description` (a ball, the base) move nothing, which is a warning.
+void drop_idle_controls(MjcfActuators& actuators, description::RobotDescription& description);
 
 }  // namespace murosimf::formats::mjcf

@@ -17,6 +17,21 @@ class BodyReader {
   BodyReader(const MjcfContext& context, description::RobotDescription& description)
       : context_(context), description_(description) {}
 
+  void read_world(const files::XmlElement& root) {
+    description_.fixed_base = true;
+    description::BodyDescription body;
+    body.name = world_name;
+    for (const files::XmlElement& world : root.children("worldbody")) {
+      if (body.where.empty()) body.where = world.where();
+      const std::string child_class = context_.defaults.child_class(world, {});
+      for (const MjcfChild& child : children_in(world, child_class, context_.defaults, context_.compiler)) {
+        const bool site = child.element.tag() == "site" && child.element.attribute("name");
+        if (site) body.frames.push_back(read_site(child));
+      }
+    }
+    description_.bodies.push_back(std::move(body));
+  }
+
   void read_base(const files::XmlElement& base, const std::string& outer_class) {
     int joints = 0;
     for (const MjcfChild& child : children_in(base, {}, context_.defaults, context_.compiler)) {
@@ -25,10 +40,28 @@ class BodyReader {
       if (++joints > 1) joint.fail("the base has a second joint; besides its free joint it can have none");
       description_.base_joint = joint.attribute("name").value_or("");
     }
+    check_gravity(base);
     description::BodyDescription body;
     body.name = context_.names.of(base);
     body.where = base.where();
     finish(base, context_.defaults.child_class(base, outer_class), std::move(body));
+  }
+
+  void read_body(const MjcfChild& child, int parent) {
+    const files::XmlElement& element = child.element;
+    check_gravity(element);
+    description::BodyDescription body;
+    body.name = context_.names.of(element);
+    body.where = element.where();
+    body.parent = parent;
+    body.place = child.frame * place_of(own_attributes(element));
+    const std::string child_class = context_.defaults.child_class(element, child.child_class);
+    for (const MjcfChild& inner : children_in(element, child_class, context_.defaults, context_.compiler)) {
+      const files::XmlElement& joint = inner.element;
+      if (joint.tag() == "freejoint") joint.fail("freejoint inside the robot; only its base may be free");
+      if (joint.tag() == "joint") read_joints(inner, context_, body.joints);
+    }
+    finish(element, child_class, std::move(body));
   }
 
  private:
@@ -47,22 +80,6 @@ class BodyReader {
     }
   }
 
-  void read_body(const MjcfChild& child, int parent) {
-    const files::XmlElement& element = child.element;
-    description::BodyDescription body;
-    body.name = context_.names.of(element);
-    body.where = element.where();
-    body.parent = parent;
-    body.place = child.frame * place_of(own_attributes(element));
-    const std::string child_class = context_.defaults.child_class(element, child.child_class);
-    for (const MjcfChild& inner : children_in(element, child_class, context_.defaults, context_.compiler)) {
-      const files::XmlElement& joint = inner.element;
-      if (joint.tag() == "freejoint") joint.fail("freejoint inside the robot; only its base may be free");
-      if (joint.tag() == "joint") body.joints.push_back(read_joint(inner, context_));
-    }
-    finish(element, child_class, std::move(body));
-  }
-
   void read_solid(const files::XmlElement& element, const std::vector<MjcfChild>& children,
                   description::BodyDescription& body) {
     std::vector<description::MassProperties> solids;
@@ -73,7 +90,9 @@ class BodyReader {
       if (child.element.tag() != "geom") continue;
       const MjcfAttributes attributes = context_.defaults.resolve(child.element, child.child_class);
       const MjcfGeom geom = read_geom(attributes, geom_context);
-      solids.push_back(description::moved(geom.solid, child.frame.position, child.frame.orientation));
+      if (counts(attributes)) {
+        solids.push_back(description::moved(geom.solid, child.frame.position, child.frame.orientation));
+      }
       for (std::size_t i = 0; i < geom.shapes.size(); ++i) {
         body.shapes.push_back(make_shape(child, attributes, geom.shapes[i]));
         body.shapes.back().middle = geom.middles[i];
@@ -83,6 +102,12 @@ class BodyReader {
     body.solid = read_mass(element, solids, context_.compiler, context_.warnings);
     const auto inertials = element.children("inertial");
     if (!mass_from_geoms(element, context_.compiler) && !inertials.empty()) body.solid_where = inertials[0].where();
+  }
+
+  /// A geom of this group makes mass.
+  [[nodiscard]] bool counts(const MjcfAttributes& geom) const {
+    const double group = geom.number("group", 0);
+    return group >= context_.compiler.first_group && group <= context_.compiler.last_group;
   }
 
   [[nodiscard]] description::ShapeDescription make_shape(const MjcfChild& child, const MjcfAttributes& attributes,
@@ -105,8 +130,9 @@ class BodyReader {
   [[nodiscard]] description::FrameDescription read_site(const MjcfChild& child) const {
     const MjcfAttributes attributes = context_.defaults.resolve(child.element, child.child_class);
     description::FrameDescription frame{context_.names.of(child.element), child.element.where()};
-    frame.place = child.frame * place_of(attributes);
-    const bool box = attributes.text("type") == "box" && attributes.has("size");
+    const bool along = attributes.has("fromto");
+    frame.place = child.frame * (along ? between_ends(attributes).place() : place_of(attributes));
+    const bool box = !along && attributes.text("type") == "box" && attributes.has("size");
     const auto size = box ? attributes.numbers("size", 2, 3) : std::vector<double>(2);
     if (size[0] > 0 && size[1] > 0) frame.box = Sole{size[0], size[1]};
     return frame;
@@ -128,6 +154,15 @@ class BodyReader {
       camera.place = place * camera.place;
     }
     description_.sensors.push_back(std::move(camera));
+  }
+
+  /// Its weight is taken from a body with gravcomp="1", which is not simulated.
+  void check_gravity(const files::XmlElement& body) const {
+    if (own_attributes(body).number("gravcomp", 0) == 0) return;
+    const std::string what =
+        fmt::format("body '{}' feels another gravity (gravcomp), which is not simulated", context_.names.of(body));
+    if (!context_.lenient) body.fail(what + "; --lenient reads it without");
+    context_.warnings.push_back(files::one_line(fmt::format("{}: {}", body.where(), what)));
   }
 
   [[nodiscard]] static MjcfAttributes own_attributes(const files::XmlElement& element) {
@@ -153,9 +188,15 @@ bool has_free_joint(const files::XmlElement& body, const std::string& outer_clas
   });
 }
 
-void read_bodies(const files::XmlElement& base, const std::string& child_class, const MjcfContext& context,
+void read_bodies(const files::XmlElement& root, const MjcfTrees& trees, const MjcfContext& context,
                  description::RobotDescription& description) {
-  BodyReader(context, description).read_base(base, child_class);
+  BodyReader reader(context, description);
+  if (trees.bolted) reader.read_world(root);
+  for (const MjcfTree& tree : trees.all) {
+    if (!tree.of_robot) continue;
+    trees.bolted ? reader.read_body({tree.body, tree.child_class, tree.frame}, 0)
+                 : reader.read_base(tree.body, tree.child_class);
+  }
 }
 
 }  // namespace murosimf::formats::mjcf

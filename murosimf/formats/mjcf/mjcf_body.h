@@ -2,12 +2,14 @@
 #pragma once
 
 #include "murosimf/formats/mjcf/mjcf_context.h"
+#include "murosimf/formats/mjcf/mjcf_trees.h"
 
 namespace murosimf::formats::mjcf {
 
-/// The whole robot, from the body with the free joint on. Its place in the file is left out: the scene places robots.
-/// Fills bodies, cameras and base_joint of `description`.
-void read_bodies(const files::XmlElement& base, const std::string& child_class, const MjcfContext& context,
+/// The whole robot. Of a tree that floats the first body is the base, and its place in the file is left out: the scene places robots.
+/// Of bolted trees the world is the base, without mass, with its sites that have a name.
+/// Fills bodies, cameras, fixed_base and base_joint of `description`.
+void read_bodies(const files::XmlElement& root, const MjcfTrees& trees, const MjcfContext& context,
                  description::RobotDescription& description);
 
 /// Whether it has a `freejoint` or a joint of type free.

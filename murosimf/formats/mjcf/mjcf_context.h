@@ -15,6 +15,13 @@
 
 namespace murosimf::formats::mjcf {
 
+/// What a joint says of its spring and damper instead of their numbers (mjcf_joint.h).
+struct MjcfSpringDamper {
+  std::string joint;
+  double time = 0;   ///< [s] time constant
+  double ratio = 0;  ///< [1] damping over the critical one
+};
+
 struct MjcfContext {
   const MjcfDefaults& defaults;
   const MjcfCompiler& compiler;
@@ -23,7 +30,8 @@ struct MjcfContext {
   const MjcfMaterials& materials;
   bool lenient = false;
   MjcfMeshes& meshes;
-  std::vector<std::string>& warnings;
+  std::vector<std::string>&warnings, &notes;
+  std::vector<MjcfSpringDamper>& springs;
 };
 
 }  // namespace murosimf::formats::mjcf

@@ -12,7 +12,10 @@ namespace murosimf::formats::mjcf {
 namespace {
 
 /// Of elements that share their settings.
-std::string kind_of(const std::string& tag) { return is_actuator(tag) ? "actuator" : tag; }
+std::string kind_of(const std::string& tag) {
+  if (tag == "spatial" || tag == "fixed") return "tendon";
+  return is_actuator(tag) ? "actuator" : tag;
+}
 
 constexpr std::array orientations{"quat", "axisangle", "xyaxes", "zaxis", "euler"};
 

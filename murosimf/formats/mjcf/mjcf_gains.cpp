@@ -49,8 +49,7 @@ void begin(const std::string& shortcut, State& state) {
 }
 
 /// biasprm[2] above zero is the ratio of damping until the inertia is known, as in MuJoCo.
-void set_position(const MjcfAttributes& attributes, State& state) {
-  begin("position", state);
+void set_position_gains(const MjcfAttributes& attributes, State& state) {
   const double kp = positive_or_zero(attributes, "kp", state.gain[0]);
   const double kv = positive_or_zero(attributes, "kv", 0), ratio = positive_or_zero(attributes, "dampratio", 0);
   if (kv > 0 && ratio > 0) attributes.element().fail("both kv and dampratio; keep one");
@@ -58,6 +57,13 @@ void set_position(const MjcfAttributes& attributes, State& state) {
   state.bias[1] = 0 - kp;  // no -0
   if (attributes.has("kv")) state.bias[2] = 0 - kv;
   if (attributes.has("dampratio")) state.bias[2] = ratio;
+  state.gain_type = "fixed";
+  state.bias_type = "affine";
+}
+
+void set_position(const MjcfAttributes& attributes, State& state) {
+  begin("position", state);
+  set_position_gains(attributes, state);
   if (attributes.has("timeconst")) {
     state.dynamics[0] = positive_or_zero(attributes, "timeconst", 0);
     state.dynamics_type = state.dynamics[0] > 0 ? "filterexact" : "none";
@@ -66,8 +72,13 @@ void set_position(const MjcfAttributes& attributes, State& state) {
   if (state.inherited_range > 0 && attributes.has("ctrlrange")) {
     attributes.element().fail("both ctrlrange and inheritrange; keep one");
   }
-  state.gain_type = "fixed";
-  state.bias_type = "affine";
+}
+
+/// A position actuator whose target is the integral of its control.
+void set_integrated_velocity(const MjcfAttributes& attributes, State& state) {
+  begin("intvelocity", state);
+  set_position_gains(attributes, state);
+  state.dynamics_type = "integrator";
 }
 
 void set_velocity(const MjcfAttributes& attributes, State& state) {
@@ -104,6 +115,7 @@ void apply(const files::XmlElement& element, State& state) {
   if (tag == "position") set_position(attributes, state);
   if (tag == "velocity") set_velocity(attributes, state);
   if (tag == "motor") set_motor(state);
+  if (tag == "intvelocity") set_integrated_velocity(attributes, state);
   if (tag == "general") set_general(attributes, state);
 }
 
@@ -112,6 +124,8 @@ std::string obstacle_of(const State& state) {
   if (state.bias_type != "none" && state.bias_type != "affine") {
     return fmt::format("biastype '{}' is not simulated", state.bias_type);
   }
+  const bool holds = state.bias_type == "affine" && state.bias[1] < 0;
+  if (state.dynamics_type == "integrator" && holds) return {};
   const bool filter = state.dynamics_type == "filter" || state.dynamics_type == "filterexact";
   if (state.dynamics_type != "none" && !filter)
     return fmt::format("dyntype '{}' is not simulated", state.dynamics_type);
@@ -128,14 +142,15 @@ MjcfGains read_gains(const std::vector<files::XmlElement>& settings, const files
   apply(actuator, state);
   MjcfGains gains{.gain = state.gain[0], .inherited_range = state.inherited_range, .obstacle = obstacle_of(state)};
   if (!gains.obstacle.empty()) return gains;
-  if (state.dynamics_type != "none") gains.time_constant = state.dynamics[0];
+  gains.integrates = state.dynamics_type == "integrator";
+  if (!gains.integrates && state.dynamics_type != "none") gains.time_constant = state.dynamics[0];
   if (state.bias_type != "affine") return gains;
   std::copy_n(state.bias.begin(), gains.bias.size(), gains.bias.begin());
   if (state.bias[2] > 0 && state.gain[0] == -state.bias[1]) {
     gains.damping_ratio = state.bias[2];
     gains.bias[2] = 0;
   }
-  if (gains.bias[1] > 0 || gains.bias[2] > 0) actuator.fail("a gain of this actuator is negative; correct it");
+  if (gains.bias[1] > 0 || gains.bias[2] > 0) gains.obstacle = "a gain of it is negative";
   if (gains.bias[0] != 0 && gains.bias[1] == 0 && gains.bias[2] == 0) {
     gains.obstacle = "a constant force (biasprm[0]) without gains is not simulated";
   }

@@ -21,6 +21,7 @@ struct MjcfGains {
   double time_constant = 0;      ///< [s] of the filter between control and force; 0: none
   double damping_ratio = 0;      ///< [1] of a position actuator, instead of bias[2]; 0: none
   double inherited_range = 0;    ///< [1] share of the joint's range that the control is held to; 0: ctrlrange says
+  bool integrates = false;       ///< the control is a rate of what the force takes for it
   std::string obstacle;          ///< why it is not simulated; empty: it is
 };
 

@@ -38,12 +38,9 @@ Shape read_shape(const MjcfAttributes& attributes, const std::string& type) {
 
 /// A long shape given by the ends of its z axis; sets the place, too.
 Shape read_from_to(const MjcfAttributes& attributes, const std::string& type, PlacedShape& placed) {
-  const auto ends = attributes.numbers("fromto", 6, 6);
-  const Vec3d from{ends[0], ends[1], ends[2]}, to{ends[3], ends[4], ends[5]};
-  const double half = 0.5 * norm(to - from);
-  if (!(half > 1e-9)) attributes.source("fromto").fail("fromto needs two different points");
-  placed.position = 0.5 * (from + to);
-  placed.orientation = turn_of_z(from - to);
+  const auto [middle, turn, half] = between_ends(attributes);
+  placed.position = middle;
+  placed.orientation = turn;
   const double radius = sizes(attributes, 1)[0];
   if (type == "capsule") return Capsule{radius, half};
   if (type == "cylinder") return Cylinder{radius, half};
@@ -142,6 +139,14 @@ MjcfGeom read_mesh_unless_unfit(const MjcfAttributes& attributes, const std::str
 }
 
 }  // namespace
+
+MjcfSpan between_ends(const MjcfAttributes& attributes) {
+  const auto ends = attributes.numbers("fromto", 6, 6);
+  const Vec3d from{ends[0], ends[1], ends[2]}, to{ends[3], ends[4], ends[5]};
+  const double half = 0.5 * norm(to - from);
+  if (!(half > 1e-9)) attributes.source("fromto").fail("fromto needs two different points");
+  return {0.5 * (from + to), turn_of_z(from - to), half};
+}
 
 MjcfGeom read_geom(const MjcfAttributes& attributes, const MjcfGeomContext& context) {
   const auto type = attributes.choice("type", {"sphere", "box", "capsule", "cylinder", "ellipsoid", "plane", "mesh"});

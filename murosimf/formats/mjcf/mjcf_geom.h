@@ -29,6 +29,16 @@ struct MjcfGeomContext {
   std::vector<std::string>& warnings;
 };
 
+/// Place of a geom or site with `fromto`: in the middle, z from the second end to the first.
+struct MjcfSpan {
+  Vec3d middle;
+  Mat3d turn;
+  double half_length = 0;  ///< [m]
+  [[nodiscard]] Transformd place() const { return {middle, turn}; }
+};
+/// Throws SetupError for equal ends.
+[[nodiscard]] MjcfSpan between_ends(const MjcfAttributes& attributes);
+
 /// Places are those of the geom in its frame. Nothing at all for a mesh that is left out because of `lenient`.
 [[nodiscard]] MjcfGeom read_geom(const MjcfAttributes& attributes, const MjcfGeomContext& context);
 

@@ -4,8 +4,12 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/formats/mjcf/mjcf_children.h"
+
 namespace murosimf::formats::mjcf {
 namespace {
+
+constexpr double rounding = 1e-9;  // [1] of a principal moment that is zero, over all three
 
 SymMat3d read_tensor(const MjcfAttributes& attributes, const MjcfCompiler& compiler) {
   const auto diagonal = attributes.numbers("diaginertia", 3, 3);
@@ -39,17 +43,21 @@ description::MassProperties bounded(description::MassProperties body, const Mjcf
   return body;
 }
 
-description::MassProperties read_inertial(const files::XmlElement& element, const MjcfCompiler& compiler) {
+/// `moves`: the body has joints of its own; one that goes along with its parent may have no mass.
+description::MassProperties read_inertial(const files::XmlElement& element, bool moves, const MjcfCompiler& compiler) {
   MjcfAttributes attributes(element);
   attributes.overlay(element);
   if (!attributes.has("mass")) element.fail("inertial without mass; add mass=\"...\" in kg");
   description::MassProperties body;
   body.mass = attributes.number("mass", 0);
+  if (body.mass == 0 && !moves) return {};
   if (!(body.mass > 0)) element.fail(fmt::format("mass {} kg is not positive; correct it", body.mass));
   body.center = attributes.vector("pos", {});
   body.inertia = read_tensor(attributes, compiler);
-  const double least = description::principal_moments(body.inertia).x;
-  if (!(least > 0) && !(compiler.least_inertia > 0)) {
+  const Vec3d moments = description::principal_moments(body.inertia);
+  const double least = moments.x;
+  const bool point = !moves && least >= -rounding * norm(moments);  // the body that it is fixed to has more
+  if (!(least > 0) && !point && !(compiler.least_inertia > 0)) {
     element.fail(fmt::format("inertia is not positive definite (smallest principal moment {:.3g} kg m^2)", least));
   }
   return body;
@@ -71,7 +79,8 @@ description::MassProperties read_mass(const files::XmlElement& body,
   if (inertials.size() > 1) inertials[1].fail("second inertial of the same body; keep one");
   if (mass_from_geoms(body, compiler)) return bounded(description::combined(solids), compiler);
   if (inertials.empty()) return bounded({}, compiler);
-  const description::MassProperties solid = read_inertial(inertials[0], compiler);
+  const bool moves = !elements_in(body, "joint").empty() || !elements_in(body, "freejoint").empty();
+  const description::MassProperties solid = read_inertial(inertials[0], moves, compiler);
   const description::MassProperties result = bounded(solid, compiler);
   if (!compiler.balance_inertia) warn_about(result.inertia, inertials[0], warnings);
   return result;

@@ -1,24 +1,47 @@
 #include "murosimf/formats/mjcf/mjcf_keyframe.h"
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "murosimf/formats/mjcf/mjcf_children.h"
+#include "murosimf/formats/mjcf/mjcf_joint.h"
 #include "murosimf/math/quaternion.h"
 
 namespace murosimf::formats::mjcf {
 namespace {
 
-constexpr std::size_t base_numbers = 7;
+/// A joint of the file in qpos.
+struct Slot {
+  std::string type, name;
+  bool of_robot = false;
 
-/// Names of the joints in the order of qpos.
-std::vector<std::string> joint_names(const description::RobotDescription& description) {
-  std::vector<std::string> names;
-  for (const description::BodyDescription& body : description.bodies) {
-    for (const description::JointDescription& joint : body.joints) names.push_back(joint.name);
+  [[nodiscard]] std::size_t numbers() const { return type == "free" ? 7 : type == "ball" ? 4 : 1; }
+};
+
+void add_slots(const files::XmlElement& body, const std::string& outer_class, bool of_robot, const MjcfContext& context,
+               std::vector<Slot>& slots) {
+  const std::string child_class = context.defaults.child_class(body, outer_class);
+  const auto children = children_in(body, child_class, context.defaults, context.compiler);
+  for (const MjcfChild& child : children) {
+    const std::string tag = child.element.tag();
+    if (tag != "joint" && tag != "freejoint") continue;
+    const auto attributes = context.defaults.resolve(child.element, child.child_class);
+    Slot& slot = slots.emplace_back(Slot{tag == "freejoint" ? "free" : attributes.text("type", "hinge"), {}, of_robot});
+    if (of_robot && slot.type != "free") slot.name = context.names.of(child.element);
   }
-  return names;
+  for (const MjcfChild& child : children) {
+    if (child.element.tag() == "body") add_slots(child.element, child.child_class, of_robot, context, slots);
+  }
+}
+
+/// All joints in the order of qpos.
+std::vector<Slot> slots_of(const MjcfTrees& trees, const MjcfContext& context) {
+  std::vector<Slot> slots;
+  for (const MjcfTree& tree : trees.all) add_slots(tree.body, tree.child_class, tree.of_robot, context, slots);
+  return slots;
 }
 
 /// Exactly so many numbers; none if the attribute is not there.
@@ -28,22 +51,42 @@ std::vector<double> row_of(const files::XmlElement& key, const char* name, std::
   return attributes.numbers(name, count, count);
 }
 
-void read_positions(const files::XmlElement& key, const std::vector<std::string>& joints,
-                    const description::RobotDescription& description, description::KeyframeDescription& frame) {
-  const auto qpos = row_of(key, "qpos", base_numbers + joints.size());
-  for (std::size_t i = 0; i < joints.size(); ++i) {
-    frame.positions[joints[i]] =
-        qpos.empty() ? description::reference_of(description, joints[i]) : qpos[base_numbers + i];
-  }
-  if (qpos.empty()) {
-    frame.base = description.bodies[0].place;
-    return;
-  }
-  const Quaterniond turn{qpos[3], qpos[4], qpos[5], qpos[6]};
-  if (!(qpos[3] * qpos[3] + qpos[4] * qpos[4] + qpos[5] * qpos[5] + qpos[6] * qpos[6] > 1e-24)) {
+Mat3d read_turn(const files::XmlElement& key, std::span<const double> q) {
+  if (!(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3] > 1e-24)) {
     key.fail("qpos of the key has a quaternion of length zero; write 1 0 0 0 for no turn");
   }
-  frame.base = {{qpos[0], qpos[1], qpos[2]}, to_matrix(normalized(turn))};
+  return to_matrix(normalized(Quaterniond{q[0], q[1], q[2], q[3]}));
+}
+
+void set_slot(const files::XmlElement& key, const Slot& slot, std::span<const double> q,
+              description::KeyframeDescription& frame) {
+  if (slot.type == "free") {
+    frame.base = {{q[0], q[1], q[2]}, read_turn(key, q.subspan(3))};
+  } else if (slot.type == "ball") {
+    const Vec3d angles = ball_angles(read_turn(key, q));
+    frame.positions[slot.name + ".x"] = angles.x;
+    frame.positions[slot.name + ".y"] = angles.y;
+    frame.positions[slot.name + ".z"] = angles.z;
+  } else {
+    frame.positions[slot.name] = q[0];
+  }
+}
+
+void read_positions(const files::XmlElement& key, const std::vector<Slot>& slots,
+                    const description::RobotDescription& description, description::KeyframeDescription& frame) {
+  frame.base = description.bodies[0].place;
+  for (const description::BodyDescription& body : description.bodies) {
+    for (const description::JointDescription& joint : body.joints) frame.positions[joint.name] = joint.reference;
+  }
+  std::size_t count = 0;
+  for (const Slot& slot : slots) count += slot.numbers();
+  const auto qpos = row_of(key, "qpos", count);
+  if (qpos.empty()) return;
+  std::span<const double> rest = qpos;
+  for (const Slot& slot : slots) {
+    if (slot.of_robot) set_slot(key, slot, rest, frame);
+    rest = rest.subspan(slot.numbers());
+  }
 }
 
 void read_targets(const files::XmlElement& key, const std::vector<MjcfControl>& controls,
@@ -57,25 +100,19 @@ void read_targets(const files::XmlElement& key, const std::vector<MjcfControl>& 
 
 }  // namespace
 
-void read_keyframes(const files::XmlElement& root, const MjcfActuators& actuators, bool alone,
-                    description::RobotDescription& description) {
-  const std::vector<std::string> joints = joint_names(description);
+void read_keyframes(const files::XmlElement& root, const MjcfTrees& trees, const MjcfContext& context,
+                    const MjcfActuators& actuators, description::RobotDescription& description) {
+  const std::vector<Slot> slots = slots_of(trees, context);
   int number = 0;
   for (const files::XmlElement& section : root.children("keyframe")) {
     for (const files::XmlElement& key : section.children("key")) {
       const std::string name = key.attribute("name").value_or(fmt::format("key{}", ++number));
-      if (!alone) {
-        const std::string word = files::one_line(fmt::format("key '{}'", name));
-        description.unused.push_back(
-            {word, fmt::format("{}: {} is not used: it is of several bodies of the world", key.where(), word)});
-        continue;
-      }
       const auto same = [&](const description::KeyframeDescription& other) { return other.name == name; };
       if (std::ranges::any_of(description.keyframes, same)) {
         key.fail(fmt::format("key '{}' appears twice; rename one", name));
       }
       description::KeyframeDescription frame{name, key.where(), {}, {}, {}};
-      read_positions(key, joints, description, frame);
+      read_positions(key, slots, description, frame);
       read_targets(key, actuators.controls, frame);
       description.keyframes.push_back(std::move(frame));
       description.notes.push_back(files::one_line(

@@ -6,7 +6,34 @@
 
 namespace murosimf::formats::mjcf {
 
-MjcfNames::MjcfNames(const files::XmlElement& base) { walk(base); }
+MjcfNames::MjcfNames(const files::XmlElement& root, const MjcfTrees& trees) {
+  for (const files::XmlElement& world : root.children("worldbody")) name_world(world, trees.bolted);
+  for (const MjcfTree& tree : trees.all) tree.of_robot ? walk(tree.body) : walk_elsewhere(tree.body);
+}
+
+void MjcfNames::name_world(const files::XmlElement& world, bool bolted) {
+  if (bolted && bodies_.names.empty()) add(world, bodies_, world_name);
+  if (!bolted) elsewhere_.insert({"body", world_name});
+  for (const files::XmlElement& site : elements_in(world, "site")) {
+    const auto name = site.attribute("name");
+    if (name && bolted) add(site, sites_, *name);
+    if (name && !bolted) elsewhere_.insert({"site", *name});
+  }
+  for (const files::XmlElement& geom : elements_in(world, "geom")) {
+    if (const auto name = geom.attribute("name")) elsewhere_.insert({"geom", *name});
+  }
+}
+
+void MjcfNames::walk_elsewhere(const files::XmlElement& body) {
+  if (const auto name = body.attribute("name")) elsewhere_.insert({"body", *name});
+  for (const char* tag : {"joint", "freejoint", "site", "geom"}) {
+    for (const files::XmlElement& element : elements_in(body, tag)) {
+      const auto name = element.attribute("name");
+      if (name) elsewhere_.insert({tag == std::string_view("freejoint") ? "joint" : tag, *name});
+    }
+  }
+  for (const files::XmlElement& child : elements_in(body, "body")) walk_elsewhere(child);
+}
 
 void MjcfNames::walk(const files::XmlElement& body) {
   add(body, bodies_, fmt::format("body_{}", bodies_.names.size() + 1));

@@ -1,6 +1,6 @@
 #include "murosimf/formats/mjcf/mjcf_reader.h"
 
-#include <algorithm>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -9,26 +9,26 @@
 #include "murosimf/formats/mjcf/mjcf_attach.h"
 #include "murosimf/formats/mjcf/mjcf_body.h"
 #include "murosimf/formats/mjcf/mjcf_children.h"
+#include "murosimf/formats/mjcf/mjcf_idle.h"
+#include "murosimf/formats/mjcf/mjcf_joint.h"
 #include "murosimf/formats/mjcf/mjcf_keyframe.h"
 #include "murosimf/formats/mjcf/mjcf_material.h"
 #include "murosimf/formats/mjcf/mjcf_relations.h"
 #include "murosimf/formats/mjcf/mjcf_replicate.h"
 #include "murosimf/formats/mjcf/mjcf_schema.h"
+#include "murosimf/formats/mjcf/mjcf_trees.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::formats::mjcf {
 namespace {
 
-/// The robot's first body and the class that holds around it.
-struct Base {
-  files::XmlElement body;
-  std::string child_class;
-};
+/// What is named with more than its kind, which is all that the schema knows.
+bool is_named_one_by_one(const std::string& word) { return word == "geom" || word == "site" || is_idle_relation(word); }
 
-/// One by one: the schema names kinds only.
-void name_world(const files::XmlElement& world, std::vector<description::Unused>& unused) {
+void name_world(const files::XmlElement& world, bool bolted, std::vector<description::Unused>& unused) {
   for (const char* tag : {"geom", "site"}) {
     for (const files::XmlElement& element : elements_in(world, tag)) {
+      if (bolted && tag == std::string_view("site") && element.attribute("name")) continue;
       const bool plane = element.attribute("type").value_or("") == "plane";
       const std::string what =
           files::one_line(fmt::format("world {} '{}'", tag, element.attribute("name").value_or("")));
@@ -36,33 +36,6 @@ void name_world(const files::XmlElement& world, std::vector<description::Unused>
                                           plane ? "the scene brings its own ground" : "it is no part of the robot")});
     }
   }
-}
-
-std::vector<Base> top_bodies(const files::XmlElement& root, const MjcfDefaults& defaults,
-                             const MjcfCompiler& compiler) {
-  std::vector<Base> bodies;
-  for (const files::XmlElement& world : root.children("worldbody")) {
-    for (const MjcfChild& child : children_in(world, defaults.child_class(world, {}), defaults, compiler)) {
-      if (child.element.tag() == "body") bodies.push_back({child.element, child.child_class});
-    }
-  }
-  return bodies;
-}
-
-Base find_base(const files::XmlElement& root, const std::vector<Base>& bodies, const MjcfDefaults& defaults,
-               bool lenient, std::vector<std::string>& warnings) {
-  if (bodies.empty()) root.fail("there is no body in worldbody; a robot needs one");
-  if (bodies.size() > 1) {
-    const auto what = fmt::format("second body in worldbody, '{}'; a robot file has one robot",
-                                  bodies[1].body.attribute("name").value_or(""));
-    if (!lenient) bodies[1].body.fail(what);
-    warnings.push_back(files::one_line(fmt::format("{}: {}", bodies[1].body.where(), what)));
-  }
-  for (const Base& base : bodies) {
-    if (has_free_joint(base.body, base.child_class, defaults)) return base;
-  }
-  bodies[0].body.fail(fmt::format("body '{}' has no free joint; add <freejoint/> to it",
-                                  bodies[0].body.attribute("name").value_or("")));
 }
 
 /// settotalmass: masses and inertias in proportion.
@@ -90,21 +63,23 @@ description::RobotDescription read_mjcf(const std::filesystem::path& file, const
   description.file = file;
   description.name = root.attribute("model").value_or(file.stem().string());
   for (auto& [word, line] : files::validate(root, mjcf_schema(), options.lenient, description.warnings)) {
-    if (word != "geom" && word != "site") description.unused.push_back({std::move(word), std::move(line)});
+    if (!is_named_one_by_one(word)) description.unused.push_back({std::move(word), std::move(line)});
   }
   MjcfCompiler compiler = read_compiler(root);
   attach_models(xml, root, compiler, options.lenient, description);
   expand_replicates(xml, root, compiler);
-  for (const files::XmlElement& world : root.children("worldbody")) name_world(world, description.unused);
 
   const MjcfDefaults defaults(root);
-  const auto tops = top_bodies(root, defaults, compiler);
-  const auto [base, child_class] = find_base(root, tops, defaults, options.lenient, description.warnings);
-  const MjcfNames names(base);
+  const MjcfTrees trees = find_trees(root, defaults, compiler, description);
+  for (const files::XmlElement& world : root.children("worldbody")) {
+    name_world(world, trees.bolted, description.unused);
+  }
+  const MjcfNames names(root, trees);
   MjcfMeshes meshes(file, root, defaults, compiler, options.part_per_group, description.warnings);
   const MjcfMaterials materials(root, defaults);
   description.meshes = meshes.descriptions();
-  const MjcfActuators actuators = read_actuators(root, defaults, compiler, names, options.lenient, description);
+  MjcfActuators actuators = read_actuators(root, defaults, compiler, names, description);
+  std::vector<MjcfSpringDamper> springs;
   const MjcfContext context{.defaults = defaults,
                             .compiler = compiler,
                             .names = names,
@@ -112,12 +87,17 @@ description::RobotDescription read_mjcf(const std::filesystem::path& file, const
                             .materials = materials,
                             .lenient = options.lenient,
                             .meshes = meshes,
-                            .warnings = description.warnings};
-  read_bodies(base, child_class, context, description);
+                            .warnings = description.warnings,
+                            .notes = description.notes,
+                            .springs = springs};
+  read_bodies(root, trees, context, description);
   scale_masses(compiler, description);
+  resolve_spring_dampers(springs, description);
   description::resolve_damping_ratios(description);
+  drop_idle_controls(actuators, description);
+  name_idle_relations(root, defaults, compiler, description);
   read_relations(root, names, defaults, description);
-  read_keyframes(root, actuators, tops.size() == 1, description);
+  read_keyframes(root, trees, context, actuators, description);
   return description;
 }
 

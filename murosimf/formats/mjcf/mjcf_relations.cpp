@@ -31,12 +31,17 @@ std::string name_in(const files::XmlElement& element, const char* attribute, std
   return *name;
 }
 
+/// Of a joint, body or geom that the file has beside the robot.
+bool is_beside(const files::XmlElement& element, const MjcfNames& names, const std::string& kind) {
+  return std::ranges::any_of(std::array{kind + "1", kind + "2"}, [&](const std::string& attribute) {
+    const auto name = element.attribute(attribute.c_str());
+    return name && names.is_elsewhere(kind, *name);
+  });
+}
+
 /// Position of joint1 = polynomial of the position of joint2, both from their reference.
 description::MimicDescription read_mimic(const files::XmlElement& element, const MjcfNames& names,
                                          const description::RobotDescription& description) {
-  if (!element.attribute("joint2")) {
-    element.fail("a joint that is fixed by an equality is not supported; leave the joint out, or give joint2");
-  }
   MjcfAttributes attributes(element);
   attributes.overlay(element);
   auto polynomial = attributes.numbers("polycoef", 1, 5);
@@ -51,6 +56,14 @@ description::MimicDescription read_mimic(const files::XmlElement& element, const
   mimic.offset = polynomial[0] + description::reference_of(description, mimic.joint) -
                  mimic.ratio * description::reference_of(description, mimic.leader);
   return mimic;
+}
+
+void name_held_joint(const files::XmlElement& element, const MjcfNames& names,
+                     description::RobotDescription& description) {
+  const std::string joint = name_in(element, "joint1", "joint", names.joints());
+  description.warnings.push_back(
+      files::one_line(fmt::format("{}: nothing holds joint '{}' at a place; leave the joint out, or give joint2",
+                                  element.where(), joint)));
 }
 
 std::vector<files::XmlElement> geoms_of_world(const files::XmlElement& root) {
@@ -96,10 +109,11 @@ std::vector<std::string> world_geoms(const files::XmlElement& root) {
 
 class Pairs {
  public:
-  Pairs(const files::XmlElement& root, description::RobotDescription& description)
-      : outside_(world_geoms(root)), description_(description) {}
+  Pairs(const files::XmlElement& root, const MjcfNames& names, description::RobotDescription& description)
+      : outside_(world_geoms(root)), names_(names), description_(description) {}
 
   void read(const files::XmlElement& element) {
+    if (is_of_other_tree(element, "geom1") || is_of_other_tree(element, "geom2")) return;
     const auto first = shapes_of(element, "geom1");
     const auto second = shapes_of(element, "geom2");
     for (description::ShapeDescription* shape : first) collide(*shape, second.empty());
@@ -110,6 +124,11 @@ class Pairs {
   }
 
  private:
+  [[nodiscard]] bool is_of_other_tree(const files::XmlElement& element, const char* attribute) const {
+    const auto name = element.attribute(attribute);
+    return name && names_.is_elsewhere("geom", *name) && std::ranges::find(outside_, *name) == outside_.end();
+  }
+
   /// None for a geom outside the robot.
   std::vector<description::ShapeDescription*> shapes_of(const files::XmlElement& element, const char* attribute) {
     const auto name = element.attribute(attribute);
@@ -146,6 +165,7 @@ class Pairs {
   }
 
   std::vector<std::string> outside_;  // names of geoms of the world
+  const MjcfNames& names_;
   description::RobotDescription& description_;
 };
 
@@ -155,14 +175,19 @@ void read_relations(const files::XmlElement& root, const MjcfNames& names, const
                     description::RobotDescription& description) {
   stand_on_usual_ground(root, defaults, description);
   for (const files::XmlElement& element : elements(root, "equality", "joint")) {
-    description.mimics.push_back(read_mimic(element, names, description));
+    if (is_beside(element, names, "joint") || element.attribute("active") == "false") continue;
+    if (element.attribute("joint2")) {
+      description.mimics.push_back(read_mimic(element, names, description));
+    } else {
+      name_held_joint(element, names, description);
+    }
   }
   for (const files::XmlElement& element : elements(root, "contact", "exclude")) {
-    if (element.attribute("body1") == "world" || element.attribute("body2") == "world") continue;
+    if (is_beside(element, names, "body")) continue;
     description.exclusions.push_back({name_in(element, "body1", "body", names.bodies()),
                                       name_in(element, "body2", "body", names.bodies()), element.where()});
   }
-  Pairs pairs(root, description);
+  Pairs pairs(root, names, description);
   for (const files::XmlElement& element : elements(root, "contact", "pair")) pairs.read(element);
   for (const files::XmlElement& section : root.children("sensor")) {
     for (const files::XmlElement& element : section.children()) {

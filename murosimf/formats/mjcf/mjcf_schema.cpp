@@ -5,7 +5,11 @@
 namespace murosimf::formats::mjcf {
 namespace {
 
-const files::XmlWords actuators{"position", "velocity", "motor", "general"};
+const files::XmlWords actuators{"position", "velocity", "intvelocity", "motor", "general"};
+/// That move nothing here, each with a warning.
+const files::XmlWords idle_actuators{"damper",  "cylinder",    "muscle", "adhesion",
+                                     "dcmotor", "orientation", "pid",    "plugin"};
+const files::XmlWords idle_equalities{"connect", "weld", "tendon"};
 
 files::XmlWords operator+(files::XmlWords a, const files::XmlWords& b) {
   a.insert(a.end(), b.begin(), b.end());
@@ -55,19 +59,20 @@ files::XmlVocabulary make_rules() {
   rules["mujoco"] = {.used = {"model"},
                      .children = {"compiler", "default", "asset", "worldbody", "actuator", "contact", "equality",
                                   "sensor", "keyframe"},
-                     .unused_children = {"option", "size", "visual", "statistic", "custom"},
-                     .unsupported_children = {"tendon", "deformable", "extension"}};
+                     .unused_children = {"option", "size", "visual", "statistic", "custom", "extension", "tendon"},
+                     .unsupported_children = {"deformable"}};
   rules["compiler"] = {.used = {"angle", "eulerseq", "autolimits", "inertiafromgeom", "coordinate", "meshdir",
-                                "assetdir", "strippath", "boundmass", "boundinertia", "settotalmass", "balanceinertia"},
-                       .unused = {"texturedir", "discardvisual", "fusestatic", "usethread", "convexhull",
+                                "assetdir", "strippath", "inertiagrouprange", "boundmass", "boundinertia",
+                                "settotalmass", "balanceinertia"},
+                       .unused = {"texturedir", "alignfree", "discardvisual", "fusestatic", "usethread", "convexhull",
                                   "exactmeshinertia", "saveinertial", "fitaabb", "savecanonical", "savecompiled",
                                   "conflict", "passthrough"},
-                       .unsupported = {"inertiagrouprange", "alignfree"},
+
                        .unused_children = {"lengthrange"}};
   rules["default"] = {.used = {"class"},
                       .children =
                           files::XmlWords{"default", "geom", "joint", "site", "mesh", "material", "camera"} + actuators,
-                      .unused_children = {"light", "pair", "equality", "tendon"}};
+                      .unused_children = files::XmlWords{"light", "pair", "equality", "tendon"} + idle_actuators};
   rules["asset"] = {.children = {"mesh", "material", "model"}, .unused_children = {"texture", "hfield", "skin"}};
   rules["asset/model"] = {.used = {"name", "file"}, .unused = {"content_type"}};
   rules["attach"] = {.used = {"model", "body", "prefix"}};
@@ -85,8 +90,7 @@ files::XmlVocabulary make_rules() {
                         .unused_children = {"light", "camera", "geom", "site"},
                         .unsupported_children = unsupported_bodies};
   rules["body"] = {.used = files::XmlWords{"name", "childclass"} + place,
-                   .unused = {"user"},
-                   .unsupported = {"gravcomp", "mocap", "sleep"},
+                   .unused = {"user", "gravcomp", "sleep", "mocap"},
                    .children = {"body", "joint", "freejoint", "inertial", "geom", "site", "camera", "frame",
                                 "replicate", "attach"},
                    .unused_children = {"light"},
@@ -114,55 +118,61 @@ files::XmlVocabulary make_rules() {
                               "margin"},
                    .unsupported = {"adhesion"}};
   rules["equality"] = {.children = {"joint"},
-                       .unsupported_children = {"connect", "weld", "tendon", "flex", "flexvert", "flexstrain",
-                                                "plugin"}};
-  rules["equality/joint"] = {.used = {"joint1", "joint2", "polycoef"},
-                             .unused = {"name", "class", "solref", "solimp"},
-                             .unsupported = {"active"}};
-  rules["freejoint"] = {.used = {"name"}, .unused = {"group"}, .unsupported = {"align"}};
+                       .unused_children = idle_equalities,
+                       .unsupported_children = {"flex", "flexvert", "flexstrain", "plugin"}};
+  rules["equality/joint"] = {.used = {"joint1", "joint2", "polycoef", "active"},
+                             .unused = {"name", "class", "solref", "solimp"}};
+  rules["freejoint"] = {.used = {"name"}, .unused = {"group", "align"}};
   rules["joint"] = {.used = {"name", "class", "type", "pos", "axis", "range", "limited", "armature", "damping",
-                             "frictionloss", "actuatorfrcrange", "actuatorfrclimited", "ref", "stiffness", "springref"},
+                             "frictionloss", "actuatorfrcrange", "actuatorfrclimited", "ref", "stiffness", "springref",
+                             "springdamper"},
                     .unused = {"group", "user", "solreflimit", "solimplimit", "solreffriction", "solimpfriction",
                                "margin"},
-                    .unsupported = {"springdamper", "springyield", "actuatorgravcomp"},
+                    .unsupported = {"springyield", "actuatorgravcomp"},
                     .unsupported_children = {"plugin"}};
   rules["inertial"] = {.used = files::XmlWords{"mass", "diaginertia", "fullinertia"} + place};
   rules["geom"] = {.used = files::XmlWords{"type", "size", "fromto", "friction", "rgba", "mass", "density", "contype",
-                                           "conaffinity", "mesh", "material"} +
+                                           "conaffinity", "mesh", "material", "group"} +
                            placed,
-                   .unused = {"group", "user", "condim", "priority", "solmix", "solref", "solimp", "margin", "gap",
-                              "castshadow"},
-                   .unsupported = {"hfield", "fitscale", "shellinertia", "fluidshape", "fluidcoef", "surfacevel",
-                                   "adhesion"},
+                   .unused = {"user", "fluidshape", "fluidcoef", "condim", "priority", "solmix", "solref", "solimp",
+                              "margin", "gap", "castshadow"},
+                   .unsupported = {"hfield", "fitscale", "shellinertia", "surfacevel", "adhesion"},
                    .unsupported_children = {"plugin"}};
-  rules["site"] = {.used = files::XmlWords{"type", "size"} + placed,
-                   .unused = {"group", "material", "user", "rgba"},
-                   .unsupported = {"fromto"}};
+  rules["site"] = {.used = files::XmlWords{"type", "size", "fromto"} + placed,
+                   .unused = {"group", "material", "user", "rgba"}};
   const std::map<std::string_view, files::XmlWords> own{
       {"position", {"kp", "kv", "dampratio", "timeconst", "inheritrange"}},
       {"velocity", {"kv"}},
+      {"intvelocity", {"kp", "kv", "dampratio"}},
       {"motor", {}},
       {"general", {"gainprm", "biasprm", "gaintype", "biastype", "dyntype", "dynprm"}}};
   // of a control that has several parts, or is called what it is
   const files::XmlWords labels{"input", "velrange", "ffrange"};
   for (const std::string_view actuator : actuators) {
-    const files::XmlWords common{"name",         "class",     "joint",       "forcerange",
-                                 "forcelimited", "ctrlrange", "ctrllimited", "gear"};
-    const files::XmlWords unused{"group", "user", "lengthrange", "actlimited", "actrange", "actdim", "actearly"};
-    rules[std::string(actuator)] = {.used = common + own.at(actuator),
-                                    .unused = unused + (actuator == "general" ? labels : files::XmlWords{}),
-                                    .unsupported = {"tendon", "site", "body", "refsite", "jointinparent", "slidersite",
-                                                    "cranksite", "cranklength"}};
+    const files::XmlWords common{"name", "class", "joint", "forcerange", "forcelimited", "gear"};
+    const files::XmlWords control{"ctrlrange", "ctrllimited"}, activation{"actrange", "actlimited"};
+    // without a joint it moves nothing, which is a warning
+    const files::XmlWords unused{"group", "user",    "lengthrange",   "actdim",     "actearly",  "tendon",     "site",
+                                 "body",  "refsite", "jointinparent", "slidersite", "cranksite", "cranklength"};
+    const bool general = actuator == "general", integrates = actuator == "intvelocity";
+    rules[std::string(actuator)] = {.used = common + own.at(actuator) + (integrates ? files::XmlWords{} : control) +
+                                            (general || integrates ? activation : files::XmlWords{}),
+                                    .unused = unused + (general      ? labels
+                                                        : integrates ? control
+                                                                     : activation)};
   }
-  rules["actuator"] = {.children = actuators,
-                       .unsupported_children = {"intvelocity", "damper", "cylinder", "muscle", "adhesion", "dcmotor",
-                                                "orientation", "pid", "orientation", "pid", "plugin"}};
+  rules["actuator"] = {.children = actuators, .unused_children = idle_actuators};
   return rules;
 }
 
 }  // namespace
 
 bool is_actuator(std::string_view tag) { return std::ranges::find(actuators, tag) != actuators.end(); }
+
+bool is_idle_relation(std::string_view tag) {
+  const auto in = [&](const files::XmlWords& words) { return std::ranges::find(words, tag) != words.end(); };
+  return in(idle_actuators) || in(idle_equalities);
+}
 
 const files::XmlVocabulary& mjcf_schema() {
   static const files::XmlVocabulary rules = make_rules();

@@ -9,6 +9,9 @@ namespace murosimf::formats::mjcf {
 
 [[nodiscard]] const files::XmlVocabulary& mjcf_schema();
 
+/// Tags of actuators, and of what joins bodies or tendons, that have no effect here but a warning each.
+[[nodiscard]] bool is_idle_relation(std::string_view tag);
+
 /// Tags of the actuators that the reader understands.
 [[nodiscard]] bool is_actuator(std::string_view tag);
 

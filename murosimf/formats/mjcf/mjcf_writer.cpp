@@ -34,7 +34,7 @@ class Writer {
     xml_.begin("compiler").text("angle", "radian").text("autolimits", "true").text("inertiafromgeom", "false").end();
     geoms_.write_assets();
     xml_.begin("worldbody");
-    write_body(0);
+    description_.fixed_base ? write_world() : write_body(0);
     xml_.end();
     write_contacts();
     write_couplings();
@@ -46,6 +46,19 @@ class Writer {
   }
 
  private:
+  /// What is fixed to the world is a body without joints, since the world has no mass.
+  void write_world() {
+    const description::BodyDescription& base = description_.bodies[0];
+    if (base.solid.mass > 0 || !base.shapes.empty() || !base.visuals.empty()) {
+      xml_.begin("body").text("name", base.name + ".fixed");
+      write_inertial(base.solid);
+      geoms_.write_geoms(base);
+      xml_.end();
+    }
+    for (const description::FrameDescription& frame : base.frames) write_frame(frame);
+    for (const std::size_t child : children_[0]) write_body(child);
+  }
+
   void write_body(std::size_t index) {
     const description::BodyDescription& body = description_.bodies[index];
     xml_.begin("body").text("name", body.name);
@@ -161,7 +174,8 @@ class Writer {
     for (const description::KeyframeDescription& key : description_.keyframes) {
       const auto& [p, R] = key.base;
       const Quaterniond q = from_matrix(R);
-      std::vector<double> qpos{p.x, p.y, p.z, q.w, q.x, q.y, q.z}, ctrl;
+      std::vector<double> qpos, ctrl;
+      if (!description_.fixed_base) qpos = {p.x, p.y, p.z, q.w, q.x, q.y, q.z};
       for (const std::string& joint : joints_) qpos.push_back(key.positions.at(joint));
       for (const description::JointDescription* joint : driven_) {
         const auto target = key.targets.find(joint->name);

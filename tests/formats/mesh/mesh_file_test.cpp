@@ -179,7 +179,7 @@ TEST(MeshFile, RefusesWhatIsNoMeshFile) {
   EXPECT_TRUE(says(complaint(folder), {"folder"}));
   EXPECT_TRUE(says(complaint("", ".stl"), {"empty"}));
   EXPECT_TRUE(says(complaint("", ".obj"), {"empty"}));
-  EXPECT_TRUE(says(complaint("x", ".msh"), {"unknown kind", "'.msh'", ".stl, .obj or .dae"}));
+  EXPECT_TRUE(says(complaint("x", ".ply"), {"unknown kind", "'.ply'", ".stl, .obj or .dae"}));
   EXPECT_TRUE(says(complaint("x", ""), {"unknown kind"}));
 }
 
@@ -252,6 +252,27 @@ TEST(MeshFile, RefusesFacesOfObjThatNameNoVertices) {
   EXPECT_TRUE(says(complaint(start + "f 1 2 99999999999999999999\n", ".obj"), {":4: ", "99999999999999999999"}));
   EXPECT_TRUE(says(complaint(start + "f 1 2 x\n", ".obj"), {":4: ", "'x'", "not a vertex number"}));
   EXPECT_TRUE(says(complaint(start + "f 1 2\n", ".obj"), {":4: ", "2 vertices"}));
+}
+
+/// A tetrahedron with normals and texture coordinates, which are passed over; `last`: the last corner of its last face.
+std::string msh(std::int32_t last = 3, std::int32_t faces = 4) {
+  std::string bytes;
+  for (const std::int32_t count : {4, 4, 4, faces}) append(bytes, count);
+  for (const float x : {0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 2.F, 0.F, 0.F, 0.F, 3.F}) append(bytes, x);
+  for (int i = 0; i < 4 * 3 + 4 * 2; ++i) append(bytes, 7.F);
+  for (const std::int32_t corner : {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, last}) append(bytes, corner);
+  return bytes;
+}
+
+TEST(MeshFile, ReadsTheBinaryFormatOfMujoco) {
+  const MeshFile file = read(msh(), ".msh");
+  EXPECT_EQ(file.mesh.vertices.size(), 4U);
+  EXPECT_EQ(file.mesh.triangles.size(), 4U);
+  EXPECT_NEAR(geometry::solid_mass(file.mesh).volume, 1.0, 1e-12) << "a sixth of 1 x 2 x 3";
+  EXPECT_TRUE(says(complaint(msh(4), ".msh"), {"a face names vertex 4", "there are 4"}));
+  EXPECT_TRUE(says(complaint(msh(3, 5), ".msh"), {"its header asks for", "export it anew"}));
+  EXPECT_TRUE(says(complaint(msh(3, -1), ".msh"), {"count 4 of its header is -1"}));
+  EXPECT_TRUE(says(complaint("abc", ".msh"), {"inside its header"}));
 }
 
 }  // namespace

@@ -222,6 +222,7 @@ std::map<std::string, Place> make_places() {
   places["freejoint"] = {parts};
   places["inertial"] = {on_link("<inertial %/>"), {{"pos", "0 0 0"}, {"mass", "1"}, {"diaginertia", "1 2 3"}}};
   parts = on_link("<geom %/>");
+  parts.compiler = "<compiler angle='radian' inertiagrouprange='0 1'/>";
   parts.defaults = "<default><default class='c'><geom rgba='1 0 0 1'/></default></default>";
   parts.assets =
       "<asset><mesh name='mesh' file='a.obj'/><mesh name='big' file='b.obj'/>"
@@ -250,7 +251,7 @@ std::map<std::string, Place> make_places() {
   places["pair"] = {rest("<contact><pair %/></contact>"), {{"geom1", "g"}, {"geom2", "h"}}};
   places["equality/joint"] = {rest("<equality><joint %/></equality>"), {{"joint1", "j"}, {"joint2", "i"}}};
   places["key"] = {rest(servo_of_j + "<keyframe><key %/></keyframe>"), {{"qpos", "0 0 1 1 0 0 0 .1 .2"}}};
-  for (const char* kind : {"position", "velocity", "motor", "general"}) {
+  for (const char* kind : {"position", "velocity", "intvelocity", "motor", "general"}) {
     parts = rest(fmt::format("<actuator><{} %/></actuator><sensor><actuatorfrc actuator='b'/></sensor>", kind));
     parts.defaults = fmt::format("<default><default class='c'><{} gear='2'/></default></default>", kind);
     places[kind] = {parts, {{"joint", "j"}}};
@@ -327,6 +328,7 @@ std::map<std::string, Probes> make_probes() {
                         {"meshdir", {".", "sub", {{"strippath", "true"}}}},
                         {"assetdir", {".", "sub", {{"strippath", "true"}}}},
                         {"strippath", {"false", "true"}},
+                        {"inertiagrouprange", {"0 5", "1 5"}},
                         {"boundmass", {"0", "50"}},
                         {"boundinertia", {"0", "50"}},
                         {"settotalmass", {"-1", "5"}},
@@ -360,7 +362,8 @@ std::map<std::string, Probes> make_probes() {
                      {"actuatorfrclimited", {"true", "false", {{"actuatorfrcrange", "-1 1"}}}},
                      {"ref", {"0", ".5"}},
                      {"stiffness", {"0", "1"}},
-                     {"springref", {"0", "1", {{"stiffness", "1"}}}}};
+                     {"springref", {"0", "1", {{"stiffness", "1"}}}},
+                     {"springdamper", {"1 1", "2 1"}}};
   probes["freejoint"] = {{"name", {"free", "root"}}};
   probes["inertial"] = place + Probes{{"mass", {"1", "2"}},
                                       {"diaginertia", {"1 2 3", "2 2 3"}},
@@ -377,8 +380,12 @@ std::map<std::string, Probes> make_probes() {
                                   {"contype", {"1", "2"}},
                                   {"conaffinity", {"1", "2"}},
                                   {"mesh", {"mesh", "big", {{"type", "mesh"}, {"size", "-"}}}},
-                                  {"material", {"-", "red"}}};
-  probes["site"] = named + place + Probes{{"type", {"box", "sphere"}}, {"size", {".1 .2 .3", ".2 .2 .3"}}};
+                                  {"material", {"-", "red"}},
+                                  {"group", {"0", "3"}}};
+  probes["site"] = named + place +
+                   Probes{{"type", {"box", "sphere"}},
+                          {"size", {".1 .2 .3", ".2 .2 .3"}},
+                          {"fromto", {"0 0 0 0 0 1", "0 0 0 0 1 0"}}};
   const Attributes sensor{{"sensorsize", ".01 .01"}, {"focal", ".01 .01"}};
   Attributes pixels = sensor;
   pixels["focal"] = "-";
@@ -403,7 +410,10 @@ std::map<std::string, Probes> make_probes() {
                          {"sep", {"-", "_"}}};
   probes["exclude"] = {{"body1", {"l", "b"}}, {"body2", {"k", "b"}}};
   probes["pair"] = {{"geom1", {"g", "trunk"}}, {"geom2", {"h", "trunk"}}};
-  probes["equality/joint"] = {{"joint1", {"j", "none"}}, {"joint2", {"i", "none"}}, {"polycoef", {"0 1", "0 2"}}};
+  probes["equality/joint"] = {{"joint1", {"j", "none"}},
+                              {"joint2", {"i", "none"}},
+                              {"polycoef", {"0 1", "0 2"}},
+                              {"active", {"true", "false"}}};
   probes["key"] = {{"name", {"one", "two"}},
                    {"qpos", {"0 0 1 1 0 0 0 .1 .2", "0 0 1 1 1 0 0 .1 .3"}},
                    {"ctrl", {".1", ".2"}}};
@@ -412,16 +422,28 @@ std::map<std::string, Probes> make_probes() {
                                                            {"dampratio", {"0", "1"}},
                                                            {"timeconst", {"0", "1"}},
                                                            {"inheritrange", {"0", "1"}}};
+  const Attributes held{{"actrange", "-1 1"}};
+  probes["intvelocity"] = of_actuator({{"kp", "3"}}) + Probes{{"kp", {"1", "2"}},
+                                                              {"kv", {"0", "1"}},
+                                                              {"dampratio", {"0", "1"}},
+                                                              {"actrange", {"-1 1", "-1 2"}},
+                                                              {"actlimited", {"true", "false", held}}};
   probes["velocity"] = of_actuator({{"kv", "3"}}) + Probes{{"kv", {"1", "2"}}};
   probes["motor"] = of_actuator({{"forcerange", "-9 9"}});
   probes["motor"]["forcerange"] = {"-1 1", "-1 2"};
   const Attributes affine{{"biastype", "affine"}, {"gainprm", "3"}, {"biasprm", "0 -3 -1"}, {"ctrlrange", "-1 1"}};
   Attributes filter = affine;
   filter["dyntype"] = "filterexact";
+  Attributes integral = affine;
+  integral["dyntype"] = "integrator";
+  Attributes held_integral = integral;
+  held_integral["actrange"] = "-1 1";
   probes["general"] =
-      of_actuator(affine) + Probes{{"gainprm", {"3", "4", affine}},         {"biasprm", {"0 -3", "0 -4", affine}},
-                                   {"gaintype", {"fixed", "affine"}},       {"biastype", {"none", "affine", affine}},
-                                   {"dyntype", {"none", "filter", affine}}, {"dynprm", {".1", ".2", filter}}};
+      of_actuator(affine) +
+      Probes{{"gainprm", {"3", "4", affine}},          {"biasprm", {"0 -3", "0 -4", affine}},
+             {"gaintype", {"fixed", "affine"}},        {"biastype", {"none", "affine", affine}},
+             {"dyntype", {"none", "filter", affine}},  {"dynprm", {".1", ".2", filter}},
+             {"actrange", {"-1 1", "-1 2", integral}}, {"actlimited", {"true", "false", held_integral}}};
   return probes;
 }
 

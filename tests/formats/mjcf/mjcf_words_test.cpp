@@ -12,6 +12,7 @@
 #include "murosimf/formats/mjcf/mjcf_writer.h"
 #include "murosimf/model/keyframe.h"
 #include "murosimf/model/properties.h"
+#include "tests/fixtures.h"
 #include "tests/temp_folder.h"
 
 namespace murosimf::formats::mjcf {
@@ -127,13 +128,37 @@ TEST(MjcfWords, ActuatorsShareTheSettingsOfTheirClass) {
   EXPECT_TRUE(drive(arm("<motor class='c' joint='j'/>", "<general forcerange='-3 3'/>")).servo.stall_torque == 3);
 }
 
-TEST(MjcfWords, WhatIsNotSimulatedOfActuatorsIsRefused) {
-  for (const char* words : {"gaintype='affine'", "biastype='muscle'", "dyntype='integrator'",
-                            "dyntype='filter' dynprm='0'", "biastype='affine' biasprm='3'"}) {
-    const std::string actuator = std::string("<general joint='j' ") + words + "/>";
-    EXPECT_TRUE(contains(complaint(arm(actuator)), "robot.xml:1: actuator: ")) << words;
+TEST(MjcfWords, WhatIsNotSimulatedOfActuatorsIsAWarning) {
+  const auto says_that_nothing_moves = [](const std::string& actuator) {
+    const auto robot = read(arm(actuator));
+    EXPECT_EQ(robot.model->find(properties::servo, robot.model->object_index("j")), nullptr) << actuator;
+    return std::ranges::any_of(robot.warnings, [](const std::string& warning) {
+      return contains(warning, "robot.xml:1: actuator '") && contains(warning, "moves nothing");
+    });
+  };
+  for (const char* words :
+       {"gaintype='affine'", "biastype='muscle'", "dyntype='integrator'", "dyntype='filter' dynprm='0'",
+        "biastype='affine' biasprm='3'", "biastype='affine' biasprm='0 3'"}) {
+    EXPECT_TRUE(says_that_nothing_moves(std::string("<general joint='j' ") + words + "/>")) << words;
+  }
+  for (const char* other : {"<muscle joint='j'/>", "<damper joint='j' kv='1' ctrlrange='0 1'/>",
+                            "<adhesion body='l' ctrlrange='0 1'/>", "<motor site='s'/>", "<motor tendon='t'/>"}) {
+    EXPECT_TRUE(says_that_nothing_moves(other)) << other;
   }
   EXPECT_TRUE(contains(complaint(arm("<motor joint='j' kp='3'/>")), "unknown attribute of motor 'kp'"));
+}
+
+TEST(MjcfWords, IntegratedRatesAreTargetsHeldToTheirActivation) {
+  for (const char* words : {"<intvelocity joint='j' kp='3' kv='2' actrange='-.2 .4' ctrlrange='-9 9'/>",
+                            "<general joint='j' gainprm='3' biastype='affine' biasprm='0 -3 -2' dyntype='integrator' "
+                            "actrange='-.2 .4' ctrlrange='-9 9'/>"}) {
+    const auto [servo, range] = drive(arm(words));
+    EXPECT_EQ(servo.position_gain, 3) << words;
+    EXPECT_EQ(servo.velocity_gain, 2) << words;
+    EXPECT_EQ(servo.command_filter, 0) << words;
+    ASSERT_TRUE(range) << words;
+    EXPECT_EQ(fixtures::difference(*range, Vec3d{-.2, .4, 0}), 0) << words;
+  }
 }
 
 TEST(MjcfWords, ReplicatesAreCopiesWithWhatNamesThem) {

@@ -1,0 +1,73 @@
+#include "murosimf/formats/mjcf/mjcf_idle.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace murosimf::formats::mjcf {
+namespace {
+
+bool says(const MjcfAttributes& tendon, const char* name) {
+  return std::ranges::any_of(tendon.numbers(name, 1, 10), [](double number) { return number > 0; });
+}
+
+/// What it does besides measuring a length.
+std::vector<std::string> deeds_of(const MjcfAttributes& tendon, const MjcfCompiler& compiler) {
+  std::vector<std::string> deeds;
+  if (says(tendon, "stiffness")) deeds.emplace_back("spring");
+  if (says(tendon, "damping")) deeds.emplace_back("damper");
+  if (says(tendon, "frictionloss")) deeds.emplace_back("friction");
+  if (says(tendon, "armature")) deeds.emplace_back("rotor");
+  if (is_limited(tendon, "limited", "range", compiler)) deeds.emplace_back("limit");
+  return deeds;
+}
+
+void name_tendon(const files::XmlElement& element, const MjcfDefaults& defaults, const MjcfCompiler& compiler,
+                 description::RobotDescription& description) {
+  const std::string name = files::one_line(fmt::format("tendon '{}'", element.attribute("name").value_or("")));
+  const auto deeds = deeds_of(defaults.resolve(element), compiler);
+  if (deeds.empty()) {
+    description.unused.push_back({name, fmt::format("{}: {} only measures a length", element.where(), name)});
+  } else {
+    description.warnings.push_back(
+        fmt::format("{}: {} does not act: {}", element.where(), name, fmt::join(deeds, ", ")));
+  }
+}
+
+/// "'a' and 'b'": bodies, sites or tendons.
+std::string ends_of(const files::XmlElement& element) {
+  std::vector<std::string> ends;
+  for (const char* word : {"body1", "body2", "site1", "site2", "tendon1", "tendon2"}) {
+    if (const auto name = element.attribute(word)) ends.push_back(fmt::format("'{}'", *name));
+  }
+  return fmt::format("{}", fmt::join(ends, " and "));
+}
+
+void name_equality(const files::XmlElement& element, description::RobotDescription& description) {
+  const std::string what = files::one_line(fmt::format("{} of {}", element.tag(), ends_of(element)));
+  if (element.attribute("active") == "false") {
+    description.unused.push_back({what, fmt::format("{}: {} is not active", element.where(), what)});
+  } else {
+    description.warnings.push_back(
+        fmt::format("{}: {} does not act: nothing holds them together", element.where(), what));
+  }
+}
+
+}  // namespace
+
+void name_idle_relations(const files::XmlElement& root, const MjcfDefaults& defaults, const MjcfCompiler& compiler,
+                         description::RobotDescription& description) {
+  for (const files::XmlElement& section : root.children("tendon")) {
+    for (const files::XmlElement& element : section.children()) name_tendon(element, defaults, compiler, description);
+  }
+  for (const files::XmlElement& section : root.children("equality")) {
+    for (const files::XmlElement& element : section.children()) {
+      const std::string tag = element.tag();
+      if (tag == "connect" || tag == "weld" || tag == "tendon") name_equality(element, description);
+    }
+  }
+}
+
+}  // namespace murosimf::formats::mjcf
