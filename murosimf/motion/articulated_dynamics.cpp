@@ -32,12 +32,13 @@ ArticulatedDynamics::ArticulatedDynamics(Setup& setup, const MovingTreeOptions& 
   }
   if (options.integrator == Integrator::rk4 && !couplings_.empty()) {
     throw SetupError(
-        "integrator 'rk4' does not go with coupled joints: their coupling is stiffer than its steps allow");
+        "integrator 'rk4' does not go with coupled joints and loops: what holds them is stiffer than its steps allow");
   }
 }
 
 void ArticulatedDynamics::initialize() {
   drives_.initialize(tree_.columns.q, tree_.columns.qd);
+  couplings_.assemble(tree_.columns.q);
   tree_.start();
   start_loads();
   check_inertias();
@@ -62,20 +63,30 @@ void ArticulatedDynamics::start_loads() {
   std::fill(felt_acceleration_.begin(), felt_acceleration_.end(), Twistd{{}, -tree_.gravity});
 }
 
-void ArticulatedDynamics::check_inertias() {
+/// By link [kg m^2 | kg]: what each joint moves while all others stand still.
+std::vector<double> ArticulatedDynamics::moved_inertias() const {
   const auto& links = tree_.columns.model.tree().links;
+  std::vector<double> moved(links.size());
   std::vector<RigidInertia<double>> composite;
   for (const auto& link : tree_.links) composite.push_back(link.inertia);
   for (std::size_t l = links.size() - 1; l > 0; --l) {
-    const int i = links[l].object;
     const double carried = dot(tree_.links[l].axis, composite[l] * tree_.links[l].axis);
-    if (!(carried + drives_.firm_inertia(i) > 1e-12)) {
-      throw SetupError(
-          fmt::format("model '{}': joint '{}' moves no inertia; give a body behind it mass and inertia, or "
-                      "the joint an armature or a servo with rotor_inertia",
-                      tree_.columns.model.name(), tree_.columns.model.objects()[i].name));
-    }
+    moved[l] = carried + drives_.firm_inertia(links[l].object);
     composite[links[l].parent] += composite[l];
+  }
+  return moved;
+}
+
+void ArticulatedDynamics::check_inertias() {
+  const auto& links = tree_.columns.model.tree().links;
+  std::vector<double> moved = moved_inertias();
+  couplings_.count_at_leaders(moved);
+  for (std::size_t l = links.size() - 1; l > 0; --l) {
+    if (moved[l] > least_inertia) continue;
+    throw SetupError(
+        fmt::format("model '{}': joint '{}' moves no inertia; give a body behind it mass and inertia, or "
+                    "the joint an armature or a servo with rotor_inertia",
+                    tree_.columns.model.name(), tree_.columns.model.objects()[links[l].object].name));
   }
   if (!tree_.is_free()) return;
   drive_joints_explicitly();
@@ -155,6 +166,7 @@ void ArticulatedDynamics::begin_step(double dt) noexcept {
   tree_.take_changes();
   targets_sane_ = drives_.take_targets(dt);
   drive_joints(dt);
+  couplings_.look(tree_);
   couplings_.drive(friction_);
   recall_loads();
 }
@@ -233,6 +245,7 @@ void ArticulatedDynamics::gather_loads(double dt) noexcept {
   tree_.for_loads(dt, [&](int link, const Wrenchd& load, const Sym6d& damping) {
     multibody::add_load(bodies_[link], load, damping);
   });
+  couplings_.add_loads(bodies_);
 }
 
 Twistd ArticulatedDynamics::base_acceleration() noexcept {
@@ -266,6 +279,7 @@ void ArticulatedDynamics::couple() noexcept {
 /// The torques of this instant; friction as a damper.
 void ArticulatedDynamics::drive_joints_explicitly() noexcept {
   drive_joints(0);
+  couplings_.drive(friction_);
   for (std::size_t l = 1; l < bodies_.size(); ++l) {
     auto& joint = friction_[l];
     const double share = coulomb_damping(1, joint.rate) * std::abs(joint.rate);

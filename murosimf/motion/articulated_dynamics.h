@@ -4,7 +4,8 @@
 /// enter linearly implicit, as inertia of the joint or of the body. Joints: qd += h qdd, q += h qd.
 /// Friction of joints sticks (multibody/friction_solver.h): which joint sticks and which slides is settled together with the contacts of the
 /// step. In an island of touching robots the step before decides. rk4 has it as a damper, which lets loaded joints creep
-/// (motion/passive_joint.h). Coupled joints are held together after every pass (coupling_forces.h).
+/// (motion/passive_joint.h). Coupled joints are held together, and loops closed, after every pass
+/// (coupling_forces.h).
 /// Source: paper, outlook (7); Featherstone 2008, ch. 7.
 #pragma once
 
@@ -66,6 +67,7 @@ class ArticulatedDynamics final : public MotionLevel, private collision::Impulse
   void finish_drives() noexcept;
   void advance_joints(double dt) noexcept;
   [[nodiscard]] bool accelerations_are_sane() const noexcept;
+  [[nodiscard]] std::vector<double> moved_inertias() const;
   void check_inertias();
 
   MovingTree tree_;

@@ -12,6 +12,9 @@ namespace {
 constexpr double bend = 0.2e-3;          // [rad] under T
 constexpr double shift = 0.02e-3;        // [m] under T
 constexpr double damping_time = 0.5e-3;  // [s] d / k
+constexpr double fastest_shift = 0.5;    // [m/s] of a gap that closes
+constexpr double fastest_turn_back = 5;  // [rad/s]
+constexpr double trace_share = 1e-6;     // [1] of the leader's inertia
 
 double stall_torque(const Model& model, int joint) {
   const Servo* servo = model.find(properties::servo, joint);
@@ -32,29 +35,71 @@ double product(std::span<const double> a, std::span<const double> b) {
   return sum;
 }
 
+/// Of the gap of a loop, that of which the end of a step may take back the most.
+double bounded(const multibody::LoopRow& row, double time) {
+  const double most = time * (row.is_turn() ? fastest_turn_back : fastest_shift);
+  return std::clamp(row.gap, -most, most);
+}
+
 }  // namespace
 
-CouplingForces::CouplingForces(Setup& setup) : joints_(setup.model()) {
+CouplingForces::CouplingForces(Setup& setup)
+    : joints_(setup.model()), loops_(setup.model()), followers_(joints_of_loops(setup.model())) {
   if (empty()) return;
   const Model& model = setup.model();
-  torque_ = setup.write(properties::coupling_torque);
+  if (!joints_.empty()) torque_ = setup.write(properties::coupling_torque);
+  if (!loops_.empty()) loop_force_ = setup.write(properties::loop_force);
+  shift_stiffness_ = model.tree().mass * 9.81 / shift;
+  turn_stiffness_ = 0.1 * model.tree().mass * 9.81 / bend;
   const auto& link_of = model.tree().link_of;
   for (const auto& pair : joints_.pairs()) {
     rods_.push_back({link_of[pair.follower], link_of[pair.leader], stiffness(model, pair)});
   }
   coordinates_ = 5 + model.tree().links.size();
-  rows_.resize(rods_.size() * coordinates_);
-  matrix_.resize(rods_.size() * rods_.size());
-  change_.resize(rods_.size());
+  rows_.resize(size() * coordinates_);
+  matrix_.resize(size() * size());
+  change_.resize(size());
   z_.resize(coordinates_);
 }
 
-void CouplingForces::start() noexcept { std::fill(torque_.begin(), torque_.end(), 0.0); }
+void CouplingForces::start() noexcept {
+  std::fill(torque_.begin(), torque_.end(), 0.0);
+  std::fill(loop_force_.begin(), loop_force_.end(), Wrenchd{});
+}
+
+void CouplingForces::look(const MovingTree& tree) noexcept {
+  if (!loops_.empty()) loops_.find(tree.columns.r, tree.columns.R, tree.links);
+}
+
+void CouplingForces::add_loads(std::span<multibody::ArticulatedLink<double>> bodies) const noexcept {
+  for (const multibody::LoopRow& row : loops_.rows()) {
+    const Wrenchd force = force_of(row) * row.force;
+    multibody::add_load(bodies[row.links[0]], -1.0 * force, {});
+    multibody::add_load(bodies[row.links[1]], force, {});
+  }
+}
+
+double& CouplingForces::force_of(const multibody::LoopRow& row) const noexcept {
+  auto& [n, f] = loop_force_[row.object];
+  double* const numbers[] = {&f.x, &f.y, &f.z, &n.x, &n.y, &n.z};
+  return *numbers[row.axis];
+}
+
+void CouplingForces::count_at_leaders(std::span<double> moved) noexcept {
+  for (std::size_t i = 0; i < rods_.size(); ++i) {
+    Rod& rod = rods_[i];
+    const double leader = moved[rod.leader], ratio = joints_.pairs()[i].ratio;
+    if (moved[rod.follower] > least_inertia || !(leader > least_inertia)) continue;
+    rod.trace = trace_share * leader / (ratio * ratio);
+    moved[rod.follower] = leader;
+  }
+}
 
 void CouplingForces::drive(std::span<multibody::FrictionalJoint<double>> joints) const noexcept {
   for (std::size_t i = 0; i < rods_.size(); ++i) {
     const auto& pair = joints_.pairs()[i];
     joints[rods_[i].follower].torque += torque_[pair.follower];
+    joints[rods_[i].follower].inertia += rods_[i].trace;
     joints[rods_[i].leader].torque -= pair.ratio * torque_[pair.follower];
   }
 }
@@ -63,11 +108,11 @@ std::span<const double> CouplingForces::solve(const MovingTree& tree,
                                               std::span<const multibody::ArticulatedLink<double>> bodies,
                                               std::span<const double> roots, double h) noexcept {
   h_ = h;
-  for (std::size_t i = 0; i < rods_.size(); ++i) fill_row(i, tree, bodies, roots);
+  fill_rows(tree, bodies, roots);
   fill_right_side(tree, bodies, h);
   solve_pairs();
   std::fill(z_.begin(), z_.end(), 0.0);
-  for (std::size_t i = 0; i < rods_.size(); ++i) {
+  for (std::size_t i = 0; i < size(); ++i) {
     for (std::size_t k = 0; k < coordinates_; ++k) z_[k] += change_[i] * rows_[i * coordinates_ + k];
   }
   return z_;
@@ -86,6 +131,19 @@ void CouplingForces::count_as_drive(std::span<multibody::FrictionalJoint<double>
     move(joints[rods_[i].follower], change);
     move(joints[rods_[i].leader], -pair.ratio * change);
   }
+  for (std::size_t i = 0; i < loops_.rows().size(); ++i) force_of(loops_.rows()[i]) += change_[rods_.size() + i] / h_;
+}
+
+void CouplingForces::fill_rows(const MovingTree& tree, std::span<const multibody::ArticulatedLink<double>> bodies,
+                               std::span<const double> roots) noexcept {
+  for (std::size_t i = 0; i < rods_.size(); ++i) fill_row(i, tree, bodies, roots);
+  for (std::size_t i = 0; i < loops_.rows().size(); ++i) {
+    const multibody::LoopRow& loop = loops_.rows()[i];
+    const std::span row(rows_.data() + (rods_.size() + i) * coordinates_, coordinates_);
+    std::fill(row.begin(), row.end(), 0.0);
+    add_response(loop.links[0], 0, -1.0 * loop.force, tree, bodies, roots, row);
+    add_response(loop.links[1], 0, loop.force, tree, bodies, roots, row);
+  }
 }
 
 void CouplingForces::fill_row(std::size_t pair, const MovingTree& tree,
@@ -93,18 +151,17 @@ void CouplingForces::fill_row(std::size_t pair, const MovingTree& tree,
                               std::span<const double> roots) noexcept {
   const std::span row(rows_.data() + pair * coordinates_, coordinates_);
   std::fill(row.begin(), row.end(), 0.0);
-  add_response(rods_[pair].follower, 1, tree, bodies, roots, row);
-  add_response(rods_[pair].leader, -joints_.pairs()[pair].ratio, tree, bodies, roots, row);
+  add_response(rods_[pair].follower, 1, {}, tree, bodies, roots, row);
+  add_response(rods_[pair].leader, -joints_.pairs()[pair].ratio, {}, tree, bodies, roots, row);
 }
 
-/// Adds what a torque in the joint of a link does: numbers of the joints on the way to the base, then of the base.
-void CouplingForces::add_response(int link, double torque, const MovingTree& tree,
+/// Adds what a torque in the joint of a link and a force on the link do: numbers of the joints on the way to the base, then of the base.
+void CouplingForces::add_response(int link, double torque, Wrenchd force, const MovingTree& tree,
                                   std::span<const multibody::ArticulatedLink<double>> bodies,
                                   std::span<const double> roots, std::span<double> row) const noexcept {
   const auto& links = tree.columns.model.tree().links;
-  Wrenchd force;  // on link l
-  for (int l = link; l > 0; l = links[l].parent) {
-    const double along = l == link ? torque : dot(tree.links[l].axis, force);
+  for (int l = link; l > 0; l = links[l].parent) {  // force: on link l
+    const double along = dot(tree.links[l].axis, force) + (l == link ? torque : 0);
     row[5 + l] += roots[l] * along;
     force -= (along * bodies[l].inverse_D) * bodies[l].U;
   }
@@ -114,25 +171,37 @@ void CouplingForces::add_response(int link, double torque, const MovingTree& tre
 void CouplingForces::fill_right_side(const MovingTree& tree, std::span<const multibody::ArticulatedLink<double>> bodies,
                                      double h) noexcept {
   const PoseColumns& columns = tree.columns;
-  const std::size_t count = rods_.size();
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < rods_.size(); ++i) {
     const auto& pair = joints_.pairs()[i];
     const double e = columns.q[pair.follower] - pair.offset - pair.ratio * columns.q[pair.leader];
     const double rate = columns.qd[pair.follower] + h * bodies[rods_[i].follower].joint_acceleration -
                         pair.ratio * (columns.qd[pair.leader] + h * bodies[rods_[i].leader].joint_acceleration);
     const double softness = 1 / (rods_[i].stiffness * h * (h + damping_time));
     change_[i] = -(rate + e / (h + damping_time) + softness * h * torque_[pair.follower]);
-    for (std::size_t j = 0; j <= i; ++j) {
-      matrix_[i * count + j] =
-          product({rows_.data() + i * coordinates_, coordinates_}, {rows_.data() + j * coordinates_, coordinates_});
-    }
-    matrix_[i * count + i] += softness;
+    fill_matrix(i, softness);
   }
+  for (std::size_t i = 0; i < loops_.rows().size(); ++i) {
+    const multibody::LoopRow& loop = loops_.rows()[i];
+    const Twistd change = bodies[loop.links[1]].acceleration + -1.0 * bodies[loop.links[0]].acceleration;
+    const double rate = loop.rate + h * (dot(change, loop.force) + 0.5 * loop.bias);
+    const double softness = 1 / (stiffness_of(loop) * h * (h + damping_time));
+    const double gap = bounded(loop, h + damping_time);
+    change_[rods_.size() + i] = -(rate + gap / (h + damping_time) + softness * h * force_of(loop));
+    fill_matrix(rods_.size() + i, softness);
+  }
+}
+
+void CouplingForces::fill_matrix(std::size_t row, double softness) noexcept {
+  const auto numbers = [&](std::size_t i) {
+    return std::span<const double>(rows_.data() + i * coordinates_, coordinates_);
+  };
+  for (std::size_t j = 0; j <= row; ++j) matrix_[row * size() + j] = product(numbers(row), numbers(j));
+  matrix_[row * size() + row] += softness;
 }
 
 /// By Cholesky's factorization.
 void CouplingForces::solve_pairs() noexcept {
-  const std::size_t count = rods_.size();
+  const std::size_t count = size();
   const auto L = [&](std::size_t i, std::size_t j) -> double& { return matrix_[i * count + j]; };
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t j = 0; j <= i; ++j) {

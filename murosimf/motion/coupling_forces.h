@@ -1,5 +1,5 @@
-/// coupling_forces.h - what holds coupled joints together where they are moved by forces: a stiff spring and a damper
-/// between follower f and leader l, with the ratio r,
+/// coupling_forces.h - what holds coupled joints together, and loops closed, where they are moved by forces: a stiff spring and a
+/// damper between follower f and leader l, with the ratio r,
 ///
 ///     e = q_f - offset - r q_l,   torque on f = lambda = -k e - d e',   torque on l = -r lambda
 ///
@@ -10,10 +10,19 @@
 ///
 /// A joint that friction holds has no part in A. k = T / 0.2 mrad (T / 0.02 mm) at the follower, T the largest of both
 /// servos' stall torques there and the robot's weight times 0.1 m (its weight, for a slider); d = k * 0.5 ms.
+/// The rows of loops (multibody/loop_rows.h) are such springs, too, settled in the same system: e is the gap, and e' its mean rate over
+/// the step, J (qd + h qdd) + h/2 (dJ/dt) qd, so that e + h e' is the gap at its end to second order. That is SHAKE with a soft
+/// constraint: it has the force at the place where the step begins and the gap where it ends, and the slow motion of a linkage neither
+/// gains nor loses energy. k = weight / 0.02 mm for a shift, 0.1 m times the weight over 0.2 mrad for a turn, so that a loop that is
+/// held more than once, by hinges that are parallel but for the digits of a file, is not locked. A gap closes with 0.5 m/s (5 rad/s) at
+/// most: a robot that is put together wrongly is not torn apart.
+///
+/// A follower that moves no inertia has the trace 1e-6 J / r^2 of its leader's inertia J: the factors need some, and the coupling, which
+/// is settled with it, makes the leader one part in a million heavier.
 /// Forces of contacts inside an island come after lambda; the next step answers them, so that a contact that gives e the
 /// acceleration a by itself stretches the coupling by a h (h + d/k) more.
 /// Source: Featherstone 2008, sec. 6.5 (factors), 8.12 (constraint forces, loop joints); soft constraints as in
-/// Catto, Soft Constraints, GDC 2011.
+/// Catto, Soft Constraints, GDC 2011; Hairer, Lubich, Wanner, Geometric Numerical Integration, sec. VII.1 (SHAKE).
 #pragma once
 
 #include <span>
@@ -23,19 +32,30 @@
 #include "murosimf/motion/moving_tree.h"
 #include "murosimf/multibody/articulated_body.h"
 #include "murosimf/multibody/friction_solver.h"
+#include "murosimf/multibody/loop_joints.h"
+#include "murosimf/multibody/loop_rows.h"
 
 namespace murosimf::motion {
 
 class CouplingForces {
  public:
-  /// Adds the property coupling_torque, if the model has coupled joints. Throws SetupError as MimicJoints does.
+  /// Adds the properties coupling_torque and loop_force, if the model has coupled joints or loops. Throws SetupError as MimicJoints
+  /// and loops_of do.
   explicit CouplingForces(Setup& setup);
 
-  [[nodiscard]] const MimicJoints& joints() const { return joints_; }
-  [[nodiscard]] bool empty() const { return joints_.empty(); }
+  [[nodiscard]] bool empty() const { return joints_.empty() && loops_.empty(); }
+  /// Joints of loops that nothing drives go where the others take them: positions [rad | m] by object.
+  void assemble(std::span<double> q) { followers_.assemble(q); }
   /// No torque yet.
   void start() noexcept;
 
+  /// `moved`: inertias [kg m^2 | kg] that the joints move by themselves, by link. A follower that moves none counts as a part of its
+  /// leader, and moves in `moved` what that one does.
+  void count_at_leaders(std::span<double> moved) noexcept;
+  /// To be called first in a step: how loops stand.
+  void look(const MovingTree& tree) noexcept;
+  /// Adds the forces of loops that there are to the loads of their links.
+  void add_loads(std::span<multibody::ArticulatedLink<double>> bodies) const noexcept;
   /// Adds the torques that there are to what drives the joints; by link.
   void drive(std::span<multibody::FrictionalJoint<double>> joints) const noexcept;
   /// How the torques change, as the numbers z [N s/sqrt(kg)] of an impulse response (collision/impulse_response.h); for
@@ -50,10 +70,19 @@ class CouplingForces {
   struct Rod {
     int follower = 0, leader = 0;  // links
     double stiffness = 0;          // [N m/rad | N/m] k
+    double trace = 0;              // [kg m^2 | kg] inertia of a follower that moves none
   };
+  [[nodiscard]] std::size_t size() const { return rods_.size() + loops_.rows().size(); }
+  [[nodiscard]] double& force_of(const multibody::LoopRow& row) const noexcept;
+  [[nodiscard]] double stiffness_of(const multibody::LoopRow& row) const noexcept {
+    return row.is_turn() ? turn_stiffness_ : shift_stiffness_;
+  }
+  void fill_rows(const MovingTree& tree, std::span<const multibody::ArticulatedLink<double>> bodies,
+                 std::span<const double> roots) noexcept;
   void fill_row(std::size_t pair, const MovingTree& tree, std::span<const multibody::ArticulatedLink<double>> bodies,
                 std::span<const double> roots) noexcept;
-  void add_response(int link, double torque, const MovingTree& tree,
+  void fill_matrix(std::size_t row, double softness) noexcept;
+  void add_response(int link, double torque, Wrenchd force, const MovingTree& tree,
                     std::span<const multibody::ArticulatedLink<double>> bodies, std::span<const double> roots,
                     std::span<double> row) const noexcept;
   void fill_right_side(const MovingTree& tree, std::span<const multibody::ArticulatedLink<double>> bodies,
@@ -61,11 +90,16 @@ class CouplingForces {
   void solve_pairs() noexcept;
 
   MimicJoints joints_;
-  std::span<double> torque_;  // [N m | N] lambda, by object
+  multibody::LoopRows loops_;
+  multibody::LoopJoints followers_;
+  std::span<double> torque_;      // [N m | N] lambda, by object
+  std::span<Wrenchd> loop_force_; // [N m, N] the same of loops
+  double shift_stiffness_ = 0;    // [N/m] k
+  double turn_stiffness_ = 0;     // [N m/rad]
   std::vector<Rod> rods_;     // of each pair
   std::size_t coordinates_ = 0;
-  std::vector<double> rows_;    // F^-1 J^T, of pair i at i * coordinates
-  std::vector<double> matrix_;  // A + C, i and j at i * pairs + j; then its Cholesky factor
+  std::vector<double> rows_;    // F^-1 J^T, of pair i at i * coordinates; then those of loops
+  std::vector<double> matrix_;  // A + C, i and j at i * size() + j; then its Cholesky factor
   std::vector<double> change_;  // [N m s | N s] right side, then h dlambda
   std::vector<double> z_;
   double h_ = 0;  // [s] of the present step

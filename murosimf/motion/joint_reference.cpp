@@ -54,6 +54,7 @@ JointReference::JointReference(Setup& setup, const JointReferenceOptions& option
     : options_(options),
       turning_(setup),
       coupled_(setup.model()),
+      of_loops_(joints_of_loops(setup.model())),
       target_(setup.input(properties::joint_target, 0.0)),
       offset_(setup.write(properties::joint_offset)),
       kind_(setup.write(properties::joint_reference_kind)[0]),
@@ -82,6 +83,7 @@ void JointReference::initialize(PoseColumns& columns) noexcept {
     if (!cycle_target_.empty()) cycle_target_[i] = target_[i];
   }
   coupled_.follow(columns.q, columns.qd);
+  of_loops_.assemble(columns.q);
 }
 
 void JointReference::take_over(const PoseColumns& columns) noexcept {
@@ -174,6 +176,7 @@ bool JointReference::is_sane(const PoseColumns& columns) const noexcept {
 
 bool JointReference::advance(PoseColumns& columns, double dt) noexcept {
   if (!is_sane(columns)) return false;
+  of_loops_.keep(columns.q);
   switch (options_.kind) {
     case ReferenceKind::filter:
       fade_offsets(dt);
@@ -190,6 +193,7 @@ bool JointReference::advance(PoseColumns& columns, double dt) noexcept {
   }
   turn(columns, dt);
   stop_at_limits(columns);
+  of_loops_.follow(columns.q, columns.qd);
   return true;
 }
 
@@ -204,6 +208,9 @@ double JointReference::acceleration(const PoseColumns& columns, int joint) const
 }
 
 void JointReference::check(Integrator integrator) const {
+  if (integrator == Integrator::rk4 && !of_loops_.empty()) {
+    throw SetupError("integrator 'rk4' does not go with loops: their joints follow at the end of a step");
+  }
   if (integrator == Integrator::rk4 && options_.kind != ReferenceKind::filter) {
     throw SetupError("integrator 'rk4' needs the joint reference 'filter': the others jump from rate to rate");
   }

@@ -27,6 +27,7 @@
 /// (tau: torque_need in the direction of the motion, known at full_dynamics, else 0). What it is behind then is added to o. Else limbs that carry
 /// the robot throw it up when they catch up (docs/levels.md has the measure).
 /// A joint that follows another one (mimic_joints.h) is where that takes it; its own target means nothing.
+/// Joints of loops that nothing drives are where the others take them (multibody/loop_joints.h), whatever their targets and ranges.
 /// Targets are held to the joint's range and its joint_target_range.
 /// No joint is faster than its largest rate (joint_rate_limit): the filter's rate is cut off there, a line is as steep as it may be, and
 /// what would follow exactly comes later.
@@ -43,6 +44,7 @@
 #include "murosimf/motion/mimic_joints.h"
 #include "murosimf/motion/pose_columns.h"
 #include "murosimf/motion/velocity_joints.h"
+#include "murosimf/multibody/loop_joints.h"
 
 namespace murosimf::motion {
 
@@ -112,6 +114,7 @@ class JointReference {
   JointReferenceOptions options_;
   VelocityJoints turning_;
   MimicJoints coupled_;
+  multibody::LoopJoints of_loops_;
   std::span<const double> target_;                // [rad | m] desired positions
   std::span<double> offset_;                      // [rad | m] o, by object
   double& kind_;                                  // properties::joint_reference_kind

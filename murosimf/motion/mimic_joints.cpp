@@ -84,6 +84,16 @@ void MimicJoints::narrow(const Model& model) {
   }
 }
 
+multibody::LoopJoints joints_of_loops(const Model& model) {
+  std::vector<bool> follows(static_cast<std::size_t>(model.size()));
+  std::vector<double> start(follows.size());
+  for (const int joint : model.joints()) {
+    follows[joint] = !model.find(properties::servo, joint) && !model.find(properties::joint_coupling, joint);
+    if (const double* at = model.find(properties::joint_start, joint)) start[joint] = *at;
+  }
+  return {model, follows, std::move(start)};
+}
+
 void MimicJoints::follow(std::span<double> q, std::span<double> qd) const noexcept {
   for (const Pair& pair : pairs_) {
     q[pair.follower] = pair.offset + pair.ratio * q[pair.leader];

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "murosimf/model/model.h"
+#include "murosimf/multibody/loop_joints.h"
 
 namespace murosimf::motion {
 
@@ -44,5 +45,8 @@ class MimicJoints {
   std::vector<Range> ranges_;        // by object
   std::vector<double> rate_limits_;  // [rad/s | m/s] by object
 };
+
+/// Joints of the model that loops take along: those with neither servo nor coupling; `joint_start` is where its loops are closed.
+[[nodiscard]] multibody::LoopJoints joints_of_loops(const Model& model);
 
 }  // namespace murosimf::motion

@@ -9,6 +9,7 @@
 #include "murosimf/model/property.h"
 #include "murosimf/model/servo.h"
 #include "murosimf/model/value.h"
+#include "murosimf/multibody/loops.h"
 
 namespace murosimf {
 
@@ -33,6 +34,7 @@ inline constexpr Property<JointCoupling> joint_coupling {{"joint_coupling", "-",
 // ---- variable: of every object ----
 inline constexpr Property<double> joint_load       {{"joint_load", "N m | N", "joint", "all that a joint feels besides its own servo, friction, damper, spring, coupling and end"}};
 inline constexpr Property<double> coupling_torque  {{"coupling_torque", "N m | N", "joint", "on a joint that follows another one, by the coupling"}};
+inline constexpr Property<Wrenchd> loop_force     {{"loop_force", "N, N m", "world, where the loop closes", "on the frame that closes a loop (loop_closure), by the other one"}};
 inline constexpr Property<Twistd> felt_acceleration {{"felt_acceleration", "rad/s^2, m/s^2", "world, at the base's origin", "of a link: what forces add to its gravity and velocity products"}};
 inline constexpr Property<double> sent_target      {{"sent_target", "rad | m", "joint", "target that went over the bus last"}};
 inline constexpr Property<double> sent_target_age  {{"sent_target_age", "1", "joint", "steps since then"}};

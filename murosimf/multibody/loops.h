@@ -1,0 +1,47 @@
+/// loops.h - loops of a tree: two of its frames that stand in one place, whatever is between them (linkages).
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "murosimf/model/model.h"
+
+namespace murosimf {
+
+/// The origin of the object that has it coincides with that of another one, and if `welded` the axes, too.
+struct LoopClosure {
+  std::string other;  ///< name of an object of the same model
+  bool welded = false;
+};
+
+}  // namespace murosimf
+
+namespace murosimf::properties {
+
+inline constexpr Property<LoopClosure> loop_closure{
+    {"loop_closure", "-", "-", "the frame in whose place this one is held, which closes a loop"}};
+
+}  // namespace murosimf::properties
+
+namespace murosimf::multibody {
+
+struct Loop {
+  struct End {
+    FixedObject frame;
+    std::vector<int> path;  ///< links from the last one that both ends hang on (excluded) to the frame's
+  };
+  int object = 0;           ///< that has the closure: the frame of ends[1]
+  std::array<End, 2> ends;  ///< the other object's frame, the object's
+  bool welded = false;
+
+  [[nodiscard]] int rows() const { return welded ? 6 : 3; }
+};
+
+/// In the order of the objects. Throws SetupError if an object does not exist, or both are on the same link.
+[[nodiscard]] std::vector<Loop> loops_of(const Model& model);
+
+/// Whether a joint (an object) is a part of some loop.
+[[nodiscard]] bool is_in_loop(const Model& model, const std::vector<Loop>& loops, int joint);
+
+}  // namespace murosimf::multibody
