@@ -112,8 +112,8 @@ struct ControllerType {
   std::function<void(Simulation&, Entity&, const ControllerOptions&)> attach;
   std::vector<OptionInfo> options{};  ///< of its own
   bool any_options = false;           ///< takes those that are given, whatever they are called
-  /// [m/s, m/s, rad/s] What it makes of a command; empty: it does not follow one.
-  std::function<Vec3d(const Model&, const Vec3d& command)> attainable{};
+  /// [m/s, m/s, rad/s] What it makes of a command with these options; empty: it does not follow one.
+  std::function<Vec3d(const Model&, const OptionValues& options, const Vec3d& command)> attainable{};
 };
 
 /// All that plug-ins can add to.

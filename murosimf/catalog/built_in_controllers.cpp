@@ -17,9 +17,11 @@
 #include "murosimf/connect/trajectory_file.h"
 #include "murosimf/connect/trajectory_player.h"
 #include "murosimf/files/data_path.h"
+#include "murosimf/locomotion/gait_seed.h"
 #include "murosimf/locomotion/keyframe_player.h"
 #include "murosimf/locomotion/trot.h"
 #include "murosimf/locomotion/walk_engine.h"
+#include "murosimf/locomotion/walk_options.h"
 #include "murosimf/sensors/ground_truth.h"
 
 namespace murosimf::catalog {
@@ -33,9 +35,13 @@ double rate_of(const ControllerOptions& options) {
 
 void attach_none(Simulation&, Entity&, const ControllerOptions&) {}
 
+locomotion::WalkParameters walk_of(const Model& model, const OptionValues& options) {
+  return options.empty() ? locomotion::seeded_parameters(model) : locomotion::walk_parameters(model, options);
+}
+
 void attach_walk(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
   simulation.attach<locomotion::WalkEngine>("walk_engine", robot, rate_of<locomotion::WalkEngine>(options),
-                                            options.command);
+                                            options.command, walk_of(robot.model(), options.own));
 }
 
 void attach_balance(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
@@ -216,15 +222,15 @@ Vec3d clipped_command(const Vec3d& v, const Vec3d& fastest) {
   return {clip(v.x, fastest.x), clip(v.y, fastest.y), clip(v.z, fastest.z)};
 }
 
-Vec3d walks_at(const Model& model, const Vec3d& command) {
-  return clipped_command(command, locomotion::seeded_parameters(model).fastest);
+Vec3d walks_at(const Model& model, const OptionValues& options, const Vec3d& command) {
+  return clipped_command(command, walk_of(model, options).fastest);
 }
 
-Vec3d trots_at(const Model& model, const Vec3d& command) {
+Vec3d trots_at(const Model& model, const OptionValues&, const Vec3d& command) {
   return clipped_command(command, locomotion::seeded_trot(model, locomotion::find_four_legs(model)).fastest);
 }
 
-Vec3d drives_at(const Model& model, const Vec3d& command) {
+Vec3d drives_at(const Model& model, const OptionValues&, const Vec3d& command) {
   const locomotion::Vehicle car = locomotion::find_vehicle(model);
   if (std::abs(command.x) < 1e-3) return {command.x, 0, 0};  // a car does not turn on the spot
   const double curvature = std::clamp(command.z / command.x, car.least_curvature, car.greatest_curvature);
@@ -236,7 +242,8 @@ Vec3d drives_at(const Model& model, const Vec3d& command) {
 std::vector<ControllerType> built_in_controllers() {
   return {
       ControllerType{"none", "joints stay where they are put", "posture", attach_none},
-      ControllerType{"walk", "walks with the velocity in walk_command", "command", attach_walk, {}, false, walks_at},
+      ControllerType{"walk", "walks with the velocity in walk_command", "command", attach_walk,
+                     locomotion::walk_options(), false, walks_at},
       ControllerType{
           "trot", "trots on four legs with the velocity in walk_command", "command", attach_trot, {}, false, trots_at},
       ControllerType{"balance", "stands and answers pushes with its ankles, from the sensor 'imu'", "", attach_balance,

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/check/robot_checks.h"
-#include "murosimf/locomotion/gait.h"
+#include "murosimf/locomotion/gait_seed.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 

@@ -32,7 +32,7 @@ std::span<const double> inertial(Setup& setup, const char* output) {
 AnkleStrategy::AnkleStrategy(Setup& setup, const AnkleStrategyOptions& options)
     : options_(options),
       legs_(find_legs(setup.model())),
-      stance_(seeded_parameters(legs_)),
+      stance_(seeded_parameters(setup.model())),
       fall_rate_(fall_rate(stance_, setup.world().gravity)),
       gyroscope_(inertial(setup, "imu.gyroscope")),
       accelerometer_(inertial(setup, "imu.accelerometer")),

@@ -25,7 +25,7 @@
 
 #include <array>
 
-#include "murosimf/locomotion/gait.h"
+#include "murosimf/locomotion/gait_seed.h"
 #include "murosimf/model/algorithm.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/model/setup.h"

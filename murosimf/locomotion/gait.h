@@ -30,17 +30,6 @@ struct WalkParameters {
   Vec3d fastest{0.25, 0.10, 0.8};  ///< [m/s, m/s, rad/s] commands beyond are clipped
 };
 
-/// Parameters for a robot with these legs: those of kid21 scaled by the leg's length (lengths by l, times by sqrt(l)),
-/// the sway from the linear inverted pendulum: ay = b (1 - 1/cosh(w T/4)), w = sqrt(g / z_c), b half the hip width,
-/// z_c = 1.072 h the height of the center of mass. Where the legs do not reach the ends of the strides at full speed, hips
-/// are lowered and strides made shorter until they do.
-/// Source: Kajita et al., "The 3D Linear Inverted Pendulum Mode", IROS 2001, for the pendulum's periodic orbit.
-[[nodiscard]] WalkParameters seeded_parameters(const std::array<Leg, 2>& legs);
-/// The same for the legs of a model (find_legs), and no joint is asked for more than 0.9 of its largest rate (joint_rate_limit), as far as
-/// that goes: feet are lifted less, down to a third, then steps take longer, up to half as long again, until 0.6 of the speed is left;
-/// then strides get shorter. All robots of a team ask for them, so the model keeps them.
-[[nodiscard]] WalkParameters seeded_parameters(const Model& model);
-
 /// Joint positions [rad] of both legs, left first, in the order of their joints.
 struct GaitPose {
   std::array<std::array<double, most_hinges>, 2> q{};

@@ -3,12 +3,16 @@
 
 #include <span>
 
+#include "murosimf/model/option.h"
 #include "murosimf/model/property.h"
 #include "murosimf/model/value.h"
 
 namespace murosimf::properties {
 
 // clang-format off
+
+// ---- constant: of the base ----
+inline constexpr Property<OptionValues> given_walk   {{"given_walk", "-", "-", "numbers of the walk that the robot's file gives, by their names", Scope::base}};
 
 // ---- variable: one for the whole entity ----
 inline constexpr Property<Vec3d>  walk_command       {{"walk_command", "m/s, m/s, rad/s", "robot, x forward", "desired walking velocity", Scope::base}};

@@ -49,7 +49,7 @@ KeyframePlayer::KeyframePlayer(Setup& setup, const KeyframeMotion& motion)
   }
   if (foot_sinks_.empty()) return;
   legs_ = find_legs(setup.model());
-  stance_ = seeded_parameters(legs_);
+  stance_ = seeded_parameters(setup.model());
 }
 
 void KeyframePlayer::connect(const Model& model, const Channel& channel, std::size_t column) {

@@ -8,7 +8,7 @@
 #include <array>
 #include <vector>
 
-#include "murosimf/locomotion/gait.h"
+#include "murosimf/locomotion/gait_seed.h"
 #include "murosimf/locomotion/keyframe_motion.h"
 #include "murosimf/model/algorithm.h"
 #include "murosimf/model/properties.h"

@@ -103,7 +103,7 @@ void limit_curvature(const Model& model, Vehicle& vehicle) {
   }
 }
 
-[[noreturn]] void refuse(const Model& model, std::string_view why) {
+[[noreturn]] void refuse_vehicle(const Model& model, std::string_view why) {
   throw SetupError(fmt::format("model '{}' cannot be driven: {}", model.name(), why));
 }
 
@@ -121,9 +121,9 @@ Vehicle find_vehicle(const Model& model) {
       vehicle.wheels.push_back(*wheel);
     }
   }
-  if (vehicle.wheels.empty()) refuse(model, "it has no wheel, a cylinder about an endless hinge along y");
+  if (vehicle.wheels.empty()) refuse_vehicle(model, "it has no wheel, a cylinder about an endless hinge along y");
   if (std::ranges::none_of(vehicle.wheels, &Wheel::driven)) {
-    refuse(model, "no wheel has a servo that follows a rate; give one a <velocity> actuator");
+    refuse_vehicle(model, "no wheel has a servo that follows a rate; give one a <velocity> actuator");
   }
   measure_from_axle(vehicle.wheels);
   limit_curvature(model, vehicle);

@@ -6,6 +6,7 @@
 
 #include "murosimf/locomotion/gait.h"
 #include "murosimf/locomotion/gait_clock.h"
+#include "murosimf/locomotion/gait_seed.h"
 #include "murosimf/model/algorithm.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/model/setup.h"
@@ -14,7 +15,7 @@ namespace murosimf::locomotion {
 
 class WalkEngine final : public Algorithm {
  public:
-  /// `command` [m/s, m/s, rad/s]: walk_command until somebody sets another. Parameters are seeded from the legs.
+  /// `command` [m/s, m/s, rad/s]: walk_command until somebody sets another. Parameters are those of the model (gait_seed.h).
   /// Throws SetupError if the model has no two legs that find_legs understands.
   explicit WalkEngine(Setup& setup, const Vec3d& command = {});
   WalkEngine(Setup& setup, const Vec3d& command, const WalkParameters& parameters);

@@ -7,6 +7,7 @@
 #include "murosimf/collision/contact_properties.h"
 #include "murosimf/description/robot_visuals.h"
 #include "murosimf/files/xml_element.h"
+#include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/fixed_base.h"
 #include "murosimf/model/keyframe.h"
@@ -49,6 +50,7 @@ class Builder {
     if (!frames_.contains(base)) add_other_names(chain, table_.frames, base);
     add_pairs(chain);
     add_keyframes(chain);
+    if (!table_.walk.empty()) chain.with(properties::given_walk, table_.walk);
     finish(chain, 0);
     return chain;
   }

@@ -7,6 +7,7 @@
 
 #include "murosimf/components/sensor_toml.h"
 #include "murosimf/components/servo_description.h"
+#include "murosimf/locomotion/walk_options.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::robot {
@@ -35,8 +36,11 @@ class Reader {
         for (const auto& [name, servo] : table_of(key, value)) read_servo(name, table_of(name, servo));
       } else if (key == "sensors") {
         table_.sensors = components::read_sensor_tables(table_of(key, value));
+      } else if (key == "walk") {
+        read_walk(table_of(key, value));
       } else {
-        unknown("table", key, {"soles", "frames", "joints", "rate_limits", "surfaces", "meshes", "servos", "sensors"});
+        unknown("table", key,
+                {"soles", "frames", "joints", "rate_limits", "surfaces", "meshes", "servos", "sensors", "walk"});
       }
     }
     return table_;
@@ -96,6 +100,18 @@ class Reader {
       const toml::array* names = value.as_array();
       if (!names) files::fail_at(key.source(), "part_per_group must be a list of meshes, like [\"torso\"]");
       for (const toml::node& name : *names) table_.part_per_group.push_back(name_of("part_per_group", name));
+    }
+  }
+
+  void read_walk(const toml::table& walk) {
+    for (const auto& [key, value] : walk) {
+      const std::string name(key.str());
+      const OptionInfo* option = find_option(locomotion::walk_options(), name);
+      if (!option) unknown("number of the walk", key, option_names(locomotion::walk_options()));
+      const auto numbers = value.is_array() ? std::nullopt : files::numbers_of(value);
+      if (!numbers) files::fail_at(value.source(), fmt::format("'{}' must be a number", name));
+      with_context(files::where(value.source()), [&] { check_option(*option, numbers->front()); });
+      table_.walk[name] = numbers->front();
     }
   }
 

@@ -21,6 +21,9 @@
 ///     [meshes]
 ///     part_per_group = ["torso"]   # meshes of OBJ files whose objects or groups are convex parts
 ///
+///     [walk]                       # numbers of the walk, instead of those that are worked out (locomotion/walk_options.h)
+///     lift = 0.03
+///
 ///     [sensors.imu]                # docs/robots.md, "Sensors"; murosimf/components/sensor_table.h
 ///     part = "mpu6050"
 ///
@@ -36,6 +39,7 @@
 #include <vector>
 
 #include "murosimf/components/sensor_table.h"
+#include "murosimf/model/option.h"
 #include "murosimf/model/servo.h"
 
 namespace murosimf::robot {
@@ -67,6 +71,7 @@ struct RobotConfig {
   std::map<std::string, TableServo> servos;        ///< by joint
   std::vector<TableName> part_per_group;           ///< meshes of several convex parts
   std::vector<components::SensorTable> sensors;    ///< that it makes, changes or removes
+  OptionValues walk;                               ///< numbers of the walk, by their names
 
   /// Material of a body: its own or the default.
   [[nodiscard]] const std::string& surface(const std::string& body) const;

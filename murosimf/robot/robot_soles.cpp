@@ -87,6 +87,14 @@ std::vector<Transformd> body_places(const description::RobotDescription& descrip
   return places;
 }
 
+double lowest_point(const description::RobotDescription& description) {
+  const auto places = body_places(description);
+  double bottom = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < places.size(); ++i)
+    bottom = std::min(bottom, lowest(low_points(description.bodies[i], places[i])));
+  return bottom;
+}
+
 std::optional<description::FrameDescription> sole_under(const description::RobotDescription& description,
                                                         std::size_t body, const std::string& name, const Mat3d& axes) {
   const Transformd place = body_places(description)[body];

@@ -19,6 +19,9 @@ namespace murosimf::robot {
 /// Place of every body in the frame of the base, in the pose of the file.
 [[nodiscard]] std::vector<Transformd> body_places(const description::RobotDescription& description);
 
+/// [m] Lowest point of all shapes that collide, in the frame of the base and the pose of the file; infinite without any.
+[[nodiscard]] double lowest_point(const description::RobotDescription& description);
+
 /// The rectangle that the lowest few millimeters of the colliding shapes of a body fill, at least 2 cm wide; a frame of
 /// `name` at its middle. Parts are drawn along their own axes, but a foot need not be level in the pose of the file: x, y, z
 /// of the sole are those axes of `axes` (seen in the body), with either sign, that come nearest to forward, left and up

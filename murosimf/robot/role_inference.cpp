@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
-#include <set>
 
 #include <fmt/format.h>
 
@@ -11,13 +10,10 @@
 #include "murosimf/files/xml_element.h"
 #include "murosimf/model/error.h"
 #include "murosimf/robot/robot_soles.h"
+#include "murosimf/robot/servo_inference.h"
 
 namespace murosimf::robot {
 namespace {
-
-constexpr double full_torque_bend = 0.1;   // [rad] a guessed servo gives all it has at this error
-constexpr double full_force_shift = 0.02;  // [m] of a slider
-constexpr double damping_time = 0.05;      // [s] damping over gain of a guessed servo
 
 std::string lower(std::string text) {
   for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -157,49 +153,6 @@ void guess_frames(description::RobotDescription& description, RobotConfig& table
   const std::string camera = frame_of_sensor(description, "camera");
   take_frame(description, table, "camera", camera.empty() ? name_with(description, "camera", "optical") : camera);
   guess_hands(description, table);
-}
-
-/// [N m | N] that the file gives for whatever moves the joint; 0: nothing.
-double largest_torque(const description::JointDescription& joint) {
-  if (joint.servo && joint.servo->stall_torque > 0) return joint.servo->stall_torque;
-  return joint.effort_limit;
-}
-
-bool has_gain(const Servo& servo) { return servo.position_gain > 0 || servo.velocity_gain > 0; }
-
-void guess_servo(description::JointDescription& joint) {
-  Servo servo;
-  servo.type = components::guessed_servo;
-  servo.law = "ideal_pd";
-  servo.stall_torque = largest_torque(joint);
-  if (joint.servo) {
-    servo.lowest_share = joint.servo->lowest_share;
-    servo.highest_share = joint.servo->highest_share;
-    servo.command_filter = joint.servo->command_filter;
-  }
-  servo.no_load_speed = joint.rate_limit;
-  servo.position_gain = servo.stall_torque / (joint.kind == Kind::prismatic ? full_force_shift : full_torque_bend);
-  servo.velocity_gain = damping_time * servo.position_gain;
-  joint.servo = servo;
-}
-
-void guess_servos(description::RobotDescription& description, const RobotConfig& table) {
-  std::set<std::string> followers;
-  for (const description::MimicDescription& mimic : description.mimics) followers.insert(mimic.joint);
-  int guessed = 0;
-  for (description::BodyDescription& body : description.bodies) {
-    for (description::JointDescription& joint : body.joints) {
-      const bool driven = (joint.servo && has_gain(*joint.servo)) || table.servos.contains(joint.name);
-      if (driven || followers.contains(joint.name) || !(largest_torque(joint) > 0)) continue;
-      guess_servo(joint);
-      ++guessed;
-    }
-  }
-  if (guessed == 0) return;
-  description.notes.push_back(fmt::format(
-      "{}: guessed: position gains of {} servos, all torque at {} rad, all force at {} m; the file has only "
-      "their largest torques",
-      description.bodies[0].where, guessed, full_torque_bend, full_force_shift));
 }
 
 std::string soles_toml(const RobotConfig& table) {

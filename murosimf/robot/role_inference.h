@@ -18,7 +18,7 @@ void place_soles(description::RobotDescription& description, RobotConfig& table)
 /// Completes `table` and `description` where both are silent:
 ///   soles    frames called "...sole", else the two or four feet that the robot stands on in the pose of the file
 ///   frames   imu, camera, left_hand, right_hand: by the names of frames, sensors and bodies
-///   servos   law ideal_pd with the file's largest torque F and rate: gain F / 0.1 rad, damping 0.05 s of it
+///   servos   servo_inference.h
 void guess_roles(description::RobotDescription& description, RobotConfig& table);
 
 /// Soles, frames and servos as the TOML file that would stand beside the robot.

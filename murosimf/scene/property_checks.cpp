@@ -250,7 +250,7 @@ std::string check_setting(Simulation& simulation, const scene_file::SceneSpec& s
 std::string check_command(const scene_file::RobotSpec& robot, const Model& model, const Vec3d& command) {
   const catalog::ControllerType& controller = find_entry(catalog::controllers(), "controller", robot.controller);
   if (!controller.attainable || is_zero(command)) return {};
-  const Vec3d most = controller.attainable(model, command);
+  const Vec3d most = controller.attainable(model, robot.options, command);
   if (norm(most - command) < 1e-9) return {};
   return fmt::format(
       "the command [{:.3g}, {:.3g}, {:.3g}] (m/s, m/s, rad/s) is more than '{}' can do with this robot: "

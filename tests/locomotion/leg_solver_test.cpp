@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/locomotion/gait.h"
+#include "murosimf/locomotion/gait_seed.h"
 #include "murosimf/math/quaternion.h"
 #include "murosimf/math/random.h"
 #include "tests/law.h"

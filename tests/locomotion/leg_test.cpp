@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/locomotion/gait.h"
+#include "murosimf/locomotion/gait_seed.h"
 #include "murosimf/locomotion/leg_ik.h"
 #include "murosimf/math/random.h"
 #include "murosimf/multibody/kinematics.h"

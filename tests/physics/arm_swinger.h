@@ -5,7 +5,7 @@
 #include <cmath>
 #include <span>
 
-#include "murosimf/locomotion/gait.h"
+#include "murosimf/locomotion/gait_seed.h"
 #include "murosimf/model/algorithm.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/model/setup.h"

@@ -1,0 +1,50 @@
+#include "murosimf/locomotion/gait_balance.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "murosimf/model/feet.h"
+#include "murosimf/model/properties.h"
+#include "murosimf/multibody/kinematics.h"
+#include "murosimf/multibody/mass.h"
+
+namespace murosimf::locomotion {
+namespace {
+
+/// [rad | m] of all objects; a joint without a target of the walk is told to be at zero.
+std::vector<double> joint_positions(const Model& model, const std::array<Leg, 2>& legs, const GaitPose& pose) {
+  std::vector<double> q(static_cast<std::size_t>(model.size()));
+  for (const int joint : model.joints()) {
+    if (const Vec3d* range = model.find(properties::joint_range, joint)) q[joint] = std::clamp(0.0, range->x, range->y);
+  }
+  for (std::size_t side = 0; side < 2; ++side) {
+    for (std::size_t i = 0; i < legs[side].joints.size(); ++i) q[legs[side].joints[i]] = pose.q[side][i];
+  }
+  return q;
+}
+
+}  // namespace
+
+Balance balance_of(const Model& model, const std::array<Leg, 2>& legs, const WalkParameters& parameters, double sway) {
+  WalkParameters p = parameters;
+  p.lift = p.hip_roll = 0;
+  p.lead = 0;
+  p.sway = sway;
+  constexpr double swayed = pi / 2;  // [rad] where sin(phase) is 1
+  const GaitPose pose = gait_pose(legs, p, swayed, 1, {});
+  const std::vector<double> q = joint_positions(model, legs, pose);
+  std::vector<Vec3d> r(q.size()), rest(q.size());
+  std::vector<Mat3d> R(q.size());
+  R[0] = rotation_y(p.pitch);
+  multibody::poses<double>(model.tree(), q, r, R);
+  const auto body = multibody::common_body<double>(model.tree(), r, R, rest, rest);
+  Balance balance{.mass = body.mass, .center = body.center};
+  for (const Foot& foot : feet_of(model)) {
+    const int link = model.tree().links[foot.place.link].object;
+    const std::size_t side = link == legs[0].joints.back() ? 0 : 1;
+    balance.sole[side] = r[link] + R[link] * foot.place.offset;
+  }
+  return balance;
+}
+
+}  // namespace murosimf::locomotion

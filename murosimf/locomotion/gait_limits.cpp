@@ -1,0 +1,111 @@
+#include "murosimf/locomotion/gait_limits.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "murosimf/motion/rate_limit.h"
+
+namespace murosimf::locomotion {
+namespace {
+
+/// Both feet get everywhere at this walking velocity.
+bool reaches(const std::array<Leg, 2>& legs, const WalkParameters& p, const Vec3d& velocity) {
+  constexpr int phases = 100;
+  GaitPose pose = home_pose(legs);
+  for (int i = 0; i < phases; ++i) {
+    pose = gait_pose(legs, p, 2 * pi * i / phases, 1, velocity, pose);
+    if (!pose.reachable) return false;
+  }
+  return true;
+}
+
+/// Full speed forward while turning half as fast as possible, back, sideways and turning on the spot.
+bool reaches_at_full_speed(const std::array<Leg, 2>& legs, const WalkParameters& p) {
+  const auto& [x, y, z] = p.fastest;
+  return reaches(legs, p, {x, 0, 0.5 * z}) && reaches(legs, p, {-x, 0, 0}) && reaches(legs, p, {0, y, 0}) &&
+         reaches(legs, p, {0, 0, z});
+}
+
+/// Where the legs do not reach: less of what alone is too fast already, or less of everything.
+void slow_down(const std::array<Leg, 2>& legs, WalkParameters& p) {
+  constexpr double slower = 0.8;
+  auto& [x, y, z] = p.fastest;
+  const bool forward = reaches(legs, p, {x, 0, 0}) && reaches(legs, p, {-x, 0, 0});
+  const bool sideways = reaches(legs, p, {0, y, 0}), turning = reaches(legs, p, {0, 0, z});
+  const bool alone = forward && sideways && turning;
+  if (!forward || alone) x *= slower;
+  if (!sideways || alone) y *= slower;
+  if (!turning || alone) z *= slower;
+}
+
+using Rates = std::array<std::vector<double>, 2>;  // [rad/s] by leg and hinge
+
+Rates largest_rates(const Model& model, const std::array<Leg, 2>& legs) {
+  Rates rates;
+  for (std::size_t side = 0; side < 2; ++side) {
+    for (const int joint : legs[side].joints) rates[side].push_back(motion::joint_rate_limit(model, joint));
+  }
+  return rates;
+}
+
+/// The largest rate of a hinge over what it may have, in a period at this walking velocity. [1]
+double used_rate(const std::array<Leg, 2>& legs, const Rates& largest, const WalkParameters& p, const Vec3d& velocity) {
+  constexpr int phases = 200;
+  double used = 0;
+  GaitPose before = gait_pose(legs, p, 0, 1, velocity);
+  for (int i = 1; i <= phases; ++i) {
+    const GaitPose pose = gait_pose(legs, p, 2 * pi * i / phases, 1, velocity, before);
+    for (std::size_t side = 0; side < 2; ++side) {
+      for (std::size_t k = 0; k < largest[side].size(); ++k)
+        used = std::max(used, std::abs(pose.q[side][k] - before.q[side][k]) * phases / (p.period * largest[side][k]));
+    }
+    before = pose;
+  }
+  return used;
+}
+
+double used_rate_at_full_speed(const std::array<Leg, 2>& legs, const Rates& largest, const WalkParameters& p) {
+  const auto& [x, y, z] = p.fastest;
+  double used = 0;
+  for (const Vec3d& velocity : {Vec3d{x, 0, 0.5 * z}, Vec3d{-x, 0, 0}, Vec3d{0, y, 0}, Vec3d{0, 0, z}})
+    used = std::max(used, used_rate(legs, largest, p, velocity));
+  return used;
+}
+
+}  // namespace
+
+void fit_to_reach(const std::array<Leg, 2>& legs, WalkParameters& p) {
+  constexpr double lower = 0.99;
+  constexpr int heights = 12, lengths = 12;
+  WalkParameters tried = p;
+  for (int i = 0; i < lengths; ++i) {
+    tried.hip_height = p.hip_height;
+    for (int k = 0; k < heights; ++k) {
+      if (reaches_at_full_speed(legs, tried)) {
+        p = tried;
+        return;
+      }
+      tried.hip_height = legs[0].ankle_height + lower * (tried.hip_height - legs[0].ankle_height);
+    }
+    tried.hip_height = p.hip_height;
+    slow_down(legs, tried);
+  }
+}
+
+void fit_to_rates(const Model& model, const std::array<Leg, 2>& legs,
+                  const std::function<double(const WalkParameters&)>& sway, WalkParameters& p) {
+  const Rates largest = largest_rates(model, legs);
+  constexpr double share = 0.9, lower = 0.95, longer = 1.02, slower = 0.95;
+  constexpr double walking = 0.6;  // of the fastest: so much shall be left of it
+  const double least_lift = p.lift / 3, most_period = 1.5 * p.period;
+  const auto is_too_fast = [&] { return used_rate(legs, largest, p, {walking * p.fastest.x, 0, 0}) > share; };
+  while (is_too_fast() && p.lift > least_lift) p.lift *= lower;
+  while (is_too_fast() && p.period < most_period) {
+    p.period *= longer;
+    p.sway = sway(p);
+  }
+  constexpr int most = 40;
+  for (int i = 0; i < most && used_rate_at_full_speed(legs, largest, p) > share; ++i) p.fastest = slower * p.fastest;
+}
+
+}  // namespace murosimf::locomotion

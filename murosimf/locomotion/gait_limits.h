@@ -1,0 +1,19 @@
+/// gait_limits.h - keeps a walk within what legs reach and joints can do.
+#pragma once
+
+#include <functional>
+
+#include "murosimf/locomotion/gait.h"
+
+namespace murosimf::locomotion {
+
+/// Where the legs do not reach the ends of the strides at full speed (ranges or offsets of the hinges), hips are lowered, by up to 11 %,
+/// and strides made shorter until they do.
+void fit_to_reach(const std::array<Leg, 2>& legs, WalkParameters& parameters);
+
+/// No joint is asked for more than 0.9 of its largest rate (joint_rate_limit), as far as that goes: feet are lifted less, down to a third,
+/// then steps take longer, up to half as long again, until 0.6 of the speed is left; then strides get shorter. `sway` is the one of a period.
+void fit_to_rates(const Model& model, const std::array<Leg, 2>& legs,
+                  const std::function<double(const WalkParameters&)>& sway, WalkParameters& parameters);
+
+}  // namespace murosimf::locomotion

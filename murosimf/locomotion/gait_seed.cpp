@@ -1,0 +1,117 @@
+#include "murosimf/locomotion/gait_seed.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "murosimf/locomotion/gait_balance.h"
+#include "murosimf/locomotion/gait_limits.h"
+#include "murosimf/locomotion/gait_properties.h"
+#include "murosimf/locomotion/walk_options.h"
+#include "murosimf/model/properties.h"
+
+namespace murosimf::locomotion {
+namespace {
+
+constexpr double gravity = 9.81;  // [m/s^2]
+
+double leg_length(const std::array<Leg, 2>& legs) { return legs[0].thigh + legs[0].shin; }
+
+WalkParameters scaled_by_length(const std::array<Leg, 2>& legs) {
+  constexpr double kid21_leg = 0.24;             // [m] thigh and shin
+  constexpr double kid21_half_hip_width = 0.05;  // [m]
+  constexpr double kid21_ankle_height = 0.04;    // [m]
+  WalkParameters p;
+  const double scale = leg_length(legs) / kid21_leg;
+  const double half_hip_width = 0.5 * (legs[0].hip.y - legs[1].hip.y);
+  p.hip_height = (p.hip_height - kid21_ankle_height) * scale + legs[0].ankle_height;
+  p.period *= std::sqrt(scale);
+  p.lift *= scale;
+  p.setback *= scale;
+  p.half_width = half_hip_width + (p.half_width - kid21_half_hip_width) * scale;
+  p.slew.x *= scale;
+  p.slew.y *= scale;
+  p.fastest.x *= std::sqrt(scale);
+  p.fastest.y *= std::sqrt(scale);
+  return p;
+}
+
+/// [m] to which side a pendulum of height `z` [m] goes that stands on points at `b` [m] to either side in turn.
+double pendulum_sway(double b, double z, double period) {
+  return b * (1 - 1 / std::cosh(std::sqrt(gravity / z) * period / 4));
+}
+
+double half_distance(const Balance& balance) { return 0.5 * (balance.sole[0].y - balance.sole[1].y); }
+
+/// [m] The center of mass, from the middle between the soles.
+Vec3d above_soles(const Balance& balance) { return balance.center - 0.5 * (balance.sole[0] + balance.sole[1]); }
+
+/// Of the hips: what the center of mass does of it follows from how legs turn below them.
+double sway_of_masses(const Model& model, const std::array<Leg, 2>& legs, const WalkParameters& p) {
+  constexpr double small = 0.01;  // [m]
+  const Balance middle = balance_of(model, legs, p), aside = balance_of(model, legs, p, small);
+  const double share = (above_soles(aside).y - above_soles(middle).y) / small;
+  return pendulum_sway(half_distance(middle), above_soles(middle).z, p.period) / share;
+}
+
+/// The center of mass over the middle of the soles.
+void center(const Model& model, const std::array<Leg, 2>& legs, WalkParameters& p) {
+  constexpr int rounds = 4;  // legs weigh, too
+  for (int i = 0; i < rounds; ++i) {
+    p.setback -= above_soles(balance_of(model, legs, p)).x;
+  }
+}
+
+/// [rad] by which the swinging side hangs because the servo of the standing hip gives way.
+double droop_of(const Model& model, const std::array<Leg, 2>& legs, const Balance& balance) {
+  constexpr double sideways = 0.7;  // [1] of a roll axis
+  const std::vector<double> zero(legs[0].joints.size());
+  const ChainPose pose = pose_of(legs[0].chain, zero);
+  for (std::size_t i = 0; i < zero.size(); ++i) {
+    const Servo* servo = model.find(properties::servo, legs[0].joints[i]);
+    if (std::abs(pose.axis[i].x) < sideways || !servo || !(servo->position_gain > 0)) continue;
+    return balance.mass * gravity * half_distance(balance) / servo->position_gain;
+  }
+  return 0;
+}
+
+void lift_over_droop(const Model& model, const std::array<Leg, 2>& legs, WalkParameters& p) {
+  constexpr double clearance = 0.05;  // [1] of the leg's length
+  constexpr double most_roll = 0.06;  // [rad]
+  const Balance balance = balance_of(model, legs, p);
+  const double droop = droop_of(model, legs, balance);
+  p.hip_roll = std::min(droop, most_roll);
+  p.lift = std::min(p.lift, clearance * leg_length(legs) + 2 * half_distance(balance) * droop);
+}
+
+}  // namespace
+
+WalkParameters seeded_parameters(const std::array<Leg, 2>& legs) {
+  WalkParameters p = scaled_by_length(legs);
+  fit_to_reach(legs, p);
+  p.sway = pendulum_sway(0.5 * (legs[0].hip.y - legs[1].hip.y), 1.072 * p.hip_height, p.period);
+  return p;
+}
+
+WalkParameters walk_parameters(const Model& model, const OptionValues& given) {
+  const std::array<Leg, 2>& legs = legs_of(model);
+  OptionValues all = given;
+  if (const OptionValues* own = model.find(properties::given_walk, 0)) all.insert(own->begin(), own->end());
+  WalkParameters p = scaled_by_length(legs);
+  apply_walk_options(all, p);
+  if (!all.contains("setback")) center(model, legs, p);
+  lift_over_droop(model, legs, p);
+  apply_walk_options(all, p);
+  fit_to_reach(legs, p);
+  const auto sway = [&](const WalkParameters& now) {
+    return all.contains("sway") ? now.sway : sway_of_masses(model, legs, now);
+  };
+  p.sway = sway(p);
+  fit_to_rates(model, legs, sway, p);
+  return p;
+}
+
+WalkParameters seeded_parameters(const Model& model) {
+  return *model.derived().get<WalkParameters>("seeded", [&] { return walk_parameters(model, {}); });
+}
+
+}  // namespace murosimf::locomotion

@@ -1,0 +1,29 @@
+/// gait_seed.h - the numbers of a walk, worked out from a robot: from its legs, its masses and its servos.
+///
+/// From the legs, those of kid21 scaled by the leg's length (lengths by l, times by sqrt(l)). From the masses, at rest between two steps:
+///     setback    such that the common center of mass is over the middle between the soles
+///     sway       of the hips, such that the center of mass sways by b (1 - 1/cosh(w T/4)), w = sqrt(g / z_c): the periodic orbit of
+///                the linear inverted pendulum; b half the distance of the soles, z_c the center of mass above them
+/// and with m the mass, k the position gain of a hip's roll joint, l thigh and shin:
+///     droop d = m g b / k     hip_roll = d, at most 0.06 rad     lift = 0.05 l + 2 b d, at most 0.19 l
+/// Source: Kajita et al., "The 3D Linear Inverted Pendulum Mode", IROS 2001, for the orbit; docs/robots.md, "What walking needs", for
+/// what was measured.
+#pragma once
+
+#include "murosimf/locomotion/gait.h"
+#include "murosimf/model/option.h"
+
+namespace murosimf::locomotion {
+
+/// From the legs alone, for a robot without masses: z_c is 1.072 times the height of the hips, b half their distance. Strides fit the
+/// legs' reach (gait_limits.h).
+[[nodiscard]] WalkParameters seeded_parameters(const std::array<Leg, 2>& legs);
+
+/// Of a model: `given` (walk_options.h) counts before the file's own (given_walk), that before what is worked out. Then strides are fitted
+/// to what legs reach and joints can do (gait_limits.h). Throws SetupError if the model has no legs to walk with or an option is wrong.
+[[nodiscard]] WalkParameters walk_parameters(const Model& model, const OptionValues& given);
+
+/// The same with nothing given. All robots of a team ask for them, so the model keeps them.
+[[nodiscard]] WalkParameters seeded_parameters(const Model& model);
+
+}  // namespace murosimf::locomotion

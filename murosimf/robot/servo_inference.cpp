@@ -1,0 +1,212 @@
+#include "murosimf/robot/servo_inference.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "murosimf/components/servo_sections.h"
+#include "murosimf/robot/robot_soles.h"
+
+namespace murosimf::robot {
+namespace {
+
+using description::BodyDescription;
+using description::JointDescription;
+using description::RobotDescription;
+
+constexpr double gravity = 9.81;           // [m/s^2]
+constexpr double full_torque_bend = 0.1;   // [rad] a guessed servo gives all it has at this error
+constexpr double full_force_shift = 0.02;  // [m] of a slider
+constexpr double damping_time = 0.05;      // [s] damping over gain of a guessed servo
+
+// Of a robot on two soles; the stiffness with which it topples is m g z_c.
+constexpr double biped_share = 4;             // [1] of the gain F / 0.1 rad
+constexpr double least_gain = 4;              // [1] of that stiffness, in the legs
+constexpr double most_gain = 40;              // [1] the same, of all joints
+constexpr double most_torque = 10;            // [1] of m g z_c
+constexpr double torque_without = 0.4;        // [1] the same, of a joint of which the file says nothing
+constexpr double rotor_without = 0.005;       // [1] of m z_c^2
+constexpr double biped_damping_time = 0.025;  // [s]
+
+struct Weight {
+  double mass = 0;    ///< [kg]
+  double height = 0;  ///< [m] of the center of mass above the lowest point
+  [[nodiscard]] double stiffness() const { return mass * gravity * height; }  ///< [N m/rad]
+};
+
+Weight weight_of(const RobotDescription& description) {
+  const auto places = body_places(description);
+  Weight weight;
+  double moment = 0;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const auto& solid = description.bodies[i].solid;
+    weight.mass += solid.mass;
+    moment += solid.mass * (places[i].position + places[i].orientation * solid.center).z;
+  }
+  if (weight.mass > 0) weight.height = moment / weight.mass - lowest_point(description);
+  return weight;
+}
+
+/// Bodies with a sole, by their places in the description.
+std::set<std::size_t> feet_of(const RobotDescription& description, const RobotConfig& table) {
+  std::set<std::size_t> feet;
+  for (std::size_t i = 0; i < description.bodies.size(); ++i) {
+    const BodyDescription& body = description.bodies[i];
+    const auto is_named = [&](const std::string& name) {
+      return std::ranges::find(table.soles, name, &TableName::name) != table.soles.end();
+    };
+    const bool by_frame = std::ranges::any_of(body.frames, [&](const description::FrameDescription& frame) {
+      return is_named(frame.name) || is_sole(frame, table);
+    });
+    if (by_frame || is_named(body.name)) feet.insert(i);
+  }
+  return feet;
+}
+
+/// Bodies between the base and a foot, feet included.
+std::set<std::size_t> bodies_of_legs(const RobotDescription& description, const std::set<std::size_t>& feet) {
+  std::set<std::size_t> legs;
+  for (const std::size_t foot : feet) {
+    for (int body = static_cast<int>(foot); body > 0; body = description.bodies[body].parent) legs.insert(body);
+  }
+  return legs;
+}
+
+/// [N m | N] that the file gives for whatever moves the joint; 0: nothing.
+double largest_torque(const JointDescription& joint) {
+  if (joint.servo && joint.servo->stall_torque > 0) return joint.servo->stall_torque;
+  return joint.effort_limit;
+}
+
+bool has_gain(const Servo& servo) { return servo.position_gain > 0 || servo.velocity_gain > 0; }
+
+/// With the file's torque and rate, without gains.
+Servo servo_without_gains(const JointDescription& joint) {
+  Servo servo;
+  servo.type = components::guessed_servo;
+  servo.law = "ideal_pd";
+  servo.stall_torque = largest_torque(joint);
+  if (joint.servo) {
+    servo.lowest_share = joint.servo->lowest_share;
+    servo.highest_share = joint.servo->highest_share;
+    servo.command_filter = joint.servo->command_filter;
+  }
+  servo.no_load_speed = joint.rate_limit;
+  return servo;
+}
+
+double usual_gain(const JointDescription& joint, double torque) {
+  return torque / (joint.kind == Kind::prismatic ? full_force_shift : full_torque_bend);
+}
+
+/// Guesses servos one by one and counts what it did.
+class Guesser {
+ public:
+  Guesser(RobotDescription& description, const RobotConfig& table) : description_(description), table_(table) {
+    for (const description::MimicDescription& mimic : description.mimics) followers_.insert(mimic.joint);
+    const std::set<std::size_t> feet = feet_of(description, table);
+    if (feet.size() != 2) return;
+    weight_ = weight_of(description);
+    if (weight_.stiffness() > 0) legs_ = bodies_of_legs(description, feet);
+  }
+
+  void run() {
+    for (std::size_t i = 0; i < description_.bodies.size(); ++i) {
+      for (JointDescription& joint : description_.bodies[i].joints) {
+        if (!is_open(joint)) continue;
+        if (largest_torque(joint) > 0) {
+          give_gains(joint, legs_.contains(i));
+        } else if (legs_.contains(i) && joint.kind == Kind::revolute && joint.stiffness == 0) {
+          give_all(joint);
+        }
+      }
+    }
+    note();
+  }
+
+ private:
+  [[nodiscard]] bool is_open(const JointDescription& joint) const {
+    const bool driven = (joint.servo && has_gain(*joint.servo)) || table_.servos.contains(joint.name);
+    return !driven && !followers_.contains(joint.name);
+  }
+
+  [[nodiscard]] bool stands_on_two() const { return !legs_.empty(); }
+
+  void give_gains(JointDescription& joint, bool of_leg) {
+    Servo servo = servo_without_gains(joint);
+    servo.position_gain = usual_gain(joint, servo.stall_torque);
+    servo.velocity_gain = damping_time * servo.position_gain;
+    if (stands_on_two() && joint.kind == Kind::revolute) stiffen(joint, of_leg, servo);
+    joint.servo = servo;
+    ++gains_;
+  }
+
+  void stiffen(const JointDescription& joint, bool of_leg, Servo& servo) {
+    const double topples = weight_.stiffness();
+    if (servo.stall_torque > most_torque * topples) {
+      absurd_.push_back(fmt::format("'{}' {:g}", joint.name, servo.stall_torque));
+      servo.stall_torque = most_torque * topples;
+    }
+    const double wanted = biped_share * usual_gain(joint, servo.stall_torque);
+    servo.position_gain = std::min(std::max(wanted, of_leg ? least_gain * topples : 0.0), most_gain * topples);
+    servo.velocity_gain = biped_damping_time * servo.position_gain;
+  }
+
+  /// The file does not say what moves it, and a leg that nothing moves does not stand.
+  void give_all(JointDescription& joint) {
+    Servo servo = servo_without_gains(joint);
+    servo.stall_torque = torque_without * weight_.stiffness();
+    servo.position_gain = least_gain * weight_.stiffness();
+    servo.velocity_gain = biped_damping_time * servo.position_gain;
+    joint.servo = servo;
+    joint.armature = std::max(joint.armature, rotor_without * weight_.mass * weight_.height * weight_.height);
+    ++whole_;
+  }
+
+  void note() const {
+    std::vector<std::string>& notes = description_.notes;
+    const std::string& where = description_.bodies[0].where;
+    if (gains_ > 0 && !stands_on_two()) {
+      notes.push_back(
+          fmt::format("{}: guessed: position gains of {} servos, all torque at {} rad, all force at {} m; the "
+                      "file has only their largest torques",
+                      where, gains_, full_torque_bend, full_force_shift));
+    }
+    if (gains_ > 0 && stands_on_two()) {
+      notes.push_back(
+          fmt::format("{}: guessed: position gains of {} servos, all torque at {} rad, in the legs at least "
+                      "{:.4g} N m/rad, anywhere at most {:.4g}; the file has only their largest torques",
+                      where, gains_, full_torque_bend / biped_share, least_gain * weight_.stiffness(),
+                      most_gain * weight_.stiffness()));
+    }
+    if (whole_ > 0) {
+      notes.push_back(
+          fmt::format("{}: guessed: {} servos in the legs of which the file says nothing: {:.4g} N m, {:.4g} "
+                      "N m/rad",
+                      where, whole_, torque_without * weight_.stiffness(), least_gain * weight_.stiffness()));
+    }
+    if (!absurd_.empty()) {
+      notes.push_back(fmt::format("{}: largest torques that no joint of this robot needs are taken as {:.4g} N m: {}{}",
+                                  where, most_torque * weight_.stiffness(), absurd_.front(),
+                                  absurd_.size() > 1 ? fmt::format(" and {} more", absurd_.size() - 1) : ""));
+    }
+  }
+
+  RobotDescription& description_;
+  const RobotConfig& table_;
+  std::set<std::string> followers_;
+  Weight weight_;
+  std::set<std::size_t> legs_;  ///< empty: not a robot on two soles
+  int gains_ = 0, whole_ = 0;
+  std::vector<std::string> absurd_;  ///< joints with their torques
+};
+
+}  // namespace
+
+void guess_servos(RobotDescription& description, const RobotConfig& table) { Guesser(description, table).run(); }
+
+}  // namespace murosimf::robot
