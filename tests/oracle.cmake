@@ -10,7 +10,7 @@ foreach(program dump_poses dump_masses dump_robot dump_dynamics dump_trajectory 
 endforeach()
 function(add_oracle_test name)
   add_test(NAME oracle.${name} COMMAND ${MUROSIMF_ORACLE_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/oracle/${name}.py ${ARGN})
-  set_tests_properties(oracle.${name} PROPERTIES SKIP_RETURN_CODE 77)
+  set_tests_properties(oracle.${name} PROPERTIES COST 5 SKIP_RETURN_CODE 77)
 endfunction()
 add_oracle_test(kid21_against_mujoco $<TARGET_FILE:dump_poses> ${PROJECT_SOURCE_DIR}/models/kid21.xml)
 add_oracle_test(meshes_against_mujoco $<TARGET_FILE:dump_masses>)
@@ -26,15 +26,15 @@ add_oracle_test(mcap_against_official $<TARGET_FILE:dump_mcap>)
 add_oracle_test(recording_against_official $<TARGET_FILE:murosimf_app>)
 add_oracle_test(recorded_pictures $<TARGET_FILE:murosimf_app>)
 add_oracle_test(recorded_drawings $<TARGET_FILE:murosimf_app>)
-set_tests_properties(oracle.recorded_drawings PROPERTIES PROCESSORS 2 TIMEOUT 300)  # in real time
+set_tests_properties(oracle.recorded_drawings PROPERTIES PROCESSORS 2 COST 105 TIMEOUT 300)  # in real time
 add_oracle_test(bvh_against_recording $<TARGET_FILE:murosimf_app>)
 add_oracle_test(logs_in_numpy $<TARGET_FILE:murosimf_app>)
 add_oracle_test(serial_with_vendor_sdk $<TARGET_FILE:murosimf_app>)
 if(TARGET PkgConfig::websockets)
   add_oracle_test(foxglove_live $<TARGET_FILE:murosimf_app>)
-  set_tests_properties(oracle.foxglove_live PROPERTIES PROCESSORS 2 TIMEOUT 300)
+  set_tests_properties(oracle.foxglove_live PROPERTIES PROCESSORS 2 COST 102 TIMEOUT 300)
 endif()
-set_tests_properties(oracle.serial_with_vendor_sdk PROPERTIES PROCESSORS 2 TIMEOUT 300)  # in real time
+set_tests_properties(oracle.serial_with_vendor_sdk PROPERTIES PROCESSORS 2 COST 112 TIMEOUT 300)  # in real time
 
 # Collision against FCL, where it is installed.
 find_package(fcl QUIET)
