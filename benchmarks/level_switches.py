@@ -11,9 +11,10 @@
 Every run is recorded once as it is; `murosimf branch` goes on from each instant with the change and without. Compared is with
 the branch without a change, after 2.5 s: who fell more often (additional) or less often (fewer). Refused are changes to
 kinematic_walking of robots that do not stand. Some falls are those of the new level, which may not withstand what the old
-one did: `alone` counts the additional falls of robots that do not fall in a run that has the new level from its beginning, either. In a crowd
-any other change makes others meet, too: `by chance` has additional and fewer falls where as often the ball gets heavier by 0.1 to
-1.8 % instead. The jump is how far the base is from where it would have been without the change, a step of 1 ms after it.
+one did: `alone` counts the additional falls of robots that do not fall in a run that has the new level from its beginning,
+either. In a crowd any other change makes others meet, too: `by chance` has additional and fewer falls where as often the ball
+gets heavier by 0.1 to 1.8 % instead. The jump is how far the base is from where it would have been without the change, a step
+of 1 ms after it.
 """
 import argparse
 import concurrent.futures
@@ -149,7 +150,7 @@ def at_instant(program, course, file, instant, levels, alone):
                "from": levels[robot], "to": level, "refused": change not in nearby}
         if not row["refused"]:
             more, fewer = more_and_fewer(later[change], later[""], course.robots)
-            row |= {"additional": more, "fewer": fewer, "alone": 0 if alone.get(level) else more,
+            row |= {"additional": more, "fewer": fewer, "alone": more if level in alone and not alone[level] else 0,
                     "frozen": sum(later[change][f"{name}.frozen"] for name in course.robots),
                     "jump_mm": jump_of(nearby[change], nearby[""], robot)}
         if nudged:
@@ -182,7 +183,8 @@ def summary(name, rows):
 
     by_chance = f"{total('chance_additional')} and {total('chance_fewer')}" if name not in ("push", "kick") else "-"
     worst = max(rows, key=lambda row: row.get("jump_mm", 0))
-    totals = [total(key) for key in ("refused", "additional", "alone", "fewer")]
+    alone = "-" if name == "crowd" else total("alone")
+    totals = [total("refused"), total("additional"), alone, total("fewer")]
     return line(name, len(rows), *totals, by_chance, total("frozen"), f"{worst.get('jump_mm', 0):.2g}",
                 f"{worst['from']} to {worst['to']}, {worst['time']:g} s")
 
