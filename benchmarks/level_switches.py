@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What a change of level in the middle of a push, a kick and a crowd does: falls that would not have been, and the jump of the base.
+"""What a change of level in the middle of a push, a kick and a crowd does: additional falls, and the jump of the base.
 
     benchmarks/level_switches.py --program build/release/murosimf
     benchmarks/level_switches.py --program build/release/murosimf --share 0.1 --out level_switches.json push
@@ -8,12 +8,13 @@
     kick    `murosimf run kick`: every pair of levels, 56 instants
     crowd   `murosimf run three_on_three`, three seeds: each of six robots to each other level, 13 instants
 
-Every run is recorded once as it is; `murosimf branch` goes on from each instant with the change and without. Compared is with the branch
-without a change, after 2.5 s: who fell more often (additional) or less often (fewer). Refused
-are changes to kinematic_walking of robots that do not stand. Some falls are those of the new level, which may not withstand what the old
-one did: `alone` counts the additional falls of robots that do not fall in a run that has the new level from its beginning, either. In a crowd any other change makes others meet,
-too: `by chance` has additional and fewer falls where as often the ball gets heavier by 0.1 to 1.8 % instead. The jump is how far the base
-is from where it would have been without the change, a step of 1 ms after it.
+Every run is recorded once as it is; `murosimf branch` goes on from each instant with the change and without. Compared is with
+the branch without a change, after 2.5 s: who fell more often (additional) or less often (fewer). Refused are changes to
+kinematic_walking of robots that do not stand. Some falls are those of the new level, which may not withstand what the old
+one did: `alone` counts the additional falls of robots that do not fall in a run that has the new level from its beginning,
+either. In a crowd any other change makes others meet, too: `by chance` has additional and fewer falls where as often the ball
+gets heavier by 0.1 to 1.8 % instead. The jump is how far the base is from where it would have been without the change, a step
+of 1 ms after it.
 """
 import argparse
 import concurrent.futures
@@ -145,11 +146,11 @@ def at_instant(program, course, file, instant, levels, alone):
     nudged = list(branches(program, file, instant, AFTERWARDS_S, heavier, falls).values())[1:] if heavier else []
     rows = []
     for i, (change, (robot, level)) in enumerate(switches.items()):
-        row = {"experiment": course.experiment, "settings": course.settings, "time": instant, "robot": robot, "from": levels[robot],
-               "to": level, "refused": change not in nearby}
+        row = {"experiment": course.experiment, "settings": course.settings, "time": instant, "robot": robot,
+               "from": levels[robot], "to": level, "refused": change not in nearby}
         if not row["refused"]:
             more, fewer = more_and_fewer(later[change], later[""], course.robots)
-            row |= {"additional": more, "fewer": fewer, "alone": 0 if alone.get(level) else more,
+            row |= {"additional": more, "fewer": fewer, "alone": more if level in alone and not alone[level] else 0,
                     "frozen": sum(later[change][f"{name}.frozen"] for name in course.robots),
                     "jump_mm": jump_of(nearby[change], nearby[""], robot)}
         if nudged:
@@ -180,10 +181,12 @@ def summary(name, rows):
     def total(key):
         return int(sum(row.get(key, 0) for row in rows))
 
-    by_chance = f"{total('chance_additional')} and {total('chance_fewer')}" if name != "push" and name != "kick" else "-"
+    by_chance = f"{total('chance_additional')} and {total('chance_fewer')}" if name not in ("push", "kick") else "-"
     worst = max(rows, key=lambda row: row.get("jump_mm", 0))
-    return line(name, len(rows), total("refused"), total("additional"), total("alone"), total("fewer"), by_chance, total("frozen"),
-                f"{worst.get('jump_mm', 0):.2g}", f"{worst['from']} to {worst['to']}, {worst['time']:g} s")
+    alone = "-" if name == "crowd" else total("alone")
+    totals = [total("refused"), total("additional"), alone, total("fewer")]
+    return line(name, len(rows), *totals, by_chance, total("frozen"), f"{worst.get('jump_mm', 0):.2g}",
+                f"{worst['from']} to {worst['to']}, {worst['time']:g} s")
 
 
 def main():
@@ -200,7 +203,8 @@ def main():
         parser.error(f"--share must be above 0, at most 1, and not {arguments.share:g}")
     if not shutil.which(arguments.program):
         parser.error(f"'{arguments.program}' is no program")
-    print(line("", "switches", "refused", "additional falls", "alone", "fewer falls", "by chance", "frozen", "largest jump [mm]", "of"))
+    print(line("", "switches", "refused", "additional falls", "alone", "fewer falls", "by chance", "frozen",
+               "largest jump [mm]", "of"))
     print("|---" * 10 + "|")
     everything = []
     with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
