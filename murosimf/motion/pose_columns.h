@@ -40,7 +40,8 @@ struct PoseColumns {
 };
 
 /// Places the robot as its entity's options say: base above (x, y), first sole flat and heading as given (base upright
-/// if the model has no soles), lowest point of the robot at height z, of a fixed base its origin. Joint positions must be set; velocities become 0.
+/// if the model has no soles), lowest point of the robot at height z. Of a robot whose base is bolted to the world (model/fixed_base.h)
+/// the base itself is upright, at height z. Joint positions must be set; velocities become 0.
 void place_at_start(PoseColumns& columns, const Entity& entity) noexcept;
 
 }  // namespace murosimf::motion

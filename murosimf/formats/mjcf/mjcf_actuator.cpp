@@ -1,9 +1,11 @@
 #include "murosimf/formats/mjcf/mjcf_actuator.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -173,8 +175,14 @@ class Reader {
   }
 
   [[nodiscard]] static std::string why_without_joint(const MjcfAttributes& attributes) {
-    for (const char* other : {"tendon", "site", "body", "jointinparent", "slidersite", "cranksite"}) {
-      if (attributes.has(other)) return fmt::format("one of a {} is not simulated", other);
+    constexpr std::array others{std::pair{"tendon", "a tendon"},
+                                std::pair{"site", "a site"},
+                                std::pair{"body", "a body"},
+                                std::pair{"jointinparent", "a joint in its parent's frame"},
+                                std::pair{"slidersite", "a crank"},
+                                std::pair{"cranksite", "a crank"}};
+    for (const auto& [word, what] : others) {
+      if (attributes.has(word)) return fmt::format("it acts on {}, which is not simulated", what);
     }
     return "it has no joint; add joint=\"...\"";
   }

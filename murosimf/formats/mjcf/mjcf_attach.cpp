@@ -119,16 +119,18 @@ class Attachment {
     return std::nullopt;
   }
 
-  /// Meshes and materials; mesh files are found from anywhere.
+  /// Meshes, materials and textures; mesh files are found from anywhere.
   [[nodiscard]] std::vector<files::XmlTree> assets_of(const Model& model, MjcfReferences& names) const {
     std::vector<files::XmlTree> sections;
     const auto folder = std::filesystem::absolute(model.root.file()).parent_path() / model.compiler.mesh_folder;
     for (const files::XmlElement& section : model.root.children("asset")) {
       files::XmlTree assets{"asset", {}, section, {}};
       for (const files::XmlElement& element : section.children()) {
-        if (element.tag() != "mesh" && element.tag() != "material") continue;
+        if (element.tag() != "mesh" && element.tag() != "material" && element.tag() != "texture") continue;
         files::XmlTree& tree = assets.children.emplace_back(files::copy_of(element));
-        if (std::string* file = tree.find("file")) {
+        if (std::string* file = tree.find("file"); file && element.tag() == "texture") {  // it is not read
+          if (!tree.find("name")) tree.set("name", std::filesystem::path(*file).stem().string());
+        } else if (file) {
           const std::filesystem::path path = *file;
           if (compiler_.strip_path)
             element.fail("strippath of the file that attaches this one loses its folder; remove it");

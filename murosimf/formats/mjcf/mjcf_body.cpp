@@ -83,14 +83,14 @@ class BodyReader {
   void read_solid(const files::XmlElement& element, const std::vector<MjcfChild>& children,
                   description::BodyDescription& body) {
     std::vector<description::MassProperties> solids;
-    const MjcfGeomContext geom_context{context_.compiler,  context_.meshes,
-                                       context_.materials, mass_from_geoms(element, context_.compiler),
-                                       context_.lenient,   context_.warnings};
+    const bool from_geoms = mass_from_geoms(element, context_.compiler);
     for (const MjcfChild& child : children) {
       if (child.element.tag() != "geom") continue;
       const MjcfAttributes attributes = context_.defaults.resolve(child.element, child.child_class);
-      const MjcfGeom geom = read_geom(attributes, geom_context);
-      if (counts(attributes)) {
+      const bool makes_mass = counts(attributes);
+      const MjcfGeom geom = read_geom(attributes, {context_.compiler, context_.meshes, context_.materials,
+                                                   from_geoms && makes_mass, context_.lenient, context_.warnings});
+      if (makes_mass) {
         solids.push_back(description::moved(geom.solid, child.frame.position, child.frame.orientation));
       }
       for (std::size_t i = 0; i < geom.shapes.size(); ++i) {
@@ -101,7 +101,7 @@ class BodyReader {
     }
     body.solid = read_mass(element, solids, context_.compiler, context_.warnings);
     const auto inertials = element.children("inertial");
-    if (!mass_from_geoms(element, context_.compiler) && !inertials.empty()) body.solid_where = inertials[0].where();
+    if (!from_geoms && !inertials.empty()) body.solid_where = inertials[0].where();
   }
 
   /// A geom of this group makes mass.

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/formats/mjcf/mjcf_texture.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::formats::mjcf {
@@ -23,11 +24,17 @@ Color read_color(const MjcfAttributes& attributes, const Color& otherwise) {
 }  // namespace
 
 MjcfMaterials::MjcfMaterials(const files::XmlElement& root, const MjcfDefaults& defaults) {
+  const MjcfTextures textures(root);
   for (const files::XmlElement& asset : root.children("asset")) {
     for (const files::XmlElement& element : asset.children("material")) {
       const auto name = element.attribute("name");
       if (!name || name->empty()) element.fail("material without a name; add name=\"...\"");
-      const Color color = read_color(defaults.resolve(element), {1, 1, 1, 1});
+      const MjcfAttributes attributes = defaults.resolve(element);
+      Color color = read_color(attributes, {1, 1, 1, 1});
+      if (attributes.has("texture")) {
+        const auto mean = textures.mean_color(attributes.text("texture"), attributes.source("texture"));
+        if (mean) color = {color.red * mean->x, color.green * mean->y, color.blue * mean->z, color.alpha};
+      }
       if (!colors_.emplace(*name, color).second) {
         element.fail(fmt::format("material '{}' is already there; choose another name", *name));
       }

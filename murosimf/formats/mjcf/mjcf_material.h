@@ -1,7 +1,7 @@
 /// mjcf_material.h - materials of an MJCF file, and the colors of its geoms.
 ///
 /// A geom has the color of its own `rgba` where that is not the format's gray (0.5 0.5 0.5 1), else that of its material, or of the
-/// material of its mesh. Textures are not drawn.
+/// material of its mesh. Textures are not drawn; the mean color of one that the file makes itself multiplies that of the material.
 /// Source: MuJoCo documentation, XML reference, "asset/material" and "geom".
 #pragma once
 

@@ -19,7 +19,7 @@ std::string kind_meant(const files::XmlTree& tree, const std::string& attribute)
     if (attribute == kind || attribute == std::string(kind) + "1" || attribute == std::string(kind) + "2") return kind;
   }
   if (attribute == "refsite") return "site";
-  if (attribute == "mesh" || attribute == "material") return attribute;
+  if (attribute == "mesh" || attribute == "material" || attribute == "texture") return attribute;
   if (attribute != "objname" && attribute != "refname") return {};
   const std::string type = attribute == "objname" ? "objtype" : "reftype";
   const auto found = std::ranges::find(tree.attributes, type, &files::XmlAttribute::name);

@@ -67,18 +67,22 @@ files::XmlVocabulary make_rules() {
                        .unused = {"texturedir", "alignfree", "discardvisual", "fusestatic", "usethread", "convexhull",
                                   "exactmeshinertia", "saveinertial", "fitaabb", "savecanonical", "savecompiled",
                                   "conflict", "passthrough"},
-
                        .unused_children = {"lengthrange"}};
   rules["default"] = {.used = {"class"},
                       .children =
                           files::XmlWords{"default", "geom", "joint", "site", "mesh", "material", "camera"} + actuators,
                       .unused_children = files::XmlWords{"light", "pair", "equality", "tendon"} + idle_actuators};
-  rules["asset"] = {.children = {"mesh", "material", "model"}, .unused_children = {"texture", "hfield", "skin"}};
+  rules["asset"] = {.children = {"mesh", "material", "model", "texture"}, .unused_children = {"hfield", "skin"}};
+  rules["texture"] = {.used = {"name", "builtin", "rgb1", "rgb2"},
+                      .unused = {"type",      "file",     "content_type", "gridsize",   "gridlayout",
+                                 "fileright", "fileleft", "fileup",       "filedown",   "filefront",
+                                 "fileback",  "mark",     "markrgb",      "random",     "width",
+                                 "height",    "hflip",    "vflip",        "colorspace", "nchannel"}};
   rules["asset/model"] = {.used = {"name", "file"}, .unused = {"content_type"}};
   rules["attach"] = {.used = {"model", "body", "prefix"}};
-  rules["material"] = {.used = {"name", "class", "rgba"},
-                       .unused = {"texture", "texrepeat", "texuniform", "emission", "specular", "shininess",
-                                  "reflectance", "metallic", "roughness"},
+  rules["material"] = {.used = {"name", "class", "rgba", "texture"},
+                       .unused = {"texrepeat", "texuniform", "emission", "specular", "shininess", "reflectance",
+                                  "metallic", "roughness"},
                        .unused_children = {"layer"}};
   rules["mesh"] = {.used = {"name", "class", "file", "vertex", "face", "scale", "refpos", "refquat", "inertia",
                             "material"},

@@ -209,9 +209,11 @@ std::map<std::string, Place> make_places() {
   parts.link = "<joint name='j' axis='0 1 0'/><geom type='mesh' mesh='mesh'/>";
   places["mesh"] = {parts, {{"name", "mesh"}, {"file", "a.obj"}}};
   parts.defaults = "<default><default class='c'><material rgba='0 1 0 1'/></default></default>";
-  parts.assets = "<asset><material %/></asset>";
+  parts.assets = "<asset><material %/><texture name='paint' builtin='flat' rgb1='.5 .5 .5'/></asset>";
   parts.link = "<joint name='j' axis='0 1 0'/><geom size='.1' material='red'/>";
   places["material"] = {parts, {{"name", "red"}}};
+  parts.assets = "<asset><material name='red' texture='paint'/><texture %/></asset>";
+  places["texture"] = {parts, {{"name", "paint"}, {"builtin", "checker"}}};
   parts = {};
   parts.defaults = "<default><default class='c'><joint axis='1 0 0'/></default></default>";
   parts.link = "<joint %/><geom name='g' type='box' size='.1 .1 .1' mass='1'/>";
@@ -347,7 +349,14 @@ std::map<std::string, Probes> make_probes() {
                     {"refquat", {"1 0 0 0", "1 1 0 0"}},
                     {"inertia", {"exact", "shell"}},
                     {"material", {"-", "red"}}};
-  probes["material"] = {{"name", {"red", "blue"}}, {"class", {"-", "c"}}, {"rgba", {"1 0 0 1", "1 0 0 .5"}}};
+  probes["material"] = {{"name", {"red", "blue"}},
+                        {"class", {"-", "c"}},
+                        {"rgba", {"1 0 0 1", "1 0 0 .5"}},
+                        {"texture", {"-", "paint"}}};
+  probes["texture"] = {{"name", {"paint", "other"}},
+                       {"builtin", {"flat", "gradient"}},
+                       {"rgb1", {"1 0 0", "0 1 0"}},
+                       {"rgb2", {"1 0 0", "0 1 0"}}};
   probes["joint"] = {{"name", {"j", "n"}},
                      {"class", {"-", "c", {{"axis", "-"}}}},
                      {"type", {"hinge", "slide"}},

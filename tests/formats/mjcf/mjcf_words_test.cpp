@@ -259,6 +259,19 @@ TEST(MjcfWords, GeomsHaveTheColorsOfTheirMaterials) {
   EXPECT_TRUE(contains(complaint(material("<material name='x' rgba='1 0 0 2'/>")), "each number must be from 0 to 1"));
 }
 
+TEST(MjcfWords, MaterialsHaveTheMeanColorOfBuiltinTextures) {
+  const auto color = [](const std::string& texture, const std::string& rgba) {
+    const auto robot = read("<mujoco><asset><texture name='t' " + texture + "/><material name='m' texture='t' " + rgba +
+                            "/></asset><worldbody><body name='b'><freejoint/><geom size='.1' material='m'/></body>"
+                            "</worldbody></mujoco>");
+    return robot.description.bodies[0].shapes[0].placed.color;
+  };
+  EXPECT_EQ(color("builtin='flat' rgb1='1 .5 .25' rgb2='0 0 0'", ""), (Color{1, .5, .25, 1}));
+  EXPECT_EQ(color("builtin='checker' rgb1='1 .5 .25' rgb2='0 .5 .75'", ""), (Color{.5, .5, .5, 1}));
+  EXPECT_EQ(color("builtin='gradient' rgb1='1 .5 .25' rgb2='0 .5 .75'", "rgba='1 .5 0 .3'"), (Color{.5, .25, 0, .3}));
+  EXPECT_EQ(color("file='wood.png'", "rgba='1 .5 0 1'"), (Color{1, .5, 0, 1})) << "no file is read";
+}
+
 TEST(MjcfWords, KeysHavePosturesAndTargets) {
   const auto robot =
       read(arm("<motor joint='j'/><position joint='j' kp='3' gear='2'/></actuator><keyframe>"
