@@ -10,6 +10,7 @@
 #include "murosimf/formats/mjcf/mjcf_body.h"
 #include "murosimf/formats/mjcf/mjcf_children.h"
 #include "murosimf/formats/mjcf/mjcf_keyframe.h"
+#include "murosimf/formats/mjcf/mjcf_loops.h"
 #include "murosimf/formats/mjcf/mjcf_material.h"
 #include "murosimf/formats/mjcf/mjcf_relations.h"
 #include "murosimf/formats/mjcf/mjcf_replicate.h"
@@ -117,6 +118,7 @@ description::RobotDescription read_mjcf(const std::filesystem::path& file, const
   scale_masses(compiler, description);
   description::resolve_damping_ratios(description);
   read_relations(root, names, defaults, description);
+  read_loops(root, description);
   read_keyframes(root, actuators, tops.size() == 1, description);
   return description;
 }

@@ -113,12 +113,15 @@ files::XmlVocabulary make_rules() {
                    .unused = {"name", "class", "condim", "friction", "solref", "solreffriction", "solimp", "gap",
                               "margin"},
                    .unsupported = {"adhesion"}};
-  rules["equality"] = {.children = {"joint"},
-                       .unsupported_children = {"connect", "weld", "tendon", "flex", "flexvert", "flexstrain",
-                                                "plugin"}};
+  const files::XmlWords ends{"active", "body1", "body2", "site1", "site2", "anchor"};
+  rules["equality"] = {.children = {"joint", "connect", "weld"},
+                       .unsupported_children = {"tendon", "flex", "flexvert", "flexstrain", "plugin"}};
   rules["equality/joint"] = {.used = {"joint1", "joint2", "polycoef"},
                              .unused = {"name", "class", "solref", "solimp"},
                              .unsupported = {"active"}};
+  rules["connect"] = {.used = ends + files::XmlWords{"name"}, .unused = {"class", "solref", "solimp"}};
+  rules["weld"] = {.used = ends + files::XmlWords{"name", "relpose"},
+                   .unused = {"class", "solref", "solimp", "torquescale"}};
   rules["freejoint"] = {.used = {"name"}, .unused = {"group"}, .unsupported = {"align"}};
   rules["joint"] = {.used = {"name", "class", "type", "pos", "axis", "range", "limited", "armature", "damping",
                              "frictionloss", "actuatorfrcrange", "actuatorfrclimited", "ref", "stiffness", "springref"},
