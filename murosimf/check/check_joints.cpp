@@ -7,6 +7,7 @@
 
 #include "murosimf/check/robot_checks.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/multibody/loops.h"
 
 namespace murosimf::check {
 namespace {
@@ -74,14 +75,17 @@ void examine_ranges(const std::vector<const description::JointDescription*>& joi
   }
 }
 
-/// Joints that nothing drives and nothing couples to another.
+/// Joints that nothing drives, and neither a coupling nor a loop takes along.
 std::vector<std::string> idle_joints(const description::RobotDescription& description, const Model& model) {
   std::set<std::string> coupled;
   for (const description::MimicDescription& mimic : description.mimics) coupled.insert(mimic.joint);
+  const auto loops = multibody::loops_of(model);
   std::vector<std::string> idle;
   for (const description::JointDescription* joint : joints_of(description)) {
-    const bool driven = model.find(properties::servo, model.object_index(joint->name)) != nullptr;
-    if (!driven && !coupled.contains(joint->name)) idle.push_back(joint->name);
+    const int object = model.object_index(joint->name);
+    const bool driven = model.find(properties::servo, object) != nullptr;
+    if (driven || coupled.contains(joint->name) || multibody::is_in_loop(model, loops, object)) continue;
+    idle.push_back(joint->name);
   }
   return idle;
 }

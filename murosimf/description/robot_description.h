@@ -53,6 +53,13 @@ struct MimicDescription {
   double offset = 0;  ///< [rad | m]
 };
 
+/// Two frames of the robot that stand in one place, which closes a loop of its bodies.
+struct LoopDescription {
+  std::string name, where;
+  std::string frame1, frame2;  ///< FrameDescription::name
+  bool welded = false;         ///< their axes agree, too
+};
+
 /// One shape; of a mesh with several convex parts one for each.
 struct ShapeDescription {
   std::string name, where;  ///< name may be empty
@@ -72,7 +79,7 @@ struct VisualDescription {
 /// A named frame on a body.
 struct FrameDescription {
   std::string name, where;
-  std::string kind = "site";  ///< site, body (welded to this one) or camera
+  std::string kind = "site";  ///< site, body (welded to this one), camera or loop (an end of one)
   Transformd place;           ///< in the frame of the body
   std::optional<Sole> box;    ///< of a box site: it may be a sole
 };
@@ -142,6 +149,7 @@ struct RobotDescription {
   std::filesystem::path file;
   std::vector<BodyDescription> bodies;
   std::vector<MimicDescription> mimics;
+  std::vector<LoopDescription> loops;
   std::vector<MeshDescription> meshes;
   std::vector<SensorDescription> sensors;
   std::vector<ExclusionDescription> exclusions;

@@ -7,8 +7,6 @@
 #include <fmt/format.h>
 
 #include "murosimf/motion/motion_properties.h"
-#include "murosimf/motion/passive_joint.h"
-#include "murosimf/multibody/gear_friction.h"
 
 namespace murosimf::motion {
 
@@ -63,23 +61,11 @@ void ArticulatedDynamics::start_loads() {
   std::fill(felt_acceleration_.begin(), felt_acceleration_.end(), Twistd{{}, -tree_.gravity});
 }
 
-/// By link [kg m^2 | kg]: what each joint moves while all others stand still.
-std::vector<double> ArticulatedDynamics::moved_inertias() const {
-  const auto& links = tree_.columns.model.tree().links;
-  std::vector<double> moved(links.size());
-  std::vector<RigidInertia<double>> composite;
-  for (const auto& link : tree_.links) composite.push_back(link.inertia);
-  for (std::size_t l = links.size() - 1; l > 0; --l) {
-    const double carried = dot(tree_.links[l].axis, composite[l] * tree_.links[l].axis);
-    moved[l] = carried + drives_.firm_inertia(links[l].object);
-    composite[links[l].parent] += composite[l];
-  }
-  return moved;
-}
-
 void ArticulatedDynamics::check_inertias() {
   const auto& links = tree_.columns.model.tree().links;
-  std::vector<double> moved = moved_inertias();
+  std::vector<double> moved(links.size());
+  multibody::moved_inertias(tree_.columns.model.tree(), tree_.links, moved);
+  for (std::size_t l = 1; l < links.size(); ++l) moved[l] += drives_.firm_inertia(links[l].object);
   couplings_.count_at_leaders(moved);
   for (std::size_t l = links.size() - 1; l > 0; --l) {
     if (moved[l] > least_inertia) continue;
@@ -175,6 +161,7 @@ bool ArticulatedDynamics::free_pass(double dt) noexcept {
   begin_step(dt);
   (void)solve(multibody::Loads::of_last_step);
   factor();
+  couplings_.prepare_responses();
   return targets_sane_ && accelerations_are_sane();
 }
 
@@ -185,6 +172,7 @@ Vec3d ArticulatedDynamics::free_velocity(int object, const Vec3d& point, const V
 
 void ArticulatedDynamics::respond(int object, const Vec3d& point, const Mat3d& directions,
                                   collision::ResponseRows& y) const noexcept {
+  const std::size_t first = y.index.size();
   const Tree& tree = tree_.columns.model.tree();
   auto forces = tree_.forces_about_base(point, directions);
   for (int l = tree.link_of[object]; l > 0; l = tree.links[l].parent) {
@@ -197,9 +185,16 @@ void ArticulatedDynamics::respond(int object, const Vec3d& point, const Mat3d& d
     forces.f -= share * body.U.f;
   }
   tree_.respond_at_base(forces, y);
+  if (!couplings_.empty()) couplings_.hold(y, first);
 }
 
 void ArticulatedDynamics::apply(std::span<const double> z) noexcept {
+  if (couplings_.empty()) return add_impulses(z);
+  add_impulses(couplings_.held(z));
+  couplings_.count_as_drive(friction_);
+}
+
+void ArticulatedDynamics::add_impulses(std::span<const double> z) noexcept {
   const auto& links = tree_.columns.model.tree().links;
   change_[0] = tree_.base_change(z, dt_);
   bodies_[0].acceleration += change_[0];
@@ -272,23 +267,17 @@ void ArticulatedDynamics::factor() noexcept {
 void ArticulatedDynamics::couple() noexcept {
   if (!accelerations_are_sane()) return;  // the step will be refused
   factor();
-  apply(couplings_.solve(tree_, bodies_, root_, dt_));
+  add_impulses(couplings_.solve(tree_, bodies_, root_, dt_));
   couplings_.count_as_drive(friction_);
 }
 
-/// The torques of this instant; friction as a damper.
+/// The torques of this instant.
 void ArticulatedDynamics::drive_joints_explicitly() noexcept {
   drive_joints(0);
   couplings_.drive(friction_);
   for (std::size_t l = 1; l < bodies_.size(); ++l) {
     auto& joint = friction_[l];
-    const double share = coulomb_damping(1, joint.rate) * std::abs(joint.rate);
-    joint.budget = joint.coulomb *= share;
-    if (joint.gear) {
-      joint.budget += share * multibody::dry_friction(*joint.gear, joint.rate, joint.motor.now, joint.load);
-    }
-    joint.direction = std::copysign(1.0, joint.rate);
-    joint.line = {joint.motor.now};
+    JointDrives::brake_explicitly(joint);
     bodies_[l].torque = joint.torque + joint.line.torque + multibody::friction_torque(joint);
     bodies_[l].added_inertia = joint.inertia;
   }

@@ -40,11 +40,12 @@ class ArticulatedDynamics final : public MotionLevel, private collision::Impulse
   friend class ArticulatedLanes;
 
   [[nodiscard]] bool free_pass(double dt) noexcept override;
-  [[nodiscard]] std::size_t coordinates() const noexcept override { return 5 + bodies_.size(); }
+  [[nodiscard]] std::size_t coordinates() const noexcept override { return 5 + bodies_.size() + couplings_.size(); }
   [[nodiscard]] Vec3d free_velocity(int object, const Vec3d& point, const Vec3d& velocity) const noexcept override;
   void respond(int object, const Vec3d& point, const Mat3d& directions,
                collision::ResponseRows& y) const noexcept override;
   void apply(std::span<const double> z) noexcept override;
+  void add_impulses(std::span<const double> z) noexcept;
 
   void step_rk4(double dt) noexcept;
   [[nodiscard]] bool advance(double dt) noexcept;
@@ -67,7 +68,6 @@ class ArticulatedDynamics final : public MotionLevel, private collision::Impulse
   void finish_drives() noexcept;
   void advance_joints(double dt) noexcept;
   [[nodiscard]] bool accelerations_are_sane() const noexcept;
-  [[nodiscard]] std::vector<double> moved_inertias() const;
   void check_inertias();
 
   MovingTree tree_;

@@ -60,6 +60,10 @@ CouplingForces::CouplingForces(Setup& setup)
   matrix_.resize(size() * size());
   change_.resize(size());
   z_.resize(coordinates_);
+  softness_.resize(size());
+  answers_.resize(rows_.size());
+  dense_.resize(coordinates_);
+  answer_.resize(size());
 }
 
 void CouplingForces::start() noexcept {
@@ -110,7 +114,8 @@ std::span<const double> CouplingForces::solve(const MovingTree& tree,
   h_ = h;
   fill_rows(tree, bodies, roots);
   fill_right_side(tree, bodies, h);
-  solve_pairs();
+  factor();
+  solve_factored(change_);
   std::fill(z_.begin(), z_.end(), 0.0);
   for (std::size_t i = 0; i < size(); ++i) {
     for (std::size_t k = 0; k < coordinates_; ++k) z_[k] += change_[i] * rows_[i * coordinates_ + k];
@@ -191,16 +196,14 @@ void CouplingForces::fill_right_side(const MovingTree& tree, std::span<const mul
   }
 }
 
-void CouplingForces::fill_matrix(std::size_t row, double softness) noexcept {
-  const auto numbers = [&](std::size_t i) {
-    return std::span<const double>(rows_.data() + i * coordinates_, coordinates_);
-  };
-  for (std::size_t j = 0; j <= row; ++j) matrix_[row * size() + j] = product(numbers(row), numbers(j));
-  matrix_[row * size() + row] += softness;
+void CouplingForces::fill_matrix(std::size_t i, double softness) noexcept {
+  for (std::size_t j = 0; j <= i; ++j) matrix_[i * size() + j] = product(row(i), row(j));
+  matrix_[i * size() + i] += softness;
+  softness_[i] = softness;
 }
 
-/// By Cholesky's factorization.
-void CouplingForces::solve_pairs() noexcept {
+/// By Cholesky.
+void CouplingForces::factor() noexcept {
   const std::size_t count = size();
   const auto L = [&](std::size_t i, std::size_t j) -> double& { return matrix_[i * count + j]; };
   for (std::size_t i = 0; i < count; ++i) {
@@ -208,12 +211,52 @@ void CouplingForces::solve_pairs() noexcept {
       const double sum = L(i, j) - product({&L(i, 0), j}, {&L(j, 0), j});
       L(i, j) = i == j ? std::sqrt(sum) : sum / L(j, j);
     }
-    change_[i] = (change_[i] - product({&L(i, 0), i}, {change_.data(), i})) / L(i, i);
   }
+}
+
+void CouplingForces::solve_factored(std::span<double> x) const noexcept {
+  const std::size_t count = size();
+  const auto L = [&](std::size_t i, std::size_t j) -> const double& { return matrix_[i * count + j]; };
+  for (std::size_t i = 0; i < count; ++i) x[i] = (x[i] - product({&L(i, 0), i}, x.first(i))) / L(i, i);
   for (std::size_t i = count; i-- > 0;) {
-    for (std::size_t j = i + 1; j < count; ++j) change_[i] -= L(j, i) * change_[j];
-    change_[i] /= L(i, i);
+    for (std::size_t j = i + 1; j < count; ++j) x[i] -= L(j, i) * x[j];
+    x[i] /= L(i, i);
   }
+}
+
+void CouplingForces::prepare_responses() noexcept {
+  for (std::size_t k = 0; k < coordinates_; ++k) {
+    for (std::size_t i = 0; i < size(); ++i) change_[i] = rows_[i * coordinates_ + k];
+    solve_factored(change_);
+    for (std::size_t i = 0; i < size(); ++i) answers_[i * coordinates_ + k] = change_[i];
+  }
+}
+
+void CouplingForces::hold(collision::ResponseRows& y, std::size_t first) const noexcept {
+  std::fill(dense_.begin(), dense_.end(), Vec3d{});
+  for (std::size_t k = first; k < y.index.size(); ++k) dense_[y.index[k]] = y.value[k];
+  y.index.resize(first);
+  y.value.resize(first);
+  for (std::size_t i = 0; i < size(); ++i) {
+    answer_[i] = {};
+    for (std::size_t k = 0; k < coordinates_; ++k) answer_[i] += answers_[i * coordinates_ + k] * dense_[k];
+    y.add(static_cast<int>(coordinates_ + i), std::sqrt(softness_[i]) * answer_[i]);
+  }
+  for (std::size_t k = 0; k < coordinates_; ++k) {
+    for (std::size_t i = 0; i < size(); ++i) dense_[k] -= rows_[i * coordinates_ + k] * answer_[i];
+    if (!is_zero(dense_[k])) y.add(static_cast<int>(k), dense_[k]);
+  }
+}
+
+std::span<const double> CouplingForces::held(std::span<const double> z) noexcept {
+  std::copy_n(z.begin(), coordinates_, z_.begin());
+  for (std::size_t i = 0; i < size(); ++i) {
+    const std::span<const double> answer(answers_.data() + i * coordinates_, coordinates_);
+    const double taken = product(answer, z.first(coordinates_)), left = std::sqrt(softness_[i]) * z[coordinates_ + i];
+    for (std::size_t k = 0; k < coordinates_; ++k) z_[k] += left * answer[k] - taken * row(i)[k];
+    change_[i] = -z[coordinates_ + i] / std::sqrt(softness_[i]);
+  }
+  return z_;
 }
 
 }  // namespace murosimf::motion

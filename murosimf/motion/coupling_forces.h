@@ -19,8 +19,12 @@
 ///
 /// A follower that moves no inertia has the trace 1e-6 J / r^2 of its leader's inertia J: the factors need some, and the coupling, which
 /// is settled with it, makes the leader one part in a million heavier.
-/// Forces of contacts inside an island come after lambda; the next step answers them, so that a contact that gives e the
-/// acceleration a by itself stretches the coupling by a h (h + d/k) more.
+/// Impulses inside an island come after that. What holds answers them in the same step: with y = F^-1 Jc^T of a contact and R = F^-1 J^T of
+/// the rows, whose inverse mass is then 1 - R (A + C)^-1 R^T between F^-1 and F^-T, an impulse has the numbers
+///
+///     y - R c,  sqrt(C) c      c = (A + C)^-1 R^T y
+///
+/// whose products are those of that matrix. -c times the impulse is what is added to h lambda.
 /// Source: Featherstone 2008, sec. 6.5 (factors), 8.12 (constraint forces, loop joints); soft constraints as in
 /// Catto, Soft Constraints, GDC 2011; Hairer, Lubich, Wanner, Geometric Numerical Integration, sec. VII.1 (SHAKE).
 #pragma once
@@ -28,6 +32,7 @@
 #include <span>
 #include <vector>
 
+#include "murosimf/collision/impulse_response.h"
 #include "murosimf/motion/mimic_joints.h"
 #include "murosimf/motion/moving_tree.h"
 #include "murosimf/multibody/articulated_body.h"
@@ -66,13 +71,21 @@ class CouplingForces {
   /// After the change has been applied as a load of the joints: from now on it drives them.
   void count_as_drive(std::span<multibody::FrictionalJoint<double>> joints) noexcept;
 
+  /// Numbers that responses have beyond those of the tree.
+  [[nodiscard]] std::size_t size() const { return rods_.size() + loops_.rows().size(); }
+  /// To be called after solve(), for the two below.
+  void prepare_responses() noexcept;
+  /// Of a response, the numbers from `first` on, which are those of the tree alone, become those with all that holds.
+  void hold(collision::ResponseRows& y, std::size_t first) const noexcept;
+  /// What the impulses z do with all that holds, as numbers of the tree alone; count_as_drive is to follow.
+  [[nodiscard]] std::span<const double> held(std::span<const double> z) noexcept;
+
  private:
   struct Rod {
     int follower = 0, leader = 0;  // links
     double stiffness = 0;          // [N m/rad | N/m] k
     double trace = 0;              // [kg m^2 | kg] inertia of a follower that moves none
   };
-  [[nodiscard]] std::size_t size() const { return rods_.size() + loops_.rows().size(); }
   [[nodiscard]] double& force_of(const multibody::LoopRow& row) const noexcept;
   [[nodiscard]] double stiffness_of(const multibody::LoopRow& row) const noexcept {
     return row.is_turn() ? turn_stiffness_ : shift_stiffness_;
@@ -81,28 +94,36 @@ class CouplingForces {
                  std::span<const double> roots) noexcept;
   void fill_row(std::size_t pair, const MovingTree& tree, std::span<const multibody::ArticulatedLink<double>> bodies,
                 std::span<const double> roots) noexcept;
-  void fill_matrix(std::size_t row, double softness) noexcept;
+  [[nodiscard]] std::span<const double> row(std::size_t i) const noexcept {
+    return {rows_.data() + i * coordinates_, coordinates_};
+  }
+  void fill_matrix(std::size_t i, double softness) noexcept;
+  void factor() noexcept;
+  void solve_factored(std::span<double> x) const noexcept;
   void add_response(int link, double torque, Wrenchd force, const MovingTree& tree,
                     std::span<const multibody::ArticulatedLink<double>> bodies, std::span<const double> roots,
                     std::span<double> row) const noexcept;
   void fill_right_side(const MovingTree& tree, std::span<const multibody::ArticulatedLink<double>> bodies,
                        double h) noexcept;
-  void solve_pairs() noexcept;
 
   MimicJoints joints_;
   multibody::LoopRows loops_;
   multibody::LoopJoints followers_;
-  std::span<double> torque_;      // [N m | N] lambda, by object
-  std::span<Wrenchd> loop_force_; // [N m, N] the same of loops
-  double shift_stiffness_ = 0;    // [N/m] k
-  double turn_stiffness_ = 0;     // [N m/rad]
-  std::vector<Rod> rods_;     // of each pair
+  std::span<double> torque_;       // [N m | N] lambda, by object
+  std::span<Wrenchd> loop_force_;  // [N m, N] the same of loops
+  double shift_stiffness_ = 0;     // [N/m] k
+  double turn_stiffness_ = 0;      // [N m/rad]
+  std::vector<Rod> rods_;          // of each pair
   std::size_t coordinates_ = 0;
   std::vector<double> rows_;    // F^-1 J^T, of pair i at i * coordinates; then those of loops
   std::vector<double> matrix_;  // A + C, i and j at i * size() + j; then its Cholesky factor
   std::vector<double> change_;  // [N m s | N s] right side, then h dlambda
   std::vector<double> z_;
-  double h_ = 0;  // [s] of the present step
+  std::vector<double> softness_;       // C
+  std::vector<double> answers_;        // (A + C)^-1 R^T, of row i at i * coordinates
+  mutable std::vector<Vec3d> dense_;   // of a response; working memory
+  mutable std::vector<Vec3d> answer_;  // c
+  double h_ = 0;                       // [s] of the present step
 };
 
 }  // namespace murosimf::motion

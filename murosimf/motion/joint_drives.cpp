@@ -6,6 +6,7 @@
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/motion/torque_watch.h"
+#include "murosimf/multibody/gear_friction.h"
 
 namespace murosimf::motion {
 namespace {
@@ -96,6 +97,16 @@ JointDrive JointDrives::drive(int i, double q, double qd, double dt,
   to.torque = rest.torque;
   to.inertia = rest.inertia;
   return viscous;
+}
+
+void JointDrives::brake_explicitly(multibody::FrictionalJoint<double>& joint) noexcept {
+  const double share = coulomb_damping(1, joint.rate) * std::abs(joint.rate);
+  joint.budget = joint.coulomb *= share;
+  if (joint.gear) {
+    joint.budget += share * multibody::dry_friction(*joint.gear, joint.rate, joint.motor.now, joint.load);
+  }
+  joint.direction = std::copysign(1.0, joint.rate);
+  joint.line = {joint.motor.now};
 }
 
 void JointDrives::finish(int i, const Outcome& outcome, double dt) noexcept {

@@ -50,6 +50,8 @@ class JointDrives {
   /// Fills what acts in joint `i` (an object of the model) from inside, for a step of `dt` [s]; returns the part of it that is viscous
   /// friction of the servo's gear.
   JointDrive drive(int i, double q, double qd, double dt, multibody::FrictionalJoint<double>& joint) const noexcept;
+  /// After drive() with a step of 0: the motor's torque of this instant, and friction as a damper.
+  static void brake_explicitly(multibody::FrictionalJoint<double>& joint) noexcept;
   /// The inertia [kg m^2 | kg] that always turns with the joint, besides links.
   [[nodiscard]] double firm_inertia(int i) const noexcept { return backlash_.at(i) ? 0 : joints_[i].rotor; }
 

@@ -85,10 +85,25 @@ void MimicJoints::narrow(const Model& model) {
 }
 
 multibody::LoopJoints joints_of_loops(const Model& model) {
+  const auto loops = multibody::loops_of(model);
+  const auto commanded = model.having(properties::loop_commanded);
+  for (const int joint : commanded) {
+    if (multibody::is_in_loop(model, loops, joint)) continue;
+    throw SetupError(fmt::format("model '{}': joint '{}' is commanded for its linkage, but in no loop", model.name(),
+                                 model.objects()[joint].name));
+  }
+  const auto is_led = [&](int joint) {
+    return std::ranges::any_of(loops, [&](const multibody::Loop& loop) {
+      return is_in(model, loop, joint) &&
+             std::ranges::any_of(commanded, [&](int other) { return is_in(model, loop, other); });
+    });
+  };
   std::vector<bool> follows(static_cast<std::size_t>(model.size()));
   std::vector<double> start(follows.size());
   for (const int joint : model.joints()) {
-    follows[joint] = !model.find(properties::servo, joint) && !model.find(properties::joint_coupling, joint);
+    const bool driven = model.find(properties::servo, joint) && !is_led(joint);
+    const bool leads = driven || std::ranges::count(commanded, joint) > 0;
+    follows[joint] = !leads && !model.find(properties::joint_coupling, joint);
     if (const double* at = model.find(properties::joint_start, joint)) start[joint] = *at;
   }
   return {model, follows, std::move(start)};

@@ -46,7 +46,8 @@ class MimicJoints {
   std::vector<double> rate_limits_;  // [rad/s | m/s] by object
 };
 
-/// Joints of the model that loops take along: those with neither servo nor coupling; `joint_start` is where its loops are closed.
+/// Joints of the model that loops take along: those with neither servo nor coupling; in a loop with a joint that is commanded
+/// (loop_commanded) all others. `joint_start` is where the loops are closed. Throws SetupError where a commanded joint is in no loop.
 [[nodiscard]] multibody::LoopJoints joints_of_loops(const Model& model);
 
 }  // namespace murosimf::motion

@@ -13,6 +13,8 @@ namespace murosimf::motion {
 ServoBus::ServoBus(Setup& setup)
     : turning_(setup),
       coupled_(setup.model()),
+      linkages_(joints_of_loops(setup.model())),
+      commands_linkages_(!setup.model().having(properties::loop_commanded).empty()),
       objects_(setup.model().joints()),
       step_(seconds(setup.period())),
       plain_(false),
@@ -24,6 +26,10 @@ ServoBus::ServoBus(Setup& setup)
       target_(setup.input(properties::joint_target, 0.0)),
       delayed_(setup.write(delayed_target)),
       present_(period_.size()) {
+  if (commands_linkages_) {
+    q_ = setup.write(properties::joint_position);
+    rates_.resize(period_.size());
+  }
   bool holds = false, limits = false, filters = false;
   for (const int i : objects_) {
     const Servo* servo = setup.model().find(properties::servo, i);
@@ -67,6 +73,9 @@ void ServoBus::couple() noexcept {
   for (const auto& pair : coupled_.pairs()) {
     present_[pair.follower] = pair.offset + pair.ratio * present_[pair.leader];
   }
+  if (!commands_linkages_) return;
+  linkages_.keep(q_);
+  linkages_.follow(present_, rates_);
 }
 
 double ServoBus::sent(int i) noexcept {

@@ -5,6 +5,9 @@
 ///
 ///     a += (1 - exp(-h / T)) (target - a)
 ///
+/// Servos of linkages whose commanded joints are others (loop_commanded) know where these joints' targets take them, on the branch where
+/// they stand.
+///
 /// The servo of a joint that follows another one (mimic_joints.h) knows where the other one's target takes it; its own
 /// target means nothing.
 #pragma once
@@ -53,6 +56,10 @@ class ServoBus {
 
   VelocityJoints turning_;
   MimicJoints coupled_;
+  multibody::LoopJoints linkages_;
+  bool commands_linkages_;     // some joint is commanded
+  std::span<const double> q_;  // [rad | m] where joints stand; empty if none is
+  std::vector<double> rates_;  // [rad/s | m/s] not used; working memory
   std::span<const int> objects_;
   double step_;                           // [s] of the simulation
   bool plain_;                            // all are sent a position in every step, and take any

@@ -1,6 +1,7 @@
 #include "murosimf/multibody/link_motion.h"
 
 #include <cassert>
+#include <vector>
 
 #include "murosimf/math/pack.h"
 #include "murosimf/multibody/joint_axis.h"
@@ -101,6 +102,15 @@ RigidInertia<S> composite_inertia(std::span<const LinkMotion<S>> links) noexcept
   RigidInertia<S> sum;
   for (const auto& link : links) sum += link.inertia;
   return sum;
+}
+
+void moved_inertias(const Tree& tree, std::span<const LinkMotion<double>> links, std::span<double> moved) {
+  std::vector<RigidInertia<double>> composite;
+  for (const auto& link : links) composite.push_back(link.inertia);
+  for (std::size_t l = links.size() - 1; l > 0; --l) {
+    moved[l] = dot(links[l].axis, composite[l] * links[l].axis);
+    composite[tree.links[l].parent] += composite[l];
+  }
 }
 
 template <class S>

@@ -41,6 +41,9 @@ void link_motions(const Tree& tree, std::span<const Vec3<S>> r, std::span<const 
 template <class S>
 RigidInertia<S> composite_inertia(std::span<const LinkMotion<S>> links) noexcept;
 
+/// What each joint moves while all others stand still [kg m^2 | kg], by link; without rotors.
+void moved_inertias(const Tree& tree, std::span<const LinkMotion<double>> links, std::span<double> moved);
+
 /// Momentum of all links: moment of momentum about O [N m s] and momentum [N s], for the observer that moves along
 /// with the base.
 template <class S>

@@ -7,7 +7,7 @@
 ///
 /// m is next to nothing while the gap shrinks (Levenberg, Marquardt): where joints are not determined, as the turn of a rod about itself,
 /// they move least; where loops cannot close, as near as they can.
-/// A joint follows if it is in a loop and has neither a servo nor a coupling.
+/// Which joints follow, motion/mimic_joints.h says.
 /// Source: Nocedal, Wright, Numerical Optimization, sec. 10.3; loops: Featherstone 2008, sec. 8.
 #pragma once
 
@@ -65,10 +65,10 @@ class LoopJoints {
   std::vector<double> start_, kept_;
   std::vector<LoopSides> loops_;
   std::size_t rows_ = 0, columns_ = 0;
-  std::vector<double> gap_;                 // e
-  std::vector<double> J_, normal_;          // row by row; J^T J, then its factor
-  std::vector<double> step_;                // of p
-  std::vector<Vec3d> points_;               // [m] both ends of each loop
+  std::vector<double> gap_;         // e
+  std::vector<double> J_, normal_;  // row by row; J^T J, then its factor
+  std::vector<double> step_;        // of p
+  std::vector<Vec3d> points_;       // [m] both ends of each loop
 };
 
 }  // namespace murosimf::multibody

@@ -40,12 +40,13 @@ std::vector<Loop> loops_of(const Model& model) {
   return loops;
 }
 
-bool is_in_loop(const Model& model, const std::vector<Loop>& loops, int joint) {
+bool is_in(const Model& model, const Loop& loop, int joint) {
   const int link = model.tree().link_of[joint];
-  return std::ranges::any_of(loops, [&](const Loop& loop) {
-    return std::ranges::any_of(loop.ends,
-                               [&](const Loop::End& end) { return std::ranges::count(end.path, link) > 0; });
-  });
+  return std::ranges::any_of(loop.ends, [&](const Loop::End& end) { return std::ranges::count(end.path, link) > 0; });
+}
+
+bool is_in_loop(const Model& model, const std::vector<Loop>& loops, int joint) {
+  return std::ranges::any_of(loops, [&](const Loop& loop) { return is_in(model, loop, joint); });
 }
 
 }  // namespace murosimf::multibody

@@ -21,6 +21,8 @@ namespace murosimf::properties {
 
 inline constexpr Property<LoopClosure> loop_closure{
     {"loop_closure", "-", "-", "the frame in whose place this one is held, which closes a loop"}};
+inline constexpr Property<double> loop_commanded{
+    {"loop_commanded", "1", "joint", "it takes targets, and servos of its loops' other joints follow them"}};
 
 }  // namespace murosimf::properties
 
@@ -41,7 +43,9 @@ struct Loop {
 /// In the order of the objects. Throws SetupError if an object does not exist, or both are on the same link.
 [[nodiscard]] std::vector<Loop> loops_of(const Model& model);
 
-/// Whether a joint (an object) is a part of some loop.
+/// Whether a joint (an object) is a part of a loop.
+[[nodiscard]] bool is_in(const Model& model, const Loop& loop, int joint);
+/// The same of any of some loops.
 [[nodiscard]] bool is_in_loop(const Model& model, const std::vector<Loop>& loops, int joint);
 
 }  // namespace murosimf::multibody

@@ -1,5 +1,6 @@
 #include "murosimf/robot/robot_builder.h"
 
+#include <algorithm>
 #include <set>
 
 #include <fmt/format.h>
@@ -137,6 +138,9 @@ class Builder {
         chain.with(properties::joint_coupling, {mimic.leader, mimic.ratio, mimic.offset});
       }
     }
+    if (std::ranges::count(table_.commanded, joint.name, &TableName::name) > 0) {
+      chain.with(properties::loop_commanded, 1.0);
+    }
     const auto found = table_.servos.find(joint.name);
     const bool of_table = found != table_.servos.end();
     const bool same_kind =
@@ -251,7 +255,19 @@ class Builder {
     chain.endpoint(name);
     if (is_sole(frame, table_)) chain.with(properties::sole, *frame.box);
     add_other_names(chain, table_.frames, frame.name);
+    close_loops(chain, frame);
     return chain;
+  }
+
+  /// The second frame of a loop knows the first one by another name, since that one's may not be given yet.
+  void close_loops(Chain& chain, const description::FrameDescription& frame) const {
+    if (frame.kind != "site" && frame.kind != "loop") return;
+    for (std::size_t i = 0; i < description_.loops.size(); ++i) {
+      const description::LoopDescription& loop = description_.loops[i];
+      const std::string first = fmt::format("loop.{}", i);
+      if (loop.frame1 == frame.name) chain.alias(first);
+      if (loop.frame2 == frame.name) chain.with(properties::loop_closure, {first, loop.welded});
+    }
   }
 
   description::RobotDescription& description_;

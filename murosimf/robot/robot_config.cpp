@@ -28,10 +28,12 @@ class Reader {
         read_other_names(table_of(key, value), table_.joints);
       } else if (key == "rate_limits") {
         read_rate_limits(table_of(key, value));
+      } else if (key == "linkages") {
+        read_names("linkages", "commanded", table_of(key, value), table_.commanded);
       } else if (key == "surfaces") {
         read_surfaces(table_of(key, value));
       } else if (key == "meshes") {
-        read_meshes(table_of(key, value));
+        read_names("meshes", "part_per_group", table_of(key, value), table_.part_per_group);
       } else if (key == "servos") {
         for (const auto& [name, servo] : table_of(key, value)) read_servo(name, table_of(name, servo));
       } else if (key == "sensors") {
@@ -40,7 +42,7 @@ class Reader {
         read_walk(table_of(key, value));
       } else {
         unknown("table", key,
-                {"soles", "frames", "joints", "rate_limits", "surfaces", "meshes", "servos", "sensors", "walk"});
+                {"soles", "frames", "joints", "rate_limits", "linkages", "surfaces", "meshes", "servos", "sensors", "walk"});
       }
     }
     return table_;
@@ -94,12 +96,13 @@ class Reader {
     }
   }
 
-  void read_meshes(const toml::table& meshes) {
-    for (const auto& [key, value] : meshes) {
-      if (key != "part_per_group") unknown("key of [meshes]", key, {"part_per_group"});
+  /// A table whose only key has a list of names.
+  void read_names(const char* section, const char* only, const toml::table& table, std::vector<TableName>& to) {
+    for (const auto& [key, value] : table) {
+      if (key != only) unknown(fmt::format("key of [{}]", section), key, {only});
       const toml::array* names = value.as_array();
-      if (!names) files::fail_at(key.source(), "part_per_group must be a list of meshes, like [\"torso\"]");
-      for (const toml::node& name : *names) table_.part_per_group.push_back(name_of("part_per_group", name));
+      if (!names) files::fail_at(key.source(), fmt::format("{} must be a list of names, like [\"torso\"]", only));
+      for (const toml::node& name : *names) to.push_back(name_of(only, name));
     }
   }
 
@@ -175,6 +178,7 @@ void check_names(const RobotConfig& table, const RobotNames& names) {
   for (const auto& [joint, servo] : table.servos) check_name({joint, servo.where}, "joint", names.joints);
   for (const auto& [joint, limit] : table.rate_limits) check_name({joint, limit.where}, "joint", names.joints);
   for (const auto& [body, surface] : table.surfaces) check_name({body, surface.where}, "body", names.bodies);
+  for (const TableName& joint : table.commanded) check_name(joint, "joint", names.joints);
   for (const TableName& mesh : table.part_per_group) check_name(mesh, "mesh", names.meshes);
   for (const TableName& sole : table.soles) check_name(sole, "frame", places);
   for (const auto& [role, frame] : table.frames) check_name(frame, "frame", objects);

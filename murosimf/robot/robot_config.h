@@ -14,6 +14,9 @@
 ///     [rate_limits]                # [rad/s | m/s] largest rates of joints (URDF has them itself); 0: none
 ///     LHipYaw = 5.5
 ///
+///     [linkages]                   # joints of loops that take targets: servos of the loops' other joints follow them
+///     commanded = ["l_ankle_pitch", "l_ankle_roll"]
+///
 ///     [surfaces]                   # materials of the pair table (model/material.h), by body
 ///     default = "plastic"
 ///     l_foot = "rubber"
@@ -66,6 +69,7 @@ struct RobotConfig {
   std::map<std::string, TableName> frames;         ///< frame, body or joint by its other name
   std::map<std::string, TableName> joints;         ///< joint by its other name
   std::map<std::string, TableNumber> rate_limits;  ///< [rad/s | m/s] by joint
+  std::vector<TableName> commanded;                ///< joints of loops that take targets
   std::string default_surface;                     ///< empty: none
   std::map<std::string, TableName> surfaces;       ///< material by body
   std::map<std::string, TableServo> servos;        ///< by joint

@@ -170,6 +170,7 @@ std::string why_no_target(const Model& model, int joint, const std::vector<const
     return fmt::format("this joint follows '{}'", of_rate ? "joint_velocity_target" : "joint_target");
   }
   if (model.find(properties::joint_coupling, joint)) return "this joint follows another one";
+  if (model.find(properties::loop_commanded, joint)) return {};
   const auto needs_servo = [](const catalog::LevelType* level) { return catalog::has_word(level->keys, "servo_law"); };
   if (!servo && std::ranges::all_of(levels, needs_servo)) return "this joint has no servo and hangs free";
   return {};

@@ -13,6 +13,7 @@
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/mimic_joints.h"
+#include "murosimf/multibody/loops.h"
 #include "murosimf/scene/model_constants.h"
 #include "murosimf/scene/property_checks.h"
 #include "murosimf/scene/start_overlaps.h"
@@ -102,7 +103,8 @@ void warn_about_things(SceneParts& parts) {
   }
 }
 
-/// Whether something moves each joint: a servo, its own or that of a joint that follows it, or the joint that it follows.
+/// Whether something moves each joint: a servo, its own or that of a joint that follows it, or the joint that it follows; and all of
+/// a loop in which that moves one.
 std::vector<bool> driven_joints(const Model& model) {
   std::vector<int> leader(static_cast<std::size_t>(model.size()));
   std::iota(leader.begin(), leader.end(), 0);
@@ -110,8 +112,14 @@ std::vector<bool> driven_joints(const Model& model) {
   for (const auto& pair : coupled.pairs()) leader[pair.follower] = pair.leader;
   std::set<int> driven;
   for (const int i : model.having(properties::servo)) driven.insert(leader[i]);
+  const auto loops = multibody::loops_of(model);
+  const auto taken_along = [&](int joint) {
+    return std::ranges::any_of(loops, [&](const multibody::Loop& loop) {
+      return is_in(model, loop, joint) && std::ranges::any_of(driven, [&](int i) { return is_in(model, loop, i); });
+    });
+  };
   std::vector<bool> result;
-  for (const int i : model.joints()) result.push_back(leader[i] != i || driven.contains(i));
+  for (const int i : model.joints()) result.push_back(leader[i] != i || driven.contains(i) || taken_along(i));
   return result;
 }
 

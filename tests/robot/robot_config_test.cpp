@@ -268,5 +268,16 @@ TEST(RobotConfig, RateLimitsAreThoseOfTheTable) {
   EXPECT_EQ(complaint("\n[rate_limits]\na = 'x'\n"), ":3:5: the largest rate of 'a' must be a number from 0");
 }
 
+TEST(RobotConfig, LinkagesNameTheJointsThatTakeTargets) {
+  const RobotConfig table = read("[linkages]\ncommanded = ['pitch', 'roll']\n");
+  ASSERT_EQ(table.commanded.size(), 2U);
+  EXPECT_EQ(table.commanded[1].name, "roll");
+  EXPECT_NO_THROW(check_names(table, {.joints = {"pitch", "roll"}}));
+  EXPECT_THROW(check_names(table, {.joints = {"pitch"}}), SetupError);
+  EXPECT_EQ(complaint("\n[linkages]\ncommand = ['a']\n"),
+            ":3:1: unknown key of [linkages] 'command'; did you mean 'commanded'?");
+  EXPECT_EQ(complaint("\n[linkages]\ncommanded = 'a'\n"), ":3:1: commanded must be a list of names, like [\"torso\"]");
+}
+
 }  // namespace
 }  // namespace murosimf::robot

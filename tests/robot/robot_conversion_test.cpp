@@ -168,7 +168,8 @@ std::string all_of_mjcf() {
 </body></body></body></body></worldbody>
 <actuator><position joint="a" kp="20" kv="1" forcerange="-9 9" gear="2"/><velocity joint="b" kv="0.5"/>
 <motor joint="c" ctrlrange="-7 7"/></actuator>
-<equality><joint joint1="c" joint2="b" polycoef="0.01 0.1 0 0 0"/></equality>
+<equality><joint joint1="c" joint2="b" polycoef="0.01 0.1 0 0 0"/><connect body1="base" body2="tip" anchor="0 0.1 0"/>
+<weld name="held" body1="two" body2="tip" relpose="0.01 0 0.3 1 0 0.1 0" anchor="0 0.01 0"/></equality>
 <contact><exclude body1="base" body2="tip"/><pair geom1="g2" geom2="g1"/><pair geom1="g4" geom2="floor"/></contact>
 <sensor><gyro name="gyro" site="left_sole"/></sensor></mujoco>)";
 }

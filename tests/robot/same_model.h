@@ -11,6 +11,7 @@
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/multibody/kinematics.h"
+#include "murosimf/multibody/loops.h"
 #include "tests/fixtures.h"
 
 namespace murosimf::robot::same_model {
@@ -86,6 +87,13 @@ inline void expect_same_coupling(const JointCoupling* found, const JointCoupling
   EXPECT_EQ(found->offset, expected->offset) << name;
 }
 
+inline void expect_same_loop(const LoopClosure* found, const LoopClosure* expected, const std::string& name) {
+  ASSERT_EQ(found == nullptr, expected == nullptr) << name;
+  if (!expected) return;
+  EXPECT_EQ(found->other, expected->other) << name;
+  EXPECT_EQ(found->welded, expected->welded) << name;
+}
+
 /// All objects but those that only give the tree its shape: forks are numbered in the order of the file, and turns by
 /// less than rounding may be gone.
 inline void expect_same(const Model& found, const Model& expected) {
@@ -104,6 +112,7 @@ inline void expect_same(const Model& found, const Model& expected) {
     expect_same_constants(found, *i, expected, k, object.name);
     expect_same_servo(found.find(properties::servo, *i), expected.find(properties::servo, k), object.name);
     expect_same_shapes(found.find(properties::shapes, *i), expected.find(properties::shapes, k), object.name);
+    expect_same_loop(found.find(properties::loop_closure, *i), expected.find(properties::loop_closure, k), object.name);
     expect_same_coupling(found.find(properties::joint_coupling, *i), expected.find(properties::joint_coupling, k),
                          object.name);
   }

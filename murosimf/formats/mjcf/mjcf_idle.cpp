@@ -45,11 +45,22 @@ std::string ends_of(const files::XmlElement& element) {
   return fmt::format("{}", fmt::join(ends, " and "));
 }
 
-void name_equality(const files::XmlElement& element, description::RobotDescription& description) {
+/// How many ends of a `connect` or `weld` are no part of the robot.
+int ends_outside(const files::XmlElement& element, const MjcfNames& names) {
+  const bool sites = element.attribute("site1") || element.attribute("site2");
+  const std::string kind = sites ? "site" : "body";
+  const auto outside = [&](const char* end) {
+    return names.is_elsewhere(kind, element.attribute((kind + end).c_str()).value_or(sites ? "" : world_name));
+  };
+  return static_cast<int>(outside("1")) + static_cast<int>(outside("2"));
+}
+
+void name_equality(const files::XmlElement& element, const MjcfNames& names,
+                   description::RobotDescription& description) {
   const std::string what = files::one_line(fmt::format("{} of {}", element.tag(), ends_of(element)));
   if (element.attribute("active") == "false") {
     description.unused.push_back({what, fmt::format("{}: {} is not active", element.where(), what)});
-  } else {
+  } else if (ends_outside(element, names) < 2) {
     description.warnings.push_back(
         fmt::format("{}: {} does not act: nothing holds them together", element.where(), what));
   }
@@ -57,15 +68,23 @@ void name_equality(const files::XmlElement& element, description::RobotDescripti
 
 }  // namespace
 
-void name_idle_relations(const files::XmlElement& root, const MjcfDefaults& defaults, const MjcfCompiler& compiler,
+bool is_idle_equality(const files::XmlElement& element, const MjcfNames& names) {
+  return element.tag() == "tendon" || element.attribute("active") == "false" || ends_outside(element, names) > 0;
+}
+
+void name_idle_relations(const files::XmlElement& root, const MjcfContext& context,
                          description::RobotDescription& description) {
   for (const files::XmlElement& section : root.children("tendon")) {
-    for (const files::XmlElement& element : section.children()) name_tendon(element, defaults, compiler, description);
+    for (const files::XmlElement& element : section.children()) {
+      name_tendon(element, context.defaults, context.compiler, description);
+    }
   }
   for (const files::XmlElement& section : root.children("equality")) {
     for (const files::XmlElement& element : section.children()) {
       const std::string tag = element.tag();
-      if (tag == "connect" || tag == "weld" || tag == "tendon") name_equality(element, description);
+      if ((tag == "connect" || tag == "weld" || tag == "tendon") && is_idle_equality(element, context.names)) {
+        name_equality(element, context.names, description);
+      }
     }
   }
 }

@@ -1,16 +1,19 @@
 /// mjcf_idle.h - what an MJCF file says that would change the motion and does not act here: one warning each.
 ///
-/// Tendons with a spring, a damper, friction, a rotor or a limit; equalities that hold bodies or tendons together, so that loops of the
-/// mechanism are open here; gravity that is taken from a body. A tendon without all that only measures a length and is a line in `unused`.
+/// Tendons with a spring, a damper, friction, a rotor or a limit; equalities that hold tendons together, or the robot to what is no part
+/// of it; gravity that is taken from a body. A tendon without all that only measures a length and is a line in `unused`.
 #pragma once
 
 #include "murosimf/description/robot_description.h"
-#include "murosimf/formats/mjcf/mjcf_defaults.h"
-#include "murosimf/formats/mjcf/mjcf_frame.h"
+#include "murosimf/formats/mjcf/mjcf_context.h"
 
 namespace murosimf::formats::mjcf {
 
-void name_idle_relations(const files::XmlElement& root, const MjcfDefaults& defaults, const MjcfCompiler& compiler,
+/// A `connect`, `weld` or `tendon` of `equality` that holds nothing here: of tendons, not active, or with an end that is no part of the
+/// robot (a body that floats or that software moves, the world of a robot that floats).
+[[nodiscard]] bool is_idle_equality(const files::XmlElement& element, const MjcfNames& names);
+
+void name_idle_relations(const files::XmlElement& root, const MjcfContext& context,
                          description::RobotDescription& description);
 
 }  // namespace murosimf::formats::mjcf

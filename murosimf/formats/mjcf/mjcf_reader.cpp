@@ -12,6 +12,7 @@
 #include "murosimf/formats/mjcf/mjcf_idle.h"
 #include "murosimf/formats/mjcf/mjcf_joint.h"
 #include "murosimf/formats/mjcf/mjcf_keyframe.h"
+#include "murosimf/formats/mjcf/mjcf_loops.h"
 #include "murosimf/formats/mjcf/mjcf_material.h"
 #include "murosimf/formats/mjcf/mjcf_relations.h"
 #include "murosimf/formats/mjcf/mjcf_replicate.h"
@@ -95,8 +96,9 @@ description::RobotDescription read_mjcf(const std::filesystem::path& file, const
   resolve_spring_dampers(springs, description);
   description::resolve_damping_ratios(description);
   drop_idle_controls(actuators, description);
-  name_idle_relations(root, defaults, compiler, description);
+  name_idle_relations(root, context, description);
   read_relations(root, names, defaults, description);
+  read_loops(root, names, description);
   read_keyframes(root, trees, context, actuators, description);
   return description;
 }

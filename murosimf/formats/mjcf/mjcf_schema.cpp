@@ -9,7 +9,6 @@ const files::XmlWords actuators{"position", "velocity", "intvelocity", "motor", 
 /// That move nothing here, each with a warning.
 const files::XmlWords idle_actuators{"damper",  "cylinder",    "muscle", "adhesion",
                                      "dcmotor", "orientation", "pid",    "plugin"};
-const files::XmlWords idle_equalities{"connect", "weld", "tendon"};
 
 files::XmlWords operator+(files::XmlWords a, const files::XmlWords& b) {
   a.insert(a.end(), b.begin(), b.end());
@@ -121,11 +120,15 @@ files::XmlVocabulary make_rules() {
                    .unused = {"name", "class", "condim", "friction", "solref", "solreffriction", "solimp", "gap",
                               "margin"},
                    .unsupported = {"adhesion"}};
-  rules["equality"] = {.children = {"joint"},
-                       .unused_children = idle_equalities,
+  const files::XmlWords ends{"active", "body1", "body2", "site1", "site2", "anchor"};
+  rules["equality"] = {.children = {"joint", "connect", "weld"},
+                       .unused_children = {"tendon"},
                        .unsupported_children = {"flex", "flexvert", "flexstrain", "plugin"}};
   rules["equality/joint"] = {.used = {"joint1", "joint2", "polycoef", "active"},
                              .unused = {"name", "class", "solref", "solimp"}};
+  rules["connect"] = {.used = ends + files::XmlWords{"name"}, .unused = {"class", "solref", "solimp"}};
+  rules["weld"] = {.used = ends + files::XmlWords{"name", "relpose"},
+                   .unused = {"class", "solref", "solimp", "torquescale"}};
   rules["freejoint"] = {.used = {"name"}, .unused = {"group", "align"}};
   rules["joint"] = {.used = {"name", "class", "type", "pos", "axis", "range", "limited", "armature", "damping",
                              "frictionloss", "actuatorfrcrange", "actuatorfrclimited", "ref", "stiffness", "springref",
@@ -174,8 +177,7 @@ files::XmlVocabulary make_rules() {
 bool is_actuator(std::string_view tag) { return std::ranges::find(actuators, tag) != actuators.end(); }
 
 bool is_idle_relation(std::string_view tag) {
-  const auto in = [&](const files::XmlWords& words) { return std::ranges::find(words, tag) != words.end(); };
-  return in(idle_actuators) || in(idle_equalities);
+  return tag == "tendon" || std::ranges::find(idle_actuators, tag) != idle_actuators.end();
 }
 
 const files::XmlVocabulary& mjcf_schema() {

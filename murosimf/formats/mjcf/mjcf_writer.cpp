@@ -144,7 +144,7 @@ class Writer {
   }
 
   void write_couplings() {
-    if (description_.mimics.empty()) return;
+    if (description_.mimics.empty() && description_.loops.empty()) return;
     xml_.begin("equality");
     for (const description::MimicDescription& mimic : description_.mimics) {
       xml_.begin("joint").text("joint1", mimic.joint).text("joint2", mimic.leader);
@@ -152,6 +152,10 @@ class Writer {
       const double offset = mimic.offset - description::reference_of(description_, mimic.joint) +
                             mimic.ratio * description::reference_of(description_, mimic.leader);
       xml_.numbers("polycoef", {offset, mimic.ratio, 0, 0, 0}).end();
+    }
+    for (const description::LoopDescription& loop : description_.loops) {
+      xml_.begin(loop.welded ? "weld" : "connect").text("name", loop.name);
+      xml_.text("site1", loop.frame1).text("site2", loop.frame2).end();
     }
     xml_.end();
   }

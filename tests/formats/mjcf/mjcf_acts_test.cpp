@@ -17,6 +17,7 @@
 #include "murosimf/model/properties.h"
 #include "murosimf/model/visual_mesh.h"
 #include "murosimf/motion/motion_properties.h"
+#include "murosimf/multibody/loops.h"
 #include "tests/temp_folder.h"
 
 namespace murosimf::formats::mjcf {
@@ -68,6 +69,9 @@ std::string text_of(const Model& model, int i) {
   }
   if (const JointCoupling* c = model.find(properties::joint_coupling, i)) {
     text += fmt::format("  {} {} {}\n", c->leader, c->ratio, c->offset);
+  }
+  if (const LoopClosure* c = model.find(properties::loop_closure, i)) {
+    text += fmt::format("  {} {} {}\n", c->other, model.object_index(c->other), c->welded);
   }
   return text;
 }
@@ -252,6 +256,11 @@ std::map<std::string, Place> make_places() {
   places["exclude"] = {parts, {{"body1", "l"}, {"body2", "k"}}};
   places["pair"] = {rest("<contact><pair %/></contact>"), {{"geom1", "g"}, {"geom2", "h"}}};
   places["equality/joint"] = {rest("<equality><joint %/></equality>"), {{"joint1", "j"}, {"joint2", "i"}}};
+  for (const char* kind : {"connect", "weld"}) {
+    parts = on_link("<site name='t'/><site name='u' pos='.2 0 0'/>");
+    parts.rest = fmt::format("<equality><{} %/></equality>", kind);
+    places[kind] = {parts, {{"body1", "l"}, {"body2", "k"}, {"anchor", ".1 0 0"}}};
+  }
   places["key"] = {rest(servo_of_j + "<keyframe><key %/></keyframe>"), {{"qpos", "0 0 1 1 0 0 0 .1 .2"}}};
   for (const char* kind : {"position", "velocity", "intvelocity", "motor", "general"}) {
     parts = rest(fmt::format("<actuator><{} %/></actuator><sensor><actuatorfrc actuator='b'/></sensor>", kind));
@@ -423,6 +432,12 @@ std::map<std::string, Probes> make_probes() {
                               {"joint2", {"i", "none"}},
                               {"polycoef", {"0 1", "0 2"}},
                               {"active", {"true", "false"}}};
+  const Attributes at_sites{{"body1", "-"}, {"body2", "-"}, {"anchor", "-"}, {"site1", "t"}, {"site2", "s"}};
+  probes["connect"] = {
+      {"name", {"one", "two"}},       {"active", {"true", "false"}},    {"body1", {"l", "b"}},
+      {"body2", {"k", "b"}},          {"anchor", {".1 0 0", ".2 0 0"}}, {"site1", {"t", "u", at_sites}},
+      {"site2", {"s", "u", at_sites}}};
+  probes["weld"] = probes["connect"] + Probes{{"relpose", {"0 0 0 1 0 0 0", "0 0 0 1 1 0 0"}}};
   probes["key"] = {{"name", {"one", "two"}},
                    {"qpos", {"0 0 1 1 0 0 0 .1 .2", "0 0 1 1 1 0 0 .1 .3"}},
                    {"ctrl", {".1", ".2"}}};
