@@ -613,7 +613,7 @@ TEST(MjcfReader, NamesUnknownWords) {
   expect_complaint(message(closed_robot("<body nmae='c'/>")), 5,
                    "unknown attribute of body 'nmae'; did you mean 'name'?");
   expect_complaint(message(closed_robot("<bdy/>")), 5, "unknown element in body 'bdy'; did you mean 'body'?");
-  expect_complaint(message(closed_robot("<body foo='1'><bar/></body>\n<baz/>")), 5, "(and 2 more like this)");
+  expect_complaint(message(closed_robot("<body foo='1'><bar/></body>\n<baz/>")), 5, "and 2 more like this");
   expect_complaint(message(closed_robot(limb("<joint axis='0 0 1' springdamper='3 1'/>"))), 5,
                    "'springdamper' of joint is not supp");
   expect_complaint(message(closed(robot("") + "<tendon/>")), 7, "element 'tendon' is not supported");
