@@ -27,6 +27,7 @@ struct CheckOptions {
   std::string json;     ///< file, "-" for standard output
   std::string picture;  ///< PNG file
   std::string roles;    ///< TOML file
+  bool all = false;
   bool lenient = false;
   std::vector<std::string> plugins;  ///< sensors of the robot may come from there
 };
@@ -39,6 +40,7 @@ void define(const Command& command, CheckOptions& options) {
   command.add("--picture", options.picture, "Write a PNG picture of the robot from four sides");
   command.add("--roles", options.roles,
               "Write the soles, frames and servos that were found or guessed (TOML), to be corrected");
+  command.add("--all", options.all, "Show every finding; else at most ten lines, those of one kind in one");
   add_lenient(command, options.lenient);
   add_plugins(command, options.plugins);
 }
@@ -67,6 +69,7 @@ int report_unreadable(const CheckOptions& options, const SetupError& error) {
   check::ModelReport report;
   report.name = options.model;
   report.findings.push_back(check::make_finding(check::Severity::error, error.what()));
+  check::shorten_paths(report.findings, std::filesystem::current_path());
   if (!options.json.empty()) write_result(options.json, "", check::to_json(report));
   say_error(error.what());
   return 1;
@@ -88,6 +91,7 @@ int show(const CheckOptions& options, const Reading& reading) {
   const auto& [robot, error] = reading;
   auto findings = check::examine(robot);
   if (error) findings.insert(findings.begin(), check::make_finding(check::Severity::error, *error));
+  check::shorten_paths(findings, std::filesystem::current_path());
   if (!options.roles.empty()) check_roles(options.roles, robot);
   const auto is_error = [](const check::Finding& finding) { return finding.severity == check::Severity::error; };
   const bool wrong = std::ranges::any_of(findings, is_error);
@@ -96,7 +100,7 @@ int show(const CheckOptions& options, const Reading& reading) {
   if (!options.roles.empty()) {
     results.write([&] { files::write_file(options.roles, robot::roles_toml(robot.description, robot.table)); });
   }
-  results.write([&] { write_result(options.json, check::to_text(report), check::to_json(report)); });
+  results.write([&] { write_result(options.json, check::to_text(report, options.all), check::to_json(report)); });
   // the last, since not every machine can draw
   if (!options.picture.empty()) {
     results.write([&] { files::write_file(options.picture, appearance::robot_picture_png(robot.description)); });

@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 
 #include "murosimf/check/robot_checks.h"
+#include "murosimf/robot/repair_solids.h"
 
 namespace murosimf::check {
 namespace {
 
-constexpr double tiny_mass = 0.001;  // [kg] lighter moving bodies are frames that somebody forgot to fix
+constexpr double tiny_mass = 0.001;  // [kg] lighter moving bodies are frames that somebody forgot to fix; those that
+                                     // were repaired have a note
 constexpr double huge_mass = 500;    // [kg] no humanoid weighs that
 constexpr double widest = 1.5;  // [1] radius of gyration over the reach of the body's shapes; of a solid it is below 1
 constexpr double narrowest = 0.02;  // [1] the same: all mass in a point
@@ -57,7 +59,7 @@ std::vector<Finding> examine_masses(const description::RobotDescription& descrip
   std::vector<Finding> findings;
   for (const description::BodyDescription& body : description.bodies) {
     const bool moves = body.parent >= 0 || !description.fixed_base;
-    if (moves && body.solid.mass > 0 && body.solid.mass < tiny_mass) {
+    if (moves && body.solid.mass > robot::least_mass && body.solid.mass < tiny_mass) {
       findings.push_back({Severity::warning, where_of(body),
                           fmt::format("'{}' moves and weighs only {:.3g} kg", body.name, body.solid.mass),
                           "fix its joint, or give it its mass"});

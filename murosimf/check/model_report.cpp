@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "murosimf/check/finding_groups.h"
 #include "murosimf/files/json_document.h"
 #include "murosimf/locomotion/leg.h"
 #include "murosimf/model/error.h"
@@ -13,6 +14,8 @@
 
 namespace murosimf::check {
 namespace {
+
+constexpr std::size_t most_lines = 10;  // of findings: they fit below the tree on a screen
 
 using nlohmann::json;
 
@@ -245,7 +248,7 @@ ModelReport make_report(const Model& model, std::vector<Finding> findings, std::
   return report;
 }
 
-std::string to_text(const ModelReport& report) {
+std::string to_text(const ModelReport& report, bool all) {
   std::string text = fmt::format("{}: {:.3f} kg, {} joints, {} bodies, {} objects, soles: {}\n", report.name,
                                  report.total_mass_kg, report.joints, report.bodies, report.objects,
                                  report.soles.empty() ? "none" : fmt::format("{}", fmt::join(report.soles, ", ")));
@@ -260,6 +263,7 @@ std::string to_text(const ModelReport& report) {
                         leg.thigh_m, leg.shin_m, leg.reach_m, leg.closed_form ? "in closed form" : "numeric");
   }
   for (const sensors::SensorSpec& sensor : report.sensors) text += sensor_text(sensor);
+  if (!all) return text + grouped_text(report.findings, most_lines);
   for (const Finding& finding : report.findings) text += to_line(finding) + '\n';
   return text;
 }

@@ -56,9 +56,10 @@ struct ModelReport {
 [[nodiscard]] ModelReport make_report(const Model& model, std::vector<Finding> findings = {},
                                       std::vector<sensors::SensorSpec> sensors = {});
 
-/// A summary line, a table with one line per row of the tree, limbs, legs, sensors and findings; angles in degrees.
-[[nodiscard]] std::string to_text(const ModelReport& report);
-/// The same in SI units, angles in rad.
+/// A summary line, a table with one line per row of the tree, limbs, legs, sensors and findings; angles in degrees. Of
+/// findings at most ten lines, those of one kind in one, unless `all` are wanted.
+[[nodiscard]] std::string to_text(const ModelReport& report, bool all = false);
+/// The same in SI units, angles in rad, with all findings.
 [[nodiscard]] std::string to_json(const ModelReport& report);
 
 }  // namespace murosimf::check

@@ -17,6 +17,13 @@ std::size_t place_length(std::string_view line) {
   return std::ranges::all_of(number, [](char c) { return c >= '0' && c <= '9'; }) ? end : 0;
 }
 
+/// Takes `above` away where a path begins with it, not inside of one.
+void shorten_paths(std::string& text, const std::string& above) {
+  for (std::size_t at = text.find(above); at != std::string::npos; at = text.find(above, at + 1)) {
+    if (at == 0 || std::string_view(" '(,:").find(text[at - 1]) != std::string_view::npos) text.erase(at, above.size());
+  }
+}
+
 }  // namespace
 
 const char* severity_name(Severity severity) {
@@ -34,6 +41,14 @@ Finding make_finding(Severity severity, std::string_view line) {
   finding.what = line.substr(0, advice);
   if (advice != std::string_view::npos) finding.advice = line.substr(advice + 2);
   return finding;
+}
+
+void shorten_paths(std::vector<Finding>& findings, const std::filesystem::path& folder) {
+  if (folder == folder.root_path()) return;
+  const std::string above = (folder / "").string();
+  for (Finding& finding : findings) {
+    for (std::string* text : {&finding.where, &finding.what, &finding.advice}) shorten_paths(*text, above);
+  }
 }
 
 std::string to_line(const Finding& finding) {

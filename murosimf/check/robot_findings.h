@@ -1,6 +1,7 @@
 /// robot_findings.h - what the checks have to say about a robot file.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,9 @@ struct Finding {
 
 /// Takes a line of a reader apart: "robot.xml:12: what; what to do".
 [[nodiscard]] Finding make_finding(Severity severity, std::string_view line);
+
+/// Paths below `folder` are said from there.
+void shorten_paths(std::vector<Finding>& findings, const std::filesystem::path& folder);
 
 /// "warning: robot.xml:12: what; what to do"
 [[nodiscard]] std::string to_line(const Finding& finding);

@@ -17,9 +17,18 @@ XmlWords joined(XmlWords a, const XmlWords& b) {
   return a;
 }
 
+/// True if `name` is one of the words but for a slip: "limmit" for "limit".
+bool looks_like(std::string_view name, const XmlWords& words) {
+  const std::string_view nearest = nearest_name(name, words);
+  const std::size_t longer = std::max(nearest.size(), name.size()), shorter = std::min(nearest.size(), name.size());
+  return !nearest.empty() && longer - shorter <= 2;
+}
+
 class Checker {
  public:
-  explicit Checker(const XmlVocabulary& schema) : schema_(schema) {}
+  Checker(const XmlVocabulary& schema, UnknownWords unknown) : schema_(schema), unknown_(unknown) {
+    for (const auto& [element, rule] : schema) acting_.insert(rule.children.begin(), rule.children.end());
+  }
 
   void check(const XmlElement& element, const std::string& parent = {}) {
     auto found = schema_.find(parent + "/" + element.tag());
@@ -42,6 +51,9 @@ class Checker {
              fmt::format("attribute '{}' of {}", name, element.tag()));
       } else if (contains(rule.unsupported, name)) {
         refuse(element, fmt::format("attribute '{}' of {} is not supported", name, element.tag()));
+      } else if (unknown_ == UnknownWords::named && !looks_like(name, rule.used)) {
+        note(element, fmt::format("{}.{}", element.tag(), name),
+             fmt::format("unknown attribute '{}' of {}", name, element.tag()));
       } else {
         refuse(element, unknown_name(kind, name, joined(rule.used, rule.unused)));
       }
@@ -58,6 +70,10 @@ class Checker {
         note(child, tag, fmt::format("element '{}'", tag));
       } else if (contains(rule.unsupported_children, tag)) {
         refuse(child, fmt::format("element '{}' is not supported", tag));
+      } else if (unknown_ == UnknownWords::named && !rule.all_act && !acting_.contains(tag) &&
+                 !looks_like(tag, rule.children)) {
+        note(child, fmt::format("{}/{}", element.tag(), tag),
+             fmt::format("unknown element '{}' in {}", tag, element.tag()));
       } else {
         refuse(child, unknown_name(kind, tag, joined(rule.children, rule.unused_children)));
       }
@@ -74,23 +90,26 @@ class Checker {
   }
 
   const XmlVocabulary& schema_;
+  UnknownWords unknown_;
+  std::set<std::string, std::less<>> acting_;  // elements that act somewhere
   std::set<std::string> noted_;
 };
 
 }  // namespace
 
-XmlFindings validate(const XmlElement& root, const XmlVocabulary& schema) {
-  Checker checker(schema);
+XmlFindings validate(const XmlElement& root, const XmlVocabulary& schema, UnknownWords unknown) {
+  Checker checker(schema, unknown);
   checker.check(root);
   return checker.findings;
 }
 
 std::vector<XmlUnused> validate(const XmlElement& root, const XmlVocabulary& schema, bool lenient,
-                                std::vector<std::string>& warnings) {
-  auto [unused, refused] = validate(root, schema);
+                                std::vector<std::string>& warnings, UnknownWords unknown) {
+  auto [unused, refused] = validate(root, schema, unknown);
   if (!refused.empty() && !lenient) {
     const std::size_t more = refused.size() - 1;
-    throw SetupError(refused.front() + (more > 0 ? fmt::format(" (and {} more like this)", more) : ""));
+    const std::string count = more > 0 ? fmt::format("and {} more like this; ", more) : "";
+    throw SetupError(fmt::format("{} ({}--lenient reads on)", refused.front(), count));
   }
   warnings.insert(warnings.end(), refused.begin(), refused.end());
   return unused;

@@ -24,10 +24,17 @@ using XmlWords = std::vector<std::string_view>;
 struct XmlRule {
   XmlWords used{}, unused{}, unsupported{};                        ///< attributes
   XmlWords children{}, unused_children{}, unsupported_children{};  ///< elements inside
+  bool all_act = false;  ///< whatever else is inside would act as well: refused even where unknown words are named
 };
 
 /// Rules by tag, or by "parent/tag" where that says more. An element without a rule is not looked into.
 using XmlVocabulary = std::map<std::string, XmlRule, std::less<>>;
+
+/// What becomes of words that the schema does not have.
+enum class UnknownWords {
+  refused,
+  named,  ///< as without effect; still refused is what looks like a slip of an acting word, or acts in another place
+};
 
 /// Something that a file says and that has no effect here.
 struct XmlUnused {
@@ -40,11 +47,13 @@ struct XmlFindings {
   std::vector<std::string> refused;  ///< one line each, with file and line number
 };
 
-[[nodiscard]] XmlFindings validate(const XmlElement& root, const XmlVocabulary& schema);
+[[nodiscard]] XmlFindings validate(const XmlElement& root, const XmlVocabulary& schema,
+                                   UnknownWords unknown = UnknownWords::refused);
 
 /// The same for a reader: appends to `warnings` what is refused if it is `lenient`, else throws SetupError for it.
 [[nodiscard]] std::vector<XmlUnused> validate(const XmlElement& root, const XmlVocabulary& schema, bool lenient,
-                                              std::vector<std::string>& warnings);
+                                              std::vector<std::string>& warnings,
+                                              UnknownWords unknown = UnknownWords::refused);
 
 /// Three lines per element, of attributes and of `<elements>` inside: which act, which are named without effect, which are refused. Lines
 /// without a word are left out.

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "murosimf/robot/lump_fixed_joints.h"
+#include "murosimf/robot/repair_solids.h"
 #include "murosimf/robot/robot_builder.h"
 #include "murosimf/robot/robot_config.h"
 #include "murosimf/robot/robot_formats.h"
@@ -52,6 +53,7 @@ RobotFile read_robot(const std::filesystem::path& file, const description::Reade
   apply_surfaces(robot.description, table);
   apply_rate_limits(robot.description, table);
   weld_fixed_bodies(robot.description, find_cuts(robot.description, table));
+  repair_solids(robot.description);
   if (options.guess) guess_roles(robot.description, table);
   place_soles(robot.description, table);
   robot.model = build_model(robot.description, table);

@@ -9,12 +9,10 @@
 namespace murosimf::robot {
 namespace {
 
-constexpr double thickness = 0.005;       // [m] what lies so near above the lowest point belongs to the sole
-constexpr double level_feet = 0.01;       // [m] feet need not end at exactly the same height
-constexpr double least_half = 0.01;       // [m] half width of a sole, also under a ball
-constexpr double slope = 0.05;            // [1] points of a flat bottom are the farthest even in tilted directions
-constexpr int directions = 16;            // around
-constexpr std::size_t joints_of_leg = 3;  // at least; a wheel has fewer
+constexpr double thickness = 0.005;  // [m] what lies so near above the lowest point belongs to the sole
+constexpr double least_half = 0.01;  // [m] half width of a sole, also under a ball
+constexpr double slope = 0.05;       // [1] points of a flat bottom are the farthest even in tilted directions
+constexpr int directions = 16;       // around
 
 /// Farthest points of a shape downwards and nearly so; `at`: of the shape, in the frame whose -z is down.
 void add_low_points(const Shape& shape, const Transformd& at, std::vector<Vec3d>& points) {
@@ -28,23 +26,6 @@ void add_low_points(const Shape& shape, const Transformd& at, std::vector<Vec3d>
     const double angle = (i + 0.5) * 2 * pi / directions;
     add({slope * std::cos(angle), slope * std::sin(angle), -1});
   }
-}
-
-/// Of all shapes of a body that collide; `place`: of the body in the frame whose -z is down.
-std::vector<Vec3d> low_points(const description::BodyDescription& body, const Transformd& place) {
-  std::vector<Vec3d> points;
-  for (const description::ShapeDescription& shape : body.shapes) {
-    const PlacedShape& placed = shape.placed;
-    if (placed.collides) add_low_points(placed.shape, place * placed.place(), points);
-  }
-  return points;
-}
-
-/// [m] infinite without points.
-double lowest(const std::vector<Vec3d>& points) {
-  double z = std::numeric_limits<double>::infinity();
-  for (const Vec3d& p : points) z = std::min(z, p.z);
-  return z;
 }
 
 /// The one of `candidates`, with either sign, that comes nearest to `direction`; it is taken out.
@@ -64,19 +45,27 @@ Mat3d level_axes(const Mat3d& turn) {
   return {forward, cross(up, forward), up};
 }
 
-std::size_t joints_above(const description::RobotDescription& description, std::size_t body) {
-  std::size_t count = 0;
-  for (int b = static_cast<int>(body); b >= 0; b = description.bodies[b].parent)
-    count += description.bodies[b].joints.size();
-  return count;
-}
-
 }  // namespace
 
 bool is_sole(const description::FrameDescription& frame, const RobotConfig& table) {
   if (!frame.box) return false;
   if (table.soles.empty()) return frame.name.ends_with("sole");
   return std::ranges::find(table.sole_frames, frame.name) != table.sole_frames.end();
+}
+
+std::vector<Vec3d> low_points(const description::BodyDescription& body, const Transformd& place) {
+  std::vector<Vec3d> points;
+  for (const description::ShapeDescription& shape : body.shapes) {
+    const PlacedShape& placed = shape.placed;
+    if (placed.collides) add_low_points(placed.shape, place * placed.place(), points);
+  }
+  return points;
+}
+
+double lowest(const std::vector<Vec3d>& points) {
+  double z = std::numeric_limits<double>::infinity();
+  for (const Vec3d& p : points) z = std::min(z, p.z);
+  return z;
 }
 
 std::vector<Transformd> body_places(const description::RobotDescription& description) {
@@ -110,20 +99,6 @@ std::optional<description::FrameDescription> sole_under(const description::Robot
   sole.place = {sole_axes * Vec3d{0.5 * (back.x + front.x), 0.5 * (left.y + right.y), bottom}, sole_axes};
   sole.box = Sole{std::max(least_half, 0.5 * (front.x - back.x)), std::max(least_half, 0.5 * (left.y - right.y))};
   return sole;
-}
-
-std::vector<std::size_t> find_feet(const description::RobotDescription& description) {
-  const auto places = body_places(description);
-  std::vector<double> bottoms;
-  for (std::size_t i = 0; i < description.bodies.size(); ++i)
-    bottoms.push_back(lowest(low_points(description.bodies[i], places[i])));
-  const double ground = *std::ranges::min_element(bottoms);
-  std::vector<std::size_t> feet;
-  for (std::size_t i = 0; i < bottoms.size(); ++i) {
-    if (std::isfinite(bottoms[i]) && bottoms[i] <= ground + level_feet && joints_above(description, i) >= joints_of_leg)
-      feet.push_back(i);
-  }
-  return feet;
 }
 
 }  // namespace murosimf::robot

@@ -30,8 +30,10 @@ namespace murosimf::robot {
                                                                       std::size_t body, const std::string& name,
                                                                       const Mat3d& axes = {});
 
-/// Bodies that stand on the ground in the pose of the file, behind three joints at least: all whose colliding shapes reach
-/// down to 1 cm above the lowest of all. In the order of the file.
-[[nodiscard]] std::vector<std::size_t> find_feet(const description::RobotDescription& description);
+/// Farthest points downwards, and nearly so, of all shapes of a body that collide; `place`: of the body in the frame whose -z
+/// is down.
+[[nodiscard]] std::vector<Vec3d> low_points(const description::BodyDescription& body, const Transformd& place);
+/// [m] z of the lowest; infinite without points.
+[[nodiscard]] double lowest(const std::vector<Vec3d>& points);
 
 }  // namespace murosimf::robot

@@ -1,7 +1,6 @@
 #include "murosimf/robot/role_inference.h"
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 
 #include <fmt/format.h>
@@ -9,18 +8,17 @@
 #include "murosimf/components/servo_sections.h"
 #include "murosimf/files/xml_element.h"
 #include "murosimf/model/error.h"
+#include "murosimf/robot/body_names.h"
+#include "murosimf/robot/robot_feet.h"
 #include "murosimf/robot/robot_soles.h"
 #include "murosimf/robot/servo_inference.h"
 
 namespace murosimf::robot {
 namespace {
 
-std::string lower(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
+bool contains(const std::string& text, std::string_view part) {
+  return in_small_letters(text).find(part) != std::string::npos;
 }
-
-bool contains(const std::string& text, std::string_view part) { return lower(text).find(part) != std::string::npos; }
 
 /// The body that has a frame or is called `name`, and the frame.
 struct Found {
@@ -61,17 +59,20 @@ std::vector<std::string> frames_called_sole(const description::RobotDescription&
   std::vector<std::string> names;
   for (const description::BodyDescription& body : description.bodies) {
     for (const description::FrameDescription& frame : body.frames) {
-      if (lower(frame.name).ends_with("sole")) names.push_back(frame.name);
+      if (in_small_letters(frame.name).ends_with("sole")) names.push_back(frame.name);
     }
   }
   return names;
 }
 
-/// Left before right, of four the front ones first.
+/// Left before right, of four the front ones first; sides as names say them, if all do: a robot may look backwards.
 void sort_feet(description::RobotDescription& description, std::vector<std::string>& feet) {
   const auto places = body_places(description);
   const auto place = [&](const std::string& foot) { return places[find_place(description, foot)->body].position; };
-  const auto left_first = [&](const auto& a, const auto& b) { return place(a).y > place(b).y; };
+  const bool named = std::ranges::all_of(feet, [](const std::string& foot) { return side_of(foot) != Side::unknown; });
+  const auto left_first = [&](const auto& a, const auto& b) {
+    return named ? side_of(a) < side_of(b) : place(a).y > place(b).y;
+  };
   if (feet.size() == 4) {
     std::ranges::sort(feet, [&](const auto& a, const auto& b) { return place(a).x > place(b).x; });
     std::sort(feet.begin() + 2, feet.end(), left_first);
@@ -132,18 +133,47 @@ std::string frame_of_sensor(description::RobotDescription& description, std::str
   return {};
 }
 
-/// The last body on each side whose name says hand, gripper or wrist.
+/// The last of the bodies whose names say hand in a row: that which has the fingers, if there are any.
+std::size_t end_of_hand(const description::RobotDescription& description, std::size_t hand) {
+  for (;;) {
+    std::vector<std::size_t> next;
+    for (std::size_t i = hand + 1; i < description.bodies.size(); ++i) {
+      const description::BodyDescription& body = description.bodies[i];
+      if (body.parent == static_cast<int>(hand) && names_hand(body.name) && !names_finger(body.name)) next.push_back(i);
+    }
+    if (next.size() != 1) return hand;
+    hand = next.front();
+  }
+}
+
+/// Bodies whose names say hand and whose parents' do not.
+std::vector<std::size_t> first_of_hands(const description::RobotDescription& description) {
+  std::vector<std::size_t> firsts;
+  for (std::size_t i = 1; i < description.bodies.size(); ++i) {
+    const description::BodyDescription& body = description.bodies[i];
+    if (names_hand(body.name) && !names_hand(description.bodies[body.parent].name)) firsts.push_back(i);
+  }
+  return firsts;
+}
+
+/// One hand on each side: sides as names say them, or else as the bodies stand, if there is one on both.
 void guess_hands(description::RobotDescription& description, RobotConfig& table) {
   const auto places = body_places(description);
-  std::map<std::string, std::string> hands;
-  for (std::size_t i = 0; i < description.bodies.size(); ++i) {
-    const std::string& name = description.bodies[i].name;
-    const bool hand = contains(name, "hand") || contains(name, "gripper") || contains(name, "wrist");
-    if (hand && std::abs(places[i].position.y) > 0.01) {
-      hands[places[i].position.y > 0 ? "left_hand" : "right_hand"] = name;
+  std::map<Side, std::string> named, placed;
+  for (const std::size_t first : first_of_hands(description)) {
+    const std::size_t hand = end_of_hand(description, first);
+    const std::string& name = description.bodies[hand].name;
+    const double y = places[hand].position.y;
+    if (const Side side = side_of(name); side != Side::unknown) {
+      named.emplace(side, name);
+    } else if (std::abs(y) > 0.01) {
+      placed.emplace(y > 0 ? Side::left : Side::right, name);
     }
   }
-  for (const auto& [role, name] : hands) take_frame(description, table, role, name);
+  const auto& hands = named.empty() && placed.size() == 2 ? placed : named;
+  for (const auto& [side, name] : hands) {
+    take_frame(description, table, side == Side::left ? "left_hand" : "right_hand", name);
+  }
 }
 
 void guess_frames(description::RobotDescription& description, RobotConfig& table) {

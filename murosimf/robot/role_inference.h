@@ -16,8 +16,8 @@ namespace murosimf::robot {
 void place_soles(description::RobotDescription& description, RobotConfig& table);
 
 /// Completes `table` and `description` where both are silent:
-///   soles    frames called "...sole", else the two or four feet that the robot stands on in the pose of the file
-///   frames   imu, camera, left_hand, right_hand: by the names of frames, sensors and bodies
+///   soles    frames called "...sole", else the two or four feet that the robot stands on in the pose of the file (robot_feet.h)
+///   frames   imu, camera, left_hand, right_hand: by the names of frames, sensors and bodies; left is what is called so
 ///   servos   servo_inference.h
 void guess_roles(description::RobotDescription& description, RobotConfig& table);
 

@@ -28,7 +28,8 @@ std::string whole_robot(const std::string& gazebo = "") {
          "1'/></material></visual>"
          "<collision name='hit'><geometry><cylinder radius='0.11' length='0.21'/></geometry></collision>"
          "<collision><geometry><capsule radius='0.12' length='0.22'/></geometry></collision>"
-         "<collision><geometry><sphere radius='0.13'/></geometry></collision></link>"
+         "<collision><geometry><sphere radius='0.13'/></geometry></collision>"
+         "<contact><lateral_friction value='0.9'/></contact></link>"
          "<link name='arm'>" +
          solid() + "</link><link name='hand'>" + solid() +
          "</link><link name='flat'><inertial>"
@@ -105,6 +106,7 @@ using Change = std::pair<std::string, std::string>;
 
 const std::map<std::string, Change>& attribute_probes() {
   static const std::map<std::string, Change> probes{
+      {"lateral_friction.value", {"value='0.9'", "value='0.8'"}},
       {"robot.name", {"'whole'", "'other'"}},
       {"link.name", {"name='flat'", "name='plate'"}},
       {"origin.xyz", {"0 0.1 0", "0 0.2 0"}},
@@ -199,10 +201,13 @@ const std::map<std::string, Change>& element_probes() {
   const auto range = [](const std::string& tag) {
     return Change{sensor("ray", in("ray/range/" + tag, "0.1")), sensor("ray", in("ray/range/" + tag, "0.2"))};
   };
+  const auto surface = [](const std::string& inside) { return of_link(in("collision/surface/friction/ode", inside)); };
   const std::string lens = "<fx>200</fx><fy>200</fy>";
   static const std::map<std::string, Change> probes{
       {"gazebo/mu1", {of_link("<mu1>0.5</mu1>"), of_link("<mu1>0.6</mu1>")}},
       {"gazebo/mu2", {of_link("<mu2>0.5</mu2>"), of_link("<mu2>0.6</mu2>")}},
+      {"ode/mu", {surface("<mu>0.5</mu>"), surface("<mu>0.6</mu>")}},
+      {"ode/mu2", {surface("<mu2>0.5</mu2>"), surface("<mu2>0.6</mu2>")}},
       {"gazebo/springStiffness", {of_joint(in("springStiffness", "1")), of_joint(in("springStiffness", "2"))}},
       {"gazebo/springReference", {of_joint(in("springReference", "1")), of_joint(in("springReference", "2"))}},
       {"sensor/pose", {sensor("imu", in("pose", "0 0 1 0 0 0")), sensor("imu", in("pose", "0 0 2 0 0 0"))}},
@@ -240,7 +245,11 @@ const std::map<std::string, Change>& element_probes() {
 
 /// Elements that only hold others, and those of noise (urdf_noise_test.cpp) and of plugins.
 bool holds_others(const std::string& name) {
-  static const std::set<std::string> tags{"sensor",
+  static const std::set<std::string> tags{"collision",
+                                          "surface",
+                                          "friction",
+                                          "ode",
+                                          "sensor",
                                           "imu",
                                           "ray",
                                           "lidar",

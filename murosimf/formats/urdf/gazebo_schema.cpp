@@ -43,10 +43,19 @@ void add_laser_rules(files::XmlVocabulary& rules) {
   rules["range"] = {.children = {"min", "max", "resolution"}};
 }
 
+void add_surface_rules(files::XmlVocabulary& rules) {
+  rules["collision"] = {.children = {"surface"},
+                        .unused_children = {"max_contacts", "laser_retro"},
+                        .unsupported_children = {"pose", "geometry"}};
+  rules["surface"] = {.children = {"friction"}, .unused_children = {"bounce", "contact", "soft_contact"}};
+  rules["friction"] = {.children = {"ode"}, .unused_children = {"torsional", "bullet"}};
+  rules["ode"] = {.children = {"mu", "mu2"}, .unused_children = {"fdir1", "slip1", "slip2"}};
+}
+
 files::XmlVocabulary make_gazebo_rules() {
   files::XmlVocabulary rules;
   rules["gazebo"] = {.used = {"reference"},
-                     .children = {"mu1", "mu2", "springStiffness", "springReference", "sensor"},
+                     .children = {"mu1", "mu2", "collision", "springStiffness", "springReference", "sensor"},
                      .unused_children = {"material",
                                          "kp",
                                          "kd",
@@ -79,7 +88,7 @@ files::XmlVocabulary make_gazebo_rules() {
                                          "implicitSpringDamper",
                                          "disableFixedJointLumping",
                                          "preserveFixedJoint"},
-                     .unsupported_children = {"link", "joint", "model", "include", "collision", "inertial"}};
+                     .unsupported_children = {"link", "joint", "model", "include", "inertial"}};
   rules["sensor"] = {.used = {"name", "type"},
                      .children = {"pose", "update_rate", "imu", "ray", "lidar", "camera", "force_torque", "plugin"},
                      .unused_children = {"always_on", "visualize", "topic", "enable_metrics", "contact", "altimeter",
@@ -92,6 +101,7 @@ files::XmlVocabulary make_gazebo_rules() {
     rules[quantity] = {.children = {"x", "y", "z"}};
   }
   rules["force_torque"] = {.children = {"frame", "measure_direction", "force", "torque"}};
+  add_surface_rules(rules);
   add_noise_rules(rules);
   add_camera_rules(rules);
   add_laser_rules(rules);

@@ -1,4 +1,4 @@
-/// gazebo_schema.h - the elements and attributes of `gazebo` blocks of URDF, and of the sensors in them.
+/// gazebo_schema.h - the elements and attributes of `gazebo` blocks of URDF, and of the sensors and collisions in them.
 ///
 /// What is not in it is a warning, not an error: blocks are full of what only plugins know.
 /// Sources: SDFormat documentation, "URDF in Gazebo" and "sensor".

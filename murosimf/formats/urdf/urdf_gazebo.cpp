@@ -60,22 +60,59 @@ double at_least_zero(const files::XmlElement& element) {
   return number;
 }
 
-void read_friction(const files::XmlElement& block, description::BodyDescription& body, UrdfLog& log) {
-  const auto mu1 = only_child(block, "mu1"), mu2 = only_child(block, "mu2");
+/// Along the first direction it is called `first`.
+void read_friction(const files::XmlElement& block, const char* first, description::BodyDescription& body,
+                   UrdfLog& log) {
+  const auto mu1 = only_child(block, first), mu2 = only_child(block, "mu2");
   if (!mu1 && !mu2) return;
   const double friction = at_least_zero(mu1 ? *mu1 : *mu2);
   if (mu2 && at_least_zero(*mu2) != friction) {
-    log.warn(*mu2, fmt::format("friction of link '{}' differs by direction; mu1 is taken for all", body.name));
+    log.warn(*mu2, fmt::format("friction of link '{}' differs by direction; {} is taken for all", body.name, first));
   }
   for (description::ShapeDescription& shape : body.shapes) shape.placed.surface.friction = friction;
 }
 
+void note_surface(const files::XmlElement& element, UrdfLog& log) {
+  log.unused(element, "gazebo/collision",
+             fmt::format("element '{}' of a collision in gazebo is not used", element.tag()));
+}
+
+/// Of a surface, friction acts like mu1 and mu2; how a contact is solved, and bouncing, do not.
+void read_surface(const files::XmlElement& surface, description::BodyDescription& body, UrdfLog& log) {
+  for (const files::XmlElement& part : surface.children()) {
+    const auto ode = part.tag() == "friction" ? only_child(part, "ode") : std::nullopt;
+    if (ode) {
+      read_friction(*ode, "mu", body, log);
+    } else {
+      note_surface(part, log);
+    }
+  }
+}
+
+/// SDF inside URDF: of what is at a collision only its surface may be said here.
+void read_collision(const files::XmlElement& collision, description::BodyDescription& body, UrdfLog& log) {
+  for (const files::XmlElement& element : collision.children()) {
+    const std::string tag = element.tag();
+    if (tag == "surface") {
+      read_surface(element, body, log);
+    } else if (tag == "geometry" || tag == "pose") {
+      log.refuse(element, fmt::format("<{}> of a collision in a gazebo block is not supported; write it as URDF", tag));
+    } else {
+      note_surface(element, log);
+    }
+  }
+}
+
 void read_link_block(const files::XmlElement& block, description::BodyDescription& body,
                      description::RobotDescription& description, UrdfLog& log) {
-  read_friction(block, body, log);
+  read_friction(block, "mu1", body, log);
   for (const files::XmlElement& element : block.children()) {
     const std::string tag = element.tag();
     if (tag == "mu1" || tag == "mu2") continue;
+    if (tag == "collision") {
+      read_collision(element, body, log);
+      continue;
+    }
     if (tag == "sensor") {
       const std::string parent = body.parent < 0 ? "" : description.bodies[body.parent].name;
       description.sensors.push_back(read_sensor(element, {body.name, parent, body.name}, log));

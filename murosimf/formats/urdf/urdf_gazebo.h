@@ -1,6 +1,6 @@
 /// urdf_gazebo.h - what the `gazebo` blocks of a URDF file say about links and joints.
 ///
-/// Read are friction (mu1, and mu2 where it differs: a warning), springs at joints, and sensors; what would change the
+/// Read are friction (mu1, or mu of the surface of a collision; where mu2 differs: a warning), springs at joints, and sensors; what would change the
 /// robot otherwise is refused; plugins, looks and solver settings are notes.
 /// Source: SDFormat documentation, "URDF in Gazebo".
 #pragma once

@@ -1,5 +1,7 @@
 #include "murosimf/formats/urdf/urdf_inertial.h"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "murosimf/formats/urdf/urdf_value.h"
@@ -24,9 +26,13 @@ SymMat3d read_tensor(const UrdfLink& link, const files::XmlElement& inertial, Ur
           number_or(element, "ixy", 0),  number_or(element, "ixz", 0),  number_or(element, "iyz", 0)};
 }
 
-constexpr double frame_mass = 0.01;  // [kg] below it, a link without inertia is taken for a frame
+constexpr double rounding = 1e-15;  // [kg m^2] zero, as programs write it
 
-bool is_zero(const SymMat3d& I) { return I.xx == 0 && I.yy == 0 && I.zz == 0 && I.xy == 0 && I.xz == 0 && I.yz == 0; }
+bool is_zero(const SymMat3d& I) {
+  const double sum =
+      std::abs(I.xx) + std::abs(I.yy) + std::abs(I.zz) + std::abs(I.xy) + std::abs(I.xz) + std::abs(I.yz);
+  return sum <= rounding;
+}
 
 double read_mass(const UrdfLink& link, const files::XmlElement& inertial) {
   const files::XmlElement element = needed_child(inertial, "mass");
@@ -41,16 +47,9 @@ void balance_moments(const UrdfLink& link, const files::XmlElement& inertial, de
   log.note(inertial, fmt::format("inertia of link '{}' replaced by its mean: balanceinertia", link.name));
 }
 
-void check_tensor(const UrdfLink& link, const files::XmlElement& inertial, bool welded, bool balance,
+void check_tensor(const UrdfLink& link, const files::XmlElement& inertial, bool balance,
                   description::MassProperties& solid, UrdfLog& log) {
   const Vec3d moments = description::principal_moments(solid.inertia);
-  const bool thin = welded && moments.x >= -1e-6 * moments.z;
-  if (!(moments.x > 0) && !thin) {
-    inertial.fail(
-        fmt::format("inertia of link '{}' is not positive definite (smallest principal moment {:.3g} kg m^2); "
-                    "correct it",
-                    link.name, moments.x));
-  }
   if (!description::breaks_triangle_inequality(moments)) return;
   if (balance) return balance_moments(link, inertial, solid, log);
   log.warn(inertial,
@@ -61,7 +60,7 @@ void check_tensor(const UrdfLink& link, const files::XmlElement& inertial, bool 
 
 }  // namespace
 
-description::MassProperties read_inertial(const UrdfLink& link, bool welded, bool balance, UrdfLog& log) {
+description::MassProperties read_inertial(const UrdfLink& link, bool balance, UrdfLog& log) {
   const auto inertial = only_child(link.element, "inertial");
   if (!inertial) return {};
   description::MassProperties solid;
@@ -70,18 +69,12 @@ description::MassProperties read_inertial(const UrdfLink& link, bool welded, boo
   solid.center = place.position;
   solid.inertia = rotated(place.orientation, read_tensor(link, *inertial, log));
   if (is_zero(solid.inertia)) {
-    if (solid.mass >= frame_mass && !welded) {
-      log.refuse(*inertial, fmt::format("link '{}' moves and has mass but no inertia; write its inertia", link.name));
-    } else if (solid.mass > 0) {
-      log.note(*inertial, "links with mass and without inertia are points");
-    }
+    solid.inertia = {};
+    if (solid.mass > 0) log.note(*inertial, "links with mass and without inertia are points");
     return solid;
   }
-  if (solid.mass == 0) {
-    log.refuse(*inertial, fmt::format("link '{}' has inertia but no mass; write its mass", link.name));
-    return {};
-  }
-  check_tensor(link, *inertial, welded, balance, solid, log);
+  if (solid.mass == 0) log.note(*inertial, "links with inertia and without mass turn but weigh nothing");
+  check_tensor(link, *inertial, balance, solid, log);
   return solid;
 }
 

@@ -7,9 +7,8 @@
 namespace murosimf::formats::urdf {
 
 /// Mass, center and inertia of a link, link axes; all zero without an `inertial`. Inertia zero is a point mass, which
-/// frames often are. `welded`: a fixed joint is above or below the link, so that it may be a rod without thickness.
-/// `balance`: inertias that no solid has become their mean in all directions, as the compiler option balanceinertia says.
-/// Throws SetupError for a negative mass, inertia without mass, and an inertia that is not positive definite.
-[[nodiscard]] description::MassProperties read_inertial(const UrdfLink& link, bool welded, bool balance, UrdfLog& log);
+/// frames often are. `balance`: inertias that no solid has become their mean in all directions, as the compiler option
+/// balanceinertia says; otherwise they are a warning. Throws SetupError for a negative mass.
+[[nodiscard]] description::MassProperties read_inertial(const UrdfLink& link, bool balance, UrdfLog& log);
 
 }  // namespace murosimf::formats::urdf

@@ -1,6 +1,7 @@
 #include "murosimf/formats/urdf/urdf_joint.h"
 
 #include <map>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -22,18 +23,16 @@ Vec3d read_axis(const UrdfJoint& joint) {
 
 void read_range(const UrdfJoint& joint, const files::XmlElement& limit, description::JointDescription& description,
                 UrdfLog& log) {
+  if (!limit.attribute("lower") && !limit.attribute("upper")) {
+    log.warn(limit, fmt::format("joint '{}' has no lower and upper limit; here it has no range, write it", joint.name));
+    return;
+  }
   const double lower = number_or(limit, "lower", 0), upper = number_or(limit, "upper", 0);
   if (lower > upper) {
     limit.fail(fmt::format("limits of joint '{}' are upside down: lower {} is above upper {}; swap them", joint.name,
                            lower, upper));
   }
-  if (lower < upper) {
-    description.range = {lower, upper, 0};
-    return;
-  }
-  log.refuse(limit, fmt::format("joint '{}' cannot move: lower and upper limit are both {}; write its range, or make "
-                                "it fixed or continuous",
-                                joint.name, lower));
+  description.range = {lower, upper, 0};
 }
 
 void read_limits(const UrdfJoint& joint, description::JointDescription& description, UrdfLog& log) {
@@ -53,15 +52,23 @@ void read_limits(const UrdfJoint& joint, description::JointDescription& descript
   description.rate_limit = at_least_zero(*limit, "velocity");
 }
 
-description::MimicDescription read_mimic(const UrdfTree& tree, const UrdfJoint& follower,
-                                         const files::XmlElement& element) {
+void warn_of_leader(const UrdfTree& tree, const UrdfJoint& follower, const std::string& leader,
+                    const files::XmlElement& element, UrdfLog& log) {
+  std::vector<std::string_view> names;
+  for (const UrdfJoint& joint : tree.joints) names.push_back(joint.name);
+  log.warn(element, fmt::format("joint '{}' moves by itself: it mimics an {}", follower.name,
+                                unknown_name("joint", leader, names)));
+}
+
+/// Nothing if there is no such leader: others that read the file let the joint move by itself, too.
+std::optional<description::MimicDescription> read_mimic(const UrdfTree& tree, const UrdfJoint& follower,
+                                                        const files::XmlElement& element, UrdfLog& log) {
   description::MimicDescription mimic{follower.name, needed_text(element, "joint"), element.where(),
                                       number_or(element, "multiplier", 1), number_or(element, "offset", 0)};
   const int leader = tree.find_joint(mimic.leader);
   if (leader < 0) {
-    std::vector<std::string_view> names;
-    for (const UrdfJoint& joint : tree.joints) names.push_back(joint.name);
-    element.fail(unknown_name("joint", mimic.leader, names));
+    warn_of_leader(tree, follower, mimic.leader, element, log);
+    return std::nullopt;
   }
   if (tree.joints[leader].type == "fixed" || tree.joints[leader].type == "floating") {
     element.fail(fmt::format("joint '{}' mimics '{}', which is {}; name one that moves", follower.name, mimic.leader,
@@ -88,6 +95,14 @@ void check_circles(const UrdfTree& tree, const std::vector<description::MimicDes
 
 }  // namespace
 
+Transformd read_place(const UrdfJoint& joint) {
+  const Transformd origin = read_origin(joint.element);
+  if (joint.held_at == 0) return origin;
+  const Vec3d axis = read_axis(joint);
+  if (joint.element.attribute("type") == "prismatic") return origin * Transformd{joint.held_at * axis, {}};
+  return origin * Transformd{{}, rotation(axis, joint.held_at)};
+}
+
 description::JointDescription read_joint(const UrdfJoint& joint, UrdfLog& log) {
   description::JointDescription description;
   description.name = joint.name;
@@ -110,7 +125,7 @@ std::vector<description::MimicDescription> read_mimics(const UrdfTree& tree, Urd
     if (joint.type == "fixed" || joint.type == "floating") {
       log.note(*element, fmt::format("mimic of {} joints is not used", joint.type));
     } else {
-      mimics.push_back(read_mimic(tree, joint, *element));
+      if (auto mimic = read_mimic(tree, joint, *element, log)) mimics.push_back(*std::move(mimic));
     }
   }
   check_circles(tree, mimics);

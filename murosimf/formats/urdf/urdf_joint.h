@@ -12,7 +12,11 @@ namespace murosimf::formats::urdf {
 /// the type needs them, impossible numbers.
 [[nodiscard]] description::JointDescription read_joint(const UrdfJoint& joint, UrdfLog& log);
 
-/// All `mimic` elements of joints that move. Throws SetupError: unknown or fixed leader, circles.
+/// Where the link below a joint stands in the link above it, the joint at 0 or where its limits hold it.
+[[nodiscard]] Transformd read_place(const UrdfJoint& joint);
+
+/// All `mimic` elements of joints that move; without its leader one is left out, with a warning. Throws SetupError: fixed
+/// leader, circles.
 [[nodiscard]] std::vector<description::MimicDescription> read_mimics(const UrdfTree& tree, UrdfLog& log);
 
 }  // namespace murosimf::formats::urdf

@@ -33,7 +33,7 @@ void UrdfLog::warn(const files::XmlElement& at, const std::string& message) {
 }
 
 void UrdfLog::refuse(const files::XmlElement& at, const std::string& message) {
-  if (!lenient_) at.fail(message);
+  if (!lenient_) at.fail(message + " (--lenient reads on)");
   warn(at, message);
 }
 

@@ -1,7 +1,5 @@
 #include "murosimf/formats/urdf/urdf_reader.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "murosimf/formats/urdf/urdf_gazebo.h"
@@ -57,17 +55,11 @@ UrdfMeshPaths mesh_paths(const std::filesystem::path& file, const description::R
 
 bool is_fixed(const UrdfTree& tree, int joint) { return tree.joints[joint].type == "fixed"; }
 
-/// True if a fixed joint is above or below the link.
-bool is_welded(const UrdfTree& tree, const UrdfLink& link) {
-  const auto fixed = [&](int joint) { return is_fixed(tree, joint); };
-  return (link.joint >= 0 && fixed(link.joint)) || std::ranges::any_of(link.children, fixed);
-}
-
-description::BodyDescription read_body(const UrdfTree& tree, const UrdfLink& link, bool balance, UrdfLog& log) {
+description::BodyDescription read_body(const UrdfLink& link, bool balance, UrdfLog& log) {
   description::BodyDescription body;
   body.name = link.name;
   body.where = link.element.where();
-  body.solid = read_inertial(link, is_welded(tree, link), balance, log);
+  body.solid = read_inertial(link, balance, log);
   if (const auto inertial = only_child(link.element, "inertial")) body.solid_where = inertial->where();
   return body;
 }
@@ -79,12 +71,12 @@ void read_bodies(const UrdfTree& tree, bool balance, UrdfShapes& shapes, descrip
   for (const int index : tree.order) {
     const UrdfLink& link = tree.links[index];
     number[index] = static_cast<int>(description.bodies.size());
-    description::BodyDescription body = read_body(tree, link, balance, log);
+    description::BodyDescription body = read_body(link, balance, log);
     shapes.add(link.element, body);
     if (index != tree.order[0]) {
       const UrdfJoint& joint = tree.joints[link.joint];
       body.parent = number[joint.parent];
-      body.place = read_origin(joint.element);
+      body.place = read_place(joint);
       if (!is_fixed(tree, link.joint)) body.joints.push_back(read_joint(joint, log));
     }
     description.bodies.push_back(std::move(body));
@@ -100,7 +92,8 @@ description::RobotDescription read_urdf(const std::filesystem::path& file, const
   description::RobotDescription description;
   description.name = robot.attribute("name").value_or(file.stem().string());
   description.file = file;
-  for (auto& [word, line] : files::validate(robot, urdf_schema(), options.lenient, description.warnings)) {
+  constexpr auto named = files::UnknownWords::named;
+  for (auto& [word, line] : files::validate(robot, urdf_schema(), options.lenient, description.warnings, named)) {
     description.unused.push_back({std::move(word), std::move(line)});
   }
   UrdfLog log(description, options.lenient);

@@ -4,8 +4,9 @@
 /// root is the base. An empty link above a floating joint is the world and left out, and so is the robot's place in it:
 /// the scene places robots. Servos are not made here: `limit` gives a joint's largest effort and rate. Read besides:
 /// `mimic`, of gazebo blocks what urdf_gazebo.h says, the compiler options meshdir, strippath and balanceinertia of a
-/// `mujoco` block. What means nothing to a robot's model (plugins, transmissions, textures) is a note; what is unknown
-/// or would change the motion is an error.
+/// `mujoco` block. What means nothing to a robot's model (plugins, transmissions, textures) and what is unknown is a note;
+/// what looks like a slip of the pen or would change the motion is an error. Masses are taken as they are
+/// written (robot/repair_solids.h repairs what could not be simulated).
 /// Source: URDF XML specification.
 #pragma once
 

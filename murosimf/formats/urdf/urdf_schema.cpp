@@ -8,9 +8,14 @@ namespace {
 void add_link_rules(files::XmlVocabulary& rules) {
   rules["link"] = {.used = {"name"},
                    .unused = {"type"},
-                   .children = {"inertial", "visual", "collision"},
-                   .unused_children = {"self_collision_checking", "sensor"},
-                   .unsupported_children = {"contact"}};
+                   .children = {"inertial", "visual", "collision", "contact"},
+                   .unused_children = {"self_collision_checking", "sensor", "origin"}};
+  // of Bullet
+  rules["contact"] = {.children = {"lateral_friction"},
+                      .unused_children = {"rolling_friction", "spinning_friction", "restitution", "stiffness",
+                                          "damping", "contact_cfm", "contact_erp", "inertia_scaling",
+                                          "friction_anchor"}};
+  rules["lateral_friction"] = {.used = {"value"}};
   rules["inertial"] = {.children = {"origin", "mass", "inertia"}};
   rules["mass"] = {.used = {"value"}};
   rules["inertia"] = {.used = {"ixx", "ixy", "ixz", "iyy", "iyz", "izz", "iyx", "izx", "izy"}};
@@ -21,7 +26,8 @@ void add_link_rules(files::XmlVocabulary& rules) {
                         .children = {"origin", "geometry"},
                         .unused_children = {"verbose", "material", "contact_coefficients"}};
   rules["geometry"] = {.children = {"box", "cylinder", "sphere", "capsule", "mesh"},
-                       .unsupported_children = {"ellipsoid", "plane", "polyline", "heightmap"}};
+                       .unsupported_children = {"ellipsoid", "plane", "polyline", "heightmap"},
+                       .all_act = true};
   rules["box"] = {.used = {"size"}, .unused = {"scale"}};
   rules["cylinder"] = {.used = {"radius", "length"}};
   rules["capsule"] = {.used = {"radius", "length"}};

@@ -1,6 +1,7 @@
 /// urdf_schema.h - the elements and attributes of URDF.
 ///
-/// Sources: URDF XML specification; XML reference of the MuJoCo documentation, "URDF extensions", for `mujoco`.
+/// Sources: URDF XML specification; XML reference of the MuJoCo documentation, "URDF extensions", for `mujoco`;
+/// manual of Bullet ("PyBullet Quickstart Guide", "loadURDF") for `contact`.
 /// Contents of `gazebo` blocks are urdf_gazebo.h's.
 #pragma once
 

@@ -58,6 +58,14 @@ PlacedShape placed_shape(const Shape& shape, const Transformd& place, const Colo
   return placed;
 }
 
+/// [1] What the link's `contact` says.
+std::optional<double> own_friction(const files::XmlElement& link) {
+  const auto contact = only_child(link, "contact");
+  const auto friction = contact ? only_child(*contact, "lateral_friction") : std::nullopt;
+  if (!friction || !friction->attribute("value")) return std::nullopt;
+  return at_least_zero(*friction, "value");
+}
+
 }  // namespace
 
 UrdfColors read_colors(const files::XmlElement& robot) {
@@ -86,6 +94,10 @@ void UrdfShapes::add(const files::XmlElement& link, description::BodyDescription
   const Color color = visuals.empty() ? Color{} : color_of(visuals[0]);
   for (const files::XmlElement& collision : link.children("collision")) add_part({collision, true, color}, body);
   for (const files::XmlElement& visual : visuals) add_part({visual, false, color_of(visual)}, body);
+  const auto friction = own_friction(link);
+  for (description::ShapeDescription& shape : body.shapes) {
+    if (friction) shape.placed.surface.friction = *friction;
+  }
 }
 
 void UrdfShapes::add_part(const Part& part, description::BodyDescription& body) {

@@ -21,7 +21,7 @@ class UrdfShapes {
   UrdfShapes(UrdfColors colors, UrdfMeshes meshes, UrdfLog& log)
       : colors_(std::move(colors)), meshes_(std::move(meshes)), log_(log) {}
 
-  /// Adds the shapes of a link to its body. Shapes that collide have the color of the link's first visual. Throws
+  /// Adds the shapes of a link to its body, with the friction that Bullet's `contact` gives the link. Shapes that collide have the color of the link's first visual. Throws
   /// SetupError: impossible sizes, collision mesh missing or unreadable. A visual mesh that is missing is a warning.
   void add(const files::XmlElement& link, description::BodyDescription& body);
 

@@ -61,7 +61,21 @@ void connect(UrdfTree& tree, int number) {
   tree.links[joint.parent].children.push_back(number);
 }
 
-void read_joints(const files::XmlElement& robot, UrdfTree& tree, const Index& links) {
+/// A joint that its limits hold still is fixed.
+void fix_held(UrdfJoint& joint, UrdfLog& log) {
+  if (joint.type != "revolute" && joint.type != "prismatic") return;
+  const auto limit = only_child(joint.element, "limit");
+  if (!limit) return;
+  const double lower = number_or(*limit, "lower", 0), upper = number_or(*limit, "upper", 0);
+  const bool is_written = limit->attribute("lower") || limit->attribute("upper");
+  if (lower != upper || !is_written) return;
+  joint.type = "fixed";
+  joint.held_at = lower;
+  log.warn(*limit, fmt::format("joint '{}' cannot move: lower and upper limit are both {}; it is read as fixed",
+                               joint.name, lower));
+}
+
+void read_joints(const files::XmlElement& robot, UrdfTree& tree, const Index& links, UrdfLog& log) {
   Index names;
   for (const files::XmlElement& element : robot.children("joint")) {
     const std::string name = needed_text(element, "name");
@@ -70,6 +84,7 @@ void read_joints(const files::XmlElement& robot, UrdfTree& tree, const Index& li
     const int number = static_cast<int>(tree.joints.size());
     tree.joints.push_back(
         {name, type, element, known_link(links, element, "parent"), known_link(links, element, "child")});
+    fix_held(tree.joints.back(), log);
     connect(tree, number);
   }
 }
@@ -158,7 +173,7 @@ UrdfTree read_tree(const files::XmlElement& robot, UrdfLog& log) {
   UrdfTree tree;
   Index names;
   read_links(robot, tree, names);
-  read_joints(robot, tree, names);
+  read_joints(robot, tree, names, log);
   const int root = find_root(tree);
   check_reached(tree, below(tree, root));
   const int base = find_base(tree, root, log);

@@ -22,6 +22,7 @@ struct UrdfJoint {
   std::string type;  ///< revolute, continuous, prismatic or fixed; floating only above the base
   files::XmlElement element;
   int parent = -1, child = -1;  ///< links
+  double held_at = 0;           ///< [rad | m] fixed since both of its limits are this
 };
 
 struct UrdfTree {
@@ -34,7 +35,7 @@ struct UrdfTree {
   [[nodiscard]] int find_joint(std::string_view name) const;
 };
 
-/// An empty link above a floating joint stands for the world and is no part of the robot. Throws SetupError if links
+/// A joint whose limits are written as one number is fixed there, with a warning. An empty link above a floating joint stands for the world and is no part of the robot. Throws SetupError if links
 /// and joints form no tree, for missing and double names, and for planar joints and floating ones inside the robot.
 [[nodiscard]] UrdfTree read_tree(const files::XmlElement& robot, UrdfLog& log);
 

@@ -177,17 +177,18 @@ TEST(MjcfTrees, SpringdampersCountWhatTheJointFeelsWhileOthersAreFree) {
 
 TEST(MjcfTrees, WhatHoldsThingsTogetherAndDoesNotActIsNamed) {
   const auto robot =
-      read(world(std::string(arm) + "<body name='other'><joint name='k' axis='0 1 0'/><geom size='.1'/></body>",
+      read(world(std::string(arm) + "<body name='other'><joint name='k' axis='0 1 0'/><geom size='.1'/></body>"
+                     "<body name='hand' mocap='true'/>",
                  "<tendon><fixed name='idle'><joint joint='j' coef='1'/></fixed><fixed name='rope' range='0 1'><joint "
                  "joint='j' coef='1'/></fixed>"
                  "<spatial name='rubber' class='c'><site site='s'/></spatial></tendon><equality><connect body1='arm' "
-                 "body2='other' anchor='0 0 0'/>"
+                 "body2='hand' anchor='0 0 0'/>"
                  "<weld body1='arm' body2='other' active='false'/><joint joint1='j'/></equality>",
                  "<default><default class='c'><tendon stiffness='3' damping='1'/></default></default>"));
   EXPECT_TRUE(any_says(robot.notes, "tendon 'idle' only measures a length"));
   EXPECT_TRUE(any_says(robot.warnings, "tendon 'rope' does not act: limit"));
   EXPECT_TRUE(any_says(robot.warnings, "tendon 'rubber' does not act: spring, damper"));
-  EXPECT_TRUE(any_says(robot.warnings, "connect of 'arm' and 'other' does not act"));
+  EXPECT_TRUE(any_says(robot.warnings, "connect of 'arm' and 'hand' does not act"));
   EXPECT_TRUE(any_says(robot.notes, "weld of 'arm' and 'other' is not active"));
   EXPECT_TRUE(any_says(robot.warnings, "nothing holds joint 'j'"));
 }

@@ -1,0 +1,55 @@
+#include "murosimf/robot/body_names.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <span>
+#include <string_view>
+
+namespace murosimf::robot {
+namespace {
+
+bool has_one_of(const std::string& name, std::span<const std::string_view> words) {
+  const std::string small = in_small_letters(name);
+  return std::ranges::any_of(words, [&](std::string_view word) { return small.find(word) != std::string::npos; });
+}
+
+bool is_upper(char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; }
+bool is_lower(char c) { return std::islower(static_cast<unsigned char>(c)) != 0; }
+
+/// A letter between underscores or ends, or in front of a word: "l_hand", "LHand".
+bool has_letter(const std::string& name, char letter) {
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    if (std::tolower(static_cast<unsigned char>(name[i])) != letter || (i > 0 && name[i - 1] != '_')) continue;
+    if (i + 1 == name.size() || name[i + 1] == '_') return true;
+    if (is_upper(name[i]) && i + 2 < name.size() && is_upper(name[i + 1]) && is_lower(name[i + 2])) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::string in_small_letters(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+Side side_of(const std::string& name) {
+  const std::string small = in_small_letters(name);
+  const bool left = small.find("left") != std::string::npos || has_letter(name, 'l');
+  const bool right = small.find("right") != std::string::npos || has_letter(name, 'r');
+  if (left == right) return Side::unknown;
+  return left ? Side::left : Side::right;
+}
+
+bool names_hand(const std::string& name) {
+  static constexpr std::array<std::string_view, 4> words{"hand", "gripper", "wrist", "palm"};
+  return has_one_of(name, words);
+}
+
+bool names_finger(const std::string& name) {
+  static constexpr std::array<std::string_view, 3> words{"finger", "thumb", "jaw"};
+  return has_one_of(name, words);
+}
+
+}  // namespace murosimf::robot

@@ -1,0 +1,92 @@
+#include "murosimf/robot/repair_solids.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "murosimf/files/xml_element.h"
+
+namespace murosimf::robot {
+namespace {
+
+using description::BodyDescription;
+using description::RobotDescription;
+
+constexpr double water = 1000;      // [kg/m^3]
+constexpr double a_point = 1e-12;   // [kg m^2] largest moment: rounding of what is zero
+constexpr double rod = 1e-12;       // [1] smallest moment over the largest: that of a rod
+constexpr double wrong = -1e-6;     // [1] the same: no rounding of six digits
+constexpr double thickened = 1e-3;  // [1] the same, of what gets one
+
+/// [kg m^2] of a homogeneous sphere of water: 2/5 m r^2.
+double inertia_of_sphere(double mass) {
+  const double radius = std::cbrt(3 * mass / (4 * std::numbers::pi * water));
+  return std::max(least_inertia, 0.4 * mass * radius * radius);
+}
+
+std::string line(const BodyDescription& body, const std::string& what) {
+  const std::string& where = body.solid_where.empty() ? body.where : body.solid_where;
+  return files::one_line(fmt::format("{}: {}", where, what));
+}
+
+std::string without(const BodyDescription& body, const char* what, const std::string& taken) {
+  return line(body, fmt::format("link '{}' moves without {}: {} taken; write its {}", body.name, what, taken, what));
+}
+
+/// To inertia without mass.
+void give_mass(BodyDescription& body, RobotDescription& description) {
+  if (body.solid.mass > 0 || !(description::principal_moments(body.solid.inertia).z > 0)) return;
+  body.solid.mass = least_mass;
+  description.notes.push_back(without(body, "mass", fmt::format("{:.2g} kg is", least_mass)));
+}
+
+void give_sphere(BodyDescription& body, RobotDescription& description) {
+  const double inertia = inertia_of_sphere(body.solid.mass);
+  body.solid.inertia = diagonal(inertia);
+  description.notes.push_back(
+      without(body, "inertia",
+              fmt::format("{:.2g} kg m^2, of a sphere of water of its {:.4g} kg, is", inertia, body.solid.mass)));
+}
+
+void make_definite(BodyDescription& body, RobotDescription& description) {
+  const Vec3d moments = description::principal_moments(body.solid.inertia);
+  if (body.solid.mass == 0 || moments.x > rod * moments.z) return;
+  if (moments.z <= a_point) return give_sphere(body, description);
+  const double least = std::max(moments.z - moments.y, thickened * moments.z);
+  body.solid.inertia = description::with_least_moment(body.solid.inertia, least);
+  auto& lines = moments.x < wrong * moments.z ? description.warnings : description.notes;
+  lines.push_back(
+      line(body, fmt::format("inertia of link '{}' is not positive definite (smallest principal moment {:.3g} "
+                             "kg m^2): {:.3g} is taken; correct it",
+                             body.name, moments.x, least)));
+}
+
+/// What moves, and carries no mass anywhere behind it. A robot without any mass is told by who builds the model.
+void give_masses(RobotDescription& description) {
+  std::vector<double> behind;  // [kg] by body
+  for (const BodyDescription& body : description.bodies) behind.push_back(body.solid.mass);
+  for (std::size_t i = description.bodies.size(); i-- > 1;) {
+    BodyDescription& body = description.bodies[i];
+    if (!body.joints.empty() && behind[i] == 0) {
+      behind[i] = body.solid.mass = least_mass;
+      body.solid.inertia = diagonal(least_inertia);
+      description.notes.push_back(
+          without(body, "mass", fmt::format("{:.2g} kg and {:.2g} kg m^2 are", least_mass, least_inertia)));
+    }
+    behind[static_cast<std::size_t>(body.parent)] += behind[i];
+  }
+}
+
+}  // namespace
+
+void repair_solids(RobotDescription& description) {
+  for (BodyDescription& body : description.bodies) {
+    give_mass(body, description);
+    make_definite(body, description);
+  }
+  give_masses(description);
+}
+
+}  // namespace murosimf::robot
