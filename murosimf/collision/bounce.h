@@ -12,9 +12,10 @@
 ///     u_-^2 = (v_- + g_n dt/2)^2 - 2 g_n delta,    v_+ = sqrt(e^2 u_-^2 + 2 g_n delta) - g_n dt/2
 ///
 /// gives the height e^2 h of a fall from h. e counts as 0.005 at least: a dead ball that has come into a wall by a part of a step would
-/// else stop there, and its spring throw it out again, with 0.12 of 3 m/s in steps of 1 ms and 0.57 in steps of 10 ms. After that step the point leaves freely, and only is not let in any deeper; if it comes to
-/// rest there, its spring takes over. Nothing gains energy at one point; several at once may, as all of Newton's impacts with friction
-/// (Kane, "A dynamics puzzle", Stanford Mechanics Alumni Club Newsletter, 1984).
+/// else stop there, and its spring throw it out again, with 0.08 of 3 m/s in steps of 1 ms and 0.57 in steps of 10 ms. After that step
+/// the point leaves freely, and only is not let in any deeper; if it comes to rest there, its spring takes over. Nothing gains energy at
+/// one point; several at once may, as all of Newton's impacts with friction (Kane, "A dynamics puzzle", Stanford Mechanics Alumni Club
+/// Newsletter, 1984).
 /// Source: Brach, Mechanical Impact Dynamics, 1991, ch. 2 (Newton's and Coulomb's law); the depth: conservation of energy.
 #pragma once
 

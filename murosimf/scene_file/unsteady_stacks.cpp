@@ -14,8 +14,8 @@
 namespace murosimf::scene_file {
 namespace {
 
-constexpr double gap = 2e-3;    // [m] between bodies that touch
-constexpr double most_x = 1e3;  // [1] lambda is not looked for above
+constexpr double gap = 2e-3;         // [m] between bodies that touch
+constexpr double most_lambda = 1e3;  // [1] it is not looked for above
 
 /// A body that stands upright.
 struct Block {
@@ -40,27 +40,28 @@ std::optional<Block> block_of(const BodySpec& body) {
   return Block{&body, body_model(body), box};
 }
 
-bool stands_on(const Block& upper, const Block& lower) {
-  const Vec3d apart = upper.box.center - lower.box.center;
-  return std::abs(upper.bottom() - lower.top()) < gap && std::abs(apart.x) < lower.box.half.x &&
-         std::abs(apart.y) < lower.box.half.y;
+bool lies_on(const Block& upper, const Block& lower) {
+  if (&upper == &lower || std::abs(upper.bottom() - lower.top()) >= gap) return false;
+  const Vec3d apart = upper.box.center - lower.box.center, reach = upper.box.half + lower.box.half;
+  return std::abs(apart.x) < reach.x && std::abs(apart.y) < reach.y;
 }
 
-/// From the ground up, as far as one stands on one.
+/// From the ground up.
 using Column = std::vector<const Block*>;
 
+/// Empty if several lie on one, or one on several.
 Column column_on(const Block& first, const std::vector<Block>& blocks) {
   Column column{&first};
-  for (;;) {
-    const Block* next = nullptr;
-    for (const Block& block : blocks) {
-      if (!stands_on(block, *column.back())) continue;
-      if (next) return {};  // several: no column
-      next = &block;
-    }
-    if (!next || column.size() == blocks.size()) return column;
-    column.push_back(next);
+  while (column.size() < blocks.size()) {
+    const Block& last = *column.back();
+    const auto on_last = [&](const Block& block) { return lies_on(block, last); };
+    const auto next = std::ranges::find_if(blocks, on_last);
+    if (next == blocks.end()) break;
+    if (std::ranges::count_if(blocks, on_last) > 1) return {};
+    if (std::ranges::count_if(blocks, [&](const Block& block) { return lies_on(*next, block); }) > 1) return {};
+    column.push_back(&*next);
   }
+  return column;
 }
 
 /// K [N m/rad] of the contact of a body with what is below it, for leaning along `axis` (x or y).
@@ -95,7 +96,7 @@ bool stands(const std::vector<double>& springs, const std::vector<double>& weigh
   return true;
 }
 
-/// The least lambda of the header; `most_x` if it is more.
+/// The least lambda of the header; `most_lambda` if it is more.
 double reserve(const SceneSpec& spec, const Column& column, double Vec3d::*axis) {
   std::vector<double> springs, weights(column.size());
   for (std::size_t i = 0; i < column.size(); ++i) springs.push_back(spring(spec, column, i, axis));
@@ -105,7 +106,7 @@ double reserve(const SceneSpec& spec, const Column& column, double Vec3d::*axis)
     weights[i] = -spec.gravity.z * height * (column[i]->spec->mass / 2 + above);
     above += column[i]->spec->mass;
   }
-  double low = 0, high = most_x;
+  double low = 0, high = most_lambda;
   for (int i = 0; i < 60; ++i) {
     const double middle = 0.5 * (low + high);
     (stands(springs, weights, middle) ? low : high) = middle;
@@ -120,8 +121,7 @@ std::string line_of(const Column& column, double lambda) {
   constexpr double grain = 10, margin = 1.05;  // [1] of the number that is named
   return fmt::format(
       "{} with {} more on it ({:.3g} kg in all) falls at any rate of steps: the springs of its contacts are too soft "
-      "for a column "
-      "like this; {:.1f} times smaller 'static_deflection' of their pairs of materials would carry it",
+      "for a column like this; {:.1f} times smaller 'static_deflection' of their pairs of materials would carry it",
       lowest, column.size() - 1, carried, std::ceil(grain * margin / lambda) / grain);
 }
 
