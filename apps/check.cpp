@@ -28,6 +28,7 @@ struct CheckOptions {
   std::string picture;  ///< PNG file
   std::string roles;    ///< TOML file
   bool lenient = false;
+  std::vector<std::string> xacro;    ///< name:=value
   std::vector<std::string> plugins;  ///< sensors of the robot may come from there
 };
 
@@ -40,6 +41,7 @@ void define(const Command& command, CheckOptions& options) {
   command.add("--roles", options.roles,
               "Write the soles, frames and servos that were found or guessed (TOML), to be corrected");
   add_lenient(command, options.lenient);
+  add_xacro(command, options.xacro);
   add_plugins(command, options.plugins);
 }
 
@@ -49,13 +51,15 @@ struct Reading {
   std::optional<std::string> error;
 };
 
-Reading read(const std::filesystem::path& file, bool lenient) {
+Reading read(const std::filesystem::path& file, const description::ReaderOptions& options) {
   try {
-    return {robot::read_robot(file, {.lenient = lenient}), {}};
+    return {robot::read_robot(file, options), {}};
   } catch (const SetupError& error) {
-    if (lenient) throw;
+    if (options.lenient) throw;
+    description::ReaderOptions leniently = options;
+    leniently.lenient = true;
     try {
-      return {robot::read_robot(file, {.lenient = true}), error.what()};
+      return {robot::read_robot(file, leniently), error.what()};
     } catch (const SetupError&) {
       throw error;
     }
@@ -111,9 +115,10 @@ int check(const CheckOptions& options) {
   if (!options.roles.empty()) files::claim_output("--roles", options.roles);
   const auto file = files::find_data_file(options.model, "models", ".xml");
   files::note_input(file);  // refused before the readers, whose mistakes are findings
+  const description::ReaderOptions how{.lenient = options.lenient, .xacro = xacro_values(options.xacro)};
   std::optional<Reading> reading;
   try {
-    reading = read(file, options.lenient);
+    reading = read(file, how);
   } catch (const SetupError& error) {
     return report_unreadable(options, error);
   }

@@ -21,6 +21,8 @@ class Reader {
     for (const auto& [key, value] : root) {
       if (key == "soles") {
         read_soles(table_of(key, value));
+      } else if (key == "sole_sizes") {
+        read_sole_sizes(table_of(key, value));
       } else if (key == "frames") {
         read_other_names(table_of(key, value), table_.frames);
       } else if (key == "joints") {
@@ -36,7 +38,8 @@ class Reader {
       } else if (key == "sensors") {
         table_.sensors = components::read_sensor_tables(table_of(key, value));
       } else {
-        unknown("table", key, {"soles", "frames", "joints", "rate_limits", "surfaces", "meshes", "servos", "sensors"});
+        unknown("table", key,
+                {"soles", "sole_sizes", "frames", "joints", "rate_limits", "surfaces", "meshes", "servos", "sensors"});
       }
     }
     return table_;
@@ -63,6 +66,19 @@ class Reader {
     for (const auto& [key, value] : soles) {
       if (std::ranges::find(feet, key.str()) == feet.end()) unknown("sole", key, feet);
       table_.soles.push_back(name_of(key, value));
+    }
+  }
+
+  void read_sole_sizes(const toml::table& sizes) {
+    for (const auto& [key, value] : sizes) {
+      const auto numbers = value.is_array() ? files::numbers_of(value) : std::nullopt;
+      const auto fits = [](double size) { return std::isfinite(size) && size > 0; };
+      if (!numbers || numbers->size() != 2 || !std::ranges::all_of(*numbers, fits)) {
+        files::fail_at(value.source(),
+                       fmt::format("the size of sole '{}' must be [length, width], both more than 0", key.str()));
+      }
+      const Sole sole{0.5 * numbers->front(), 0.5 * numbers->back()};
+      table_.sole_sizes[std::string(key.str())] = {sole, files::where(key.source())};
     }
   }
 
@@ -161,6 +177,7 @@ void check_names(const RobotConfig& table, const RobotNames& names) {
   for (const auto& [body, surface] : table.surfaces) check_name({body, surface.where}, "body", names.bodies);
   for (const TableName& mesh : table.part_per_group) check_name(mesh, "mesh", names.meshes);
   for (const TableName& sole : table.soles) check_name(sole, "frame", places);
+  for (const auto& [frame, size] : table.sole_sizes) check_name({frame, size.where}, "frame", places);
   for (const auto& [role, frame] : table.frames) check_name(frame, "frame", objects);
   for (const auto& [alias, joint] : table.joints) check_name(joint, "joint", names.joints);
 }
