@@ -29,6 +29,7 @@ struct CheckOptions {
   std::string roles;    ///< TOML file
   bool all = false;
   bool lenient = false;
+  std::vector<std::string> xacro;    ///< name:=value
   std::vector<std::string> plugins;  ///< sensors of the robot may come from there
 };
 
@@ -42,6 +43,7 @@ void define(const Command& command, CheckOptions& options) {
               "Write the soles, frames and servos that were found or guessed (TOML), to be corrected");
   command.add("--all", options.all, "Show every finding; else at most ten lines, those of one kind in one");
   add_lenient(command, options.lenient);
+  add_xacro(command, options.xacro);
   add_plugins(command, options.plugins);
 }
 
@@ -51,13 +53,15 @@ struct Reading {
   std::optional<std::string> error;
 };
 
-Reading read(const std::filesystem::path& file, bool lenient) {
+Reading read(const std::filesystem::path& file, const description::ReaderOptions& options) {
   try {
-    return {robot::read_robot(file, {.lenient = lenient}), {}};
+    return {robot::read_robot(file, options), {}};
   } catch (const SetupError& error) {
-    if (lenient) throw;
+    if (options.lenient) throw;
+    description::ReaderOptions leniently = options;
+    leniently.lenient = true;
     try {
-      return {robot::read_robot(file, {.lenient = true}), error.what()};
+      return {robot::read_robot(file, leniently), error.what()};
     } catch (const SetupError&) {
       throw error;
     }
@@ -115,9 +119,10 @@ int check(const CheckOptions& options) {
   if (!options.roles.empty()) files::claim_output("--roles", options.roles);
   const auto file = files::find_data_file(options.model, "models", ".xml");
   files::note_input(file);  // refused before the readers, whose mistakes are findings
+  const description::ReaderOptions how{.lenient = options.lenient, .xacro = xacro_values(options.xacro)};
   std::optional<Reading> reading;
   try {
-    reading = read(file, options.lenient);
+    reading = read(file, how);
   } catch (const SetupError& error) {
     return report_unreadable(options, error);
   }

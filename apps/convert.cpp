@@ -1,5 +1,6 @@
-// `murosimf convert`: writes a robot file as MJCF in our normal form, and a TOML file beside it.
+// `murosimf convert`: writes a robot file as MJCF or URDF in our normal form, and a TOML file beside it.
 #include <filesystem>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -19,9 +20,10 @@ namespace fs = std::filesystem;
 
 struct ConvertOptions {
   std::string model;
-  std::string out;  ///< MJCF file to write
+  std::string out;  ///< MJCF or URDF file to write: the ending decides
   std::string fit;  ///< sphere, capsule, cylinder, box or best; empty: meshes stay meshes
   bool lenient = false;
+  std::vector<std::string> xacro;    ///< name:=value
   bool force = false;                ///< replace the file
   std::vector<std::string> plugins;  ///< sensors of the robot may come from there
 };
@@ -30,26 +32,34 @@ void define(const Command& command, ConvertOptions& options) {
   command.add("model", options.model, "Model file (URDF or MJCF), or the name of one that comes with the program")
       .required()
       .offers_list("models");
-  command.add("--out", options.out, "MJCF file (.xml) to write").required();
+  command.add("--out", options.out, "File to write: MJCF (.xml) or URDF (.urdf)").required();
   command.add("--fit", options.fit,
               "Put a primitive of the same volume in the place of each mesh that collides: sphere, capsule, cylinder, "
               "box or best");
   add_lenient(command, options.lenient);
+  add_xacro(command, options.xacro);
   command.add("--force", options.force, "Replace the file if it is there");
   add_plugins(command, options.plugins);
 }
 
+bool is_file(const fs::path& file) {
+  std::error_code error;
+  return fs::exists(file, error) && !fs::is_directory(file, error);
+}
+
+[[noreturn]] void refuse_replacement(const fs::path& file) {
+  throw SetupError(fmt::format("'{}' is there already; --force replaces it", file.string()));
+}
+
 void check_output(const fs::path& in, const fs::path& out, bool force) {
-  if (out.extension() != ".xml") {
+  if (out.extension() != ".xml" && out.extension() != ".urdf") {
     throw SetupError(
-        fmt::format("--out '{}': the name must end in .xml; a .toml file will stand beside it", out.string()));
+        fmt::format("--out '{}': the name must end in .xml (MJCF) or .urdf; a .toml file will stand beside it",
+                    out.string()));
   }
   files::note_input(in);
   files::claim_output("--out", out);
-  std::error_code error;
-  if (fs::exists(out, error) && !fs::is_directory(out, error) && !force) {
-    throw SetupError(fmt::format("'{}' is there already; --force replaces it", out.string()));
-  }
+  if (is_file(out) && !force) refuse_replacement(out);
 }
 
 std::string fits_text(const std::vector<robot::MeshFit>& fits) {
@@ -71,19 +81,44 @@ std::string write_table(const fs::path& file, const robot::RobotConversion& robo
                                      : "soles, frames and servos, partly guessed; correct it");
 }
 
+/// Of shapes that no file holds.
+void write_meshes(const fs::path& folder, const std::map<std::string, std::string>& meshes) {
+  for (const auto& [name, text] : meshes) {
+    const fs::path file = folder / name;
+    std::error_code error;
+    fs::create_directories(file.parent_path(), error);  // what keeps it from being there, write_file says
+    files::claim_output("--out", file);
+    files::write_file(file, text);
+  }
+}
+
+std::string lines_of(const std::vector<std::string>& lines, const char* head) {
+  std::string text;
+  for (const std::string& line : lines) text += head + line + "\n";
+  return text;
+}
+
 int convert(const ConvertOptions& options) {
   load_plugins(options.plugins);
   const fs::path in = files::find_data_file(options.model, "models", ".xml"), out = options.out;
   check_output(in, out, options.force);
-  robot::ConversionOptions conversion{.folder = out.parent_path(), .reader = {.lenient = options.lenient}};
+  robot::ConversionOptions conversion{.folder = out.parent_path(),
+                                      .reader = {.lenient = options.lenient, .xacro = xacro_values(options.xacro)}};
+  if (out.extension() == ".urdf") conversion.format = robot::WrittenFormat::urdf;
+  conversion.mesh_folder = out.stem().string() + "_meshes";
   if (!options.fit.empty()) conversion.fit = with_context("--fit", [&] { return robot::primitive_kind(options.fit); });
   const robot::RobotConversion robot = robot::convert_robot(in, conversion);
-  files::write_file(out, robot.mjcf);
+  for (const auto& [name, mesh] : robot.meshes) {
+    if (is_file(out.parent_path() / name) && !options.force) refuse_replacement(out.parent_path() / name);
+  }
+  write_meshes(out.parent_path(), robot.meshes);
+  files::write_file(out, robot.text);
   std::string text =
       fmt::format("{}: {} bodies, {} joints, {:.4g} kg\n", out.string(), robot.bodies, robot.joints, robot.mass);
   text += fits_text(robot.fits);
   text += write_table(fs::path(out).replace_extension(".toml"), robot);
-  for (const std::string& warning : robot.warnings) text += "warning: " + warning + "\n";
+  text += lines_of(robot.left_out, "left out: ");
+  text += lines_of(robot.warnings, "warning: ");
   write_standard_output(text);
   return 0;
 }
@@ -91,7 +126,7 @@ int convert(const ConvertOptions& options) {
 }  // namespace
 
 void add_convert(CommandLine& line) {
-  line.add<ConvertOptions>("convert", "Write a robot as one plain MJCF file, and a TOML file", define, convert);
+  line.add<ConvertOptions>("convert", "Write a robot as one plain MJCF or URDF file, and a TOML file", define, convert);
 }
 
 }  // namespace murosimf::app

@@ -2,8 +2,11 @@
 
 #include <limits>
 
+#include <fmt/format.h>
+
 #include "apps/interruption.h"
 #include "murosimf/catalog/plugin.h"
+#include "murosimf/files/xml_element.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::app {
@@ -74,6 +77,22 @@ void add_libraries(const Command& command, bool& libraries) {
   command.add(
       "--libraries", libraries,
       "Load the control software that the scene file names (controller = \"library\"): it may do what it likes");
+}
+
+void add_xacro(const Command& command, std::vector<std::string>& arguments) {
+  command.add("--xacro", arguments, "Argument of a robot file with macros (.xacro), name:=value; as often as needed");
+}
+
+std::map<std::string, std::string> xacro_values(const std::vector<std::string>& arguments) {
+  std::map<std::string, std::string> values;
+  for (const std::string& argument : arguments) {
+    const std::size_t end = argument.find(":=");
+    if (end == 0 || end == std::string::npos) {
+      throw SetupError(files::one_line(fmt::format("--xacro '{}': write name:=value", argument)));
+    }
+    values[argument.substr(0, end)] = argument.substr(end + 2);
+  }
+  return values;
 }
 
 void add_plugins(const Command& command, std::vector<std::string>& plugins) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -37,6 +38,10 @@ void add_seed(const Command& command, std::optional<std::uint64_t>& seed);
 void add_lenient(const Command& command, bool& lenient);
 void add_no_cameras(const Command& command, bool& no_cameras);
 void add_libraries(const Command& command, bool& libraries);
+/// Arguments of a robot file with macros.
+void add_xacro(const Command& command, std::vector<std::string>& arguments);
+/// Values by name. Throws SetupError for what is not name:=value.
+std::map<std::string, std::string> xacro_values(const std::vector<std::string>& arguments);
 /// Files for catalog::load_plugin.
 void add_plugins(const Command& command, std::vector<std::string>& plugins);
 /// Throws SetupError.

@@ -101,11 +101,11 @@ std::string toml_quoted(const std::string& name) {
   return text + "\"";
 }
 
-std::string servo_sections(const description::RobotDescription& description) {
+std::string servo_sections(const description::RobotDescription& description, std::string_view name) {
   std::string text;
   int number = 0;
   for (const Group& group : groups_of(description)) {
-    text += fmt::format("[servos.servo_{}]\n{}{}\n", ++number, section(group.drive), joint_list(group.joints));
+    text += fmt::format("[servos.{}_{}]\n{}{}\n", name, ++number, section(group.drive), joint_list(group.joints));
   }
   return text;
 }

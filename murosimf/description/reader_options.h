@@ -13,6 +13,7 @@ struct ReaderOptions {
   bool guess = true;     ///< soles, frames and servos that nothing names are guessed (role_inference.h)
   std::vector<std::string> part_per_group{};  ///< meshes of OBJ files whose objects or groups are convex parts
   std::map<std::string, std::filesystem::path> packages{};  ///< folders of "package://name/..." in URDF
+  std::map<std::string, std::string> xacro{};               ///< arguments of a file with macros, by name
   std::vector<std::filesystem::path> search_paths{};        ///< folders in which packages are looked for, too
 };
 

@@ -76,4 +76,6 @@ OnlyAllowed::~OnlyAllowed() { limit_of_thread = before_; }
 
 bool may_be_read(const fs::path& file) { return !limit_of_thread || limit_of_thread->allows(file); }
 
+bool reads_are_limited() { return limit_of_thread != nullptr; }
+
 }  // namespace murosimf::files

@@ -42,5 +42,7 @@ class OnlyAllowed {
 
 /// Whether this thread may read it.
 [[nodiscard]] bool may_be_read(const std::filesystem::path& file);
+/// Whether there is anything that this thread may not read: then no other program may be started that reads for it.
+[[nodiscard]] bool reads_are_limited();
 
 }  // namespace murosimf::files

@@ -30,19 +30,21 @@ struct XmlSource {
 
 namespace {
 
-std::unique_ptr<XmlSource> read_source(const std::filesystem::path& file) {
+std::unique_ptr<XmlSource> parse_source(const std::filesystem::path& file, const std::string& text) {
   auto source = std::make_unique<XmlSource>();
   source->name = file.string();
-  const std::string& name = source->name;
   tinyxml2::XMLDocument& document = source->document;
-  const std::string text = xml_to_utf8(read_input_file(file, most_xml_bytes), file);
   const auto error = document.Parse(text.data(), text.size());
   if (error != tinyxml2::XML_SUCCESS || !document.RootElement()) {
     const int line = std::max(1, document.ErrorLineNum());
-    throw SetupError(one_line(
-        fmt::format("{}:{}: not well-formed XML ({}); correct the file there", name, line, document.ErrorName())));
+    throw SetupError(one_line(fmt::format("{}:{}: not well-formed XML ({}); correct the file there", source->name, line,
+                                          document.ErrorName())));
   }
   return source;
+}
+
+std::unique_ptr<XmlSource> read_source(const std::filesystem::path& file) {
+  return parse_source(file, xml_to_utf8(read_input_file(file, most_xml_bytes), file));
 }
 
 tinyxml2::XMLElement* make_element(const XmlTree& tree, XmlSource& source) {
@@ -159,6 +161,10 @@ std::vector<XmlElement> XmlElement::children(std::string_view tag) const {
 
 void XmlElement::fail(std::string_view message) const {
   throw SetupError(one_line(fmt::format("{}: {}", where(), message)));
+}
+
+XmlFile::XmlFile(const std::filesystem::path& file, const std::string& text) {
+  sources_.push_back(parse_source(file, text));
 }
 
 XmlFile::XmlFile(const std::filesystem::path& file) { sources_.push_back(read_source(file)); }

@@ -75,6 +75,8 @@ class XmlFile {
  public:
   /// Throws SetupError if the file is missing or is not XML.
   explicit XmlFile(const std::filesystem::path& file);
+  /// Of a text that stands for the file: messages give the file's name, and lines of the text.
+  XmlFile(const std::filesystem::path& file, const std::string& text);
   ~XmlFile();
   XmlFile(const XmlFile&) = delete;
   XmlFile& operator=(const XmlFile&) = delete;

@@ -46,6 +46,11 @@ XmlText& XmlText::number_unless(double usual, const char* name, double value) {
 
 XmlText& XmlText::vector_unless_zero(const char* name, const Vec3d& v) { return is_zero(v) ? *this : vector(name, v); }
 
+XmlText& XmlText::content(const std::string& text) {
+  printer_->PushText(text.c_str());
+  return *this;
+}
+
 XmlText& XmlText::comment(const std::string& text) {
   std::string safe;
   for (const char c : one_line(text)) {

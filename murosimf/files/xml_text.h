@@ -31,6 +31,9 @@ class XmlText {
   XmlText& number_unless(double usual, const char* name, double value);
   XmlText& vector_unless_zero(const char* name, const Vec3d& v);
 
+  /// The text inside of the element that was begun last.
+  XmlText& content(const std::string& text);
+
   /// Two hyphens in a row, which XML forbids in comments, become one.
   XmlText& comment(const std::string& text);
 

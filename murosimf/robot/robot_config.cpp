@@ -22,6 +22,8 @@ class Reader {
     for (const auto& [key, value] : root) {
       if (key == "soles") {
         read_soles(table_of(key, value));
+      } else if (key == "sole_sizes") {
+        read_sole_sizes(table_of(key, value));
       } else if (key == "frames") {
         read_other_names(table_of(key, value), table_.frames);
       } else if (key == "joints") {
@@ -42,7 +44,8 @@ class Reader {
         read_walk(table_of(key, value));
       } else {
         unknown("table", key,
-                {"soles", "frames", "joints", "rate_limits", "linkages", "surfaces", "meshes", "servos", "sensors", "walk"});
+                {"soles", "sole_sizes", "frames", "joints", "rate_limits", "linkages", "surfaces", "meshes", "servos",
+                 "sensors", "walk"});
       }
     }
     return table_;
@@ -69,6 +72,19 @@ class Reader {
     for (const auto& [key, value] : soles) {
       if (std::ranges::find(feet, key.str()) == feet.end()) unknown("sole", key, feet);
       table_.soles.push_back(name_of(key, value));
+    }
+  }
+
+  void read_sole_sizes(const toml::table& sizes) {
+    for (const auto& [key, value] : sizes) {
+      const auto numbers = value.is_array() ? files::numbers_of(value) : std::nullopt;
+      const auto fits = [](double size) { return std::isfinite(size) && size > 0; };
+      if (!numbers || numbers->size() != 2 || !std::ranges::all_of(*numbers, fits)) {
+        files::fail_at(value.source(),
+                       fmt::format("the size of sole '{}' must be [length, width], both more than 0", key.str()));
+      }
+      const Sole sole{0.5 * numbers->front(), 0.5 * numbers->back()};
+      table_.sole_sizes[std::string(key.str())] = {sole, files::where(key.source())};
     }
   }
 
@@ -181,6 +197,7 @@ void check_names(const RobotConfig& table, const RobotNames& names) {
   for (const TableName& joint : table.commanded) check_name(joint, "joint", names.joints);
   for (const TableName& mesh : table.part_per_group) check_name(mesh, "mesh", names.meshes);
   for (const TableName& sole : table.soles) check_name(sole, "frame", places);
+  for (const auto& [frame, size] : table.sole_sizes) check_name({frame, size.where}, "frame", places);
   for (const auto& [role, frame] : table.frames) check_name(frame, "frame", objects);
   for (const auto& [alias, joint] : table.joints) check_name(joint, "joint", names.joints);
 }

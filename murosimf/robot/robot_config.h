@@ -4,6 +4,9 @@
 ///     left = "l_sole"              # (a quadruped: front_left, front_right, hind_left, hind_right)
 ///     right = "r_sole"
 ///
+///     [sole_sizes]                 # [m] length and width of soles, for files without box sites (URDF): the frame is in their middle
+///     l_sole = [0.2, 0.1]
+///
 ///     [frames]                     # other names for frames, bodies and joints
 ///     imu = "imu_link"
 ///     camera = "camera_optical_frame"
@@ -44,6 +47,7 @@
 #include "murosimf/components/sensor_table.h"
 #include "murosimf/model/option.h"
 #include "murosimf/model/servo.h"
+#include "murosimf/model/shape.h"
 
 namespace murosimf::robot {
 
@@ -63,9 +67,15 @@ struct TableNumber {
   std::string where;
 };
 
+struct TableSole {
+  Sole sole;
+  std::string where;
+};
+
 struct RobotConfig {
   std::vector<TableName> soles;
   std::vector<std::string> sole_frames;            ///< where the soles are, once they are placed (role_inference.h)
+  std::map<std::string, TableSole> sole_sizes;     ///< by frame, or body that is welded
   std::map<std::string, TableName> frames;         ///< frame, body or joint by its other name
   std::map<std::string, TableName> joints;         ///< joint by its other name
   std::map<std::string, TableNumber> rate_limits;  ///< [rad/s | m/s] by joint

@@ -9,9 +9,12 @@
 #include "murosimf/files/input_file.h"
 #include "murosimf/formats/mjcf/mjcf_sensor.h"
 #include "murosimf/formats/mjcf/mjcf_writer.h"
+#include "murosimf/formats/urdf/urdf_writer.h"
+#include "murosimf/robot/conversion_additions.h"
 #include "murosimf/robot/robot_config.h"
 #include "murosimf/robot/robot_formats.h"
 #include "murosimf/robot/robot_reader.h"
+#include "murosimf/robot/robot_soles.h"
 #include "murosimf/robot/role_inference.h"
 
 namespace murosimf::robot {
@@ -25,37 +28,32 @@ description::RobotDescription read_all_bodies(const fs::path& file, description:
   return format_of(file).read(file, options);
 }
 
-/// Sensors of the robot file that MJCF has no word for. `description`: as it is written, with the same sensors as the robot's.
-std::vector<sensors::SensorSpec> sensors_for_table(const RobotFile& robot,
+bool has_words_for(WrittenFormat format, const description::SensorDescription& sensor,
+                   const description::RobotDescription& description) {
+  return format == WrittenFormat::urdf ? formats::urdf::is_urdf_sensor(sensor)
+                                       : formats::mjcf::is_mjcf_sensor(sensor, description);
+}
+
+/// Sensors of the robot file that the format has no word for. `description`: as it is written, with the same sensors as the robot's.
+std::vector<sensors::SensorSpec> sensors_for_table(WrittenFormat format, const RobotFile& robot,
                                                    const description::RobotDescription& description,
                                                    std::vector<std::string>& warnings) {
   std::vector<sensors::SensorSpec> specs;
   for (std::size_t i = 0; i < description.sensors.size(); ++i) {
     const std::string& name = robot.description.sensors[i].becomes;
     const auto spec = std::ranges::find(robot.sensors, name, &sensors::SensorSpec::name);
-    if (name.empty() || spec == robot.sensors.end() ||
-        formats::mjcf::is_mjcf_sensor(description.sensors[i], description))
+    if (name.empty() || spec == robot.sensors.end() || has_words_for(format, description.sensors[i], description))
       continue;
     const auto table = std::ranges::find(robot.table.sensors, name, &components::SensorTable::name);
     if (table == robot.table.sensors.end()) {
       specs.push_back(*spec);
     } else if (!table->values.contains("type")) {
-      warnings.push_back(fmt::format("{}: sensor '{}' needs a type now: MJCF has no word for the one that this changes",
-                                     table->where, name));
+      warnings.push_back(
+          fmt::format("{}: sensor '{}' needs a type now: the new file has no word for the one that this changes",
+                      table->where, name));
     }
   }
   return specs;
-}
-
-/// Who reads the MJCF file alone gets the gains that are simulated: those of the table.
-void take_gains(const RobotConfig& table, description::RobotDescription& description) {
-  for (description::BodyDescription& body : description.bodies) {
-    for (description::JointDescription& joint : body.joints) {
-      const auto found = table.servos.find(joint.name);
-      if (!joint.servo || found == table.servos.end() || !(found->second.servo.position_gain > 0)) continue;
-      joint.servo->position_gain = found->second.servo.position_gain;
-    }
-  }
 }
 
 /// The largest rates of joints, for which MJCF has no word, as a section of the table, which has none.
@@ -77,30 +75,91 @@ void count(const description::RobotDescription& description, RobotConversion& re
   }
 }
 
+/// Actuators of the file for which the robot's own table, which is copied, has no servo: URDF has no word for gains.
+std::string servos_toml(const RobotFile& robot, description::RobotDescription description) {
+  for (description::BodyDescription& body : description.bodies) {
+    for (description::JointDescription& joint : body.joints) {
+      const bool has_gain = joint.servo && (joint.servo->position_gain > 0 || joint.servo->velocity_gain > 0);
+      if (!has_gain || robot.table.servos.contains(joint.name)) joint.servo.reset();
+    }
+  }
+  const std::string sections = components::servo_sections(description, "of_file");
+  return sections.empty() ? "" : "\n" + sections;
+}
+
+/// Rectangles of the file's own frames, for which URDF has no word.
+std::string sole_sizes_toml(const RobotFile& robot, const description::RobotDescription& description) {
+  std::string text;
+  for (const description::BodyDescription& body : description.bodies) {
+    for (const description::FrameDescription& frame : body.frames) {
+      if (!is_sole(frame, robot.table)) continue;
+      text += fmt::format("{} = [{}, {}]\n", components::toml_quoted(frame.name), 2 * frame.box->half_length,
+                          2 * frame.box->half_width);
+    }
+  }
+  return text.empty() ? "" : "\n[sole_sizes]  # [m] length, width\n" + text;
+}
+
+/// What URDF has no words for.
+std::string toml_beside_urdf(const RobotFile& robot, const description::RobotDescription& description, bool own_table) {
+  const std::string sizes = robot.table.sole_sizes.empty() ? sole_sizes_toml(robot, description) : "";
+  return sizes + (own_table ? servos_toml(robot, description) : "");
+}
+
+void add_rates(const RobotFile& robot, const description::RobotDescription& description, RobotConversion& result) {
+  const std::string rates = rate_limits_toml(description);
+  if (robot.table.rate_limits.empty()) {
+    result.toml += rates;
+  } else if (!rates.empty()) {
+    result.warnings.push_back(fmt::format("{}: largest rates of other joints than those of the table are left out",
+                                          description.bodies[0].where));
+  }
+}
+
+void write_mjcf(description::RobotDescription& description, RobotFile& robot, const ConversionOptions& options,
+                RobotConversion& result) {
+  if (!result.own_table) give_soles(description, robot);
+  exclude_overlaps(description);
+  give_key(description);
+  result.text = formats::mjcf::to_mjcf(description, {options.folder});
+}
+
+void write_urdf(const description::RobotDescription& description, const ConversionOptions& options,
+                RobotConversion& result) {
+  formats::urdf::UrdfText urdf = formats::urdf::to_urdf(description, {options.folder, options.mesh_folder});
+  result.text = std::move(urdf.text);
+  result.meshes = std::move(urdf.meshes);
+  result.left_out = std::move(urdf.left_out);
+}
+
 }  // namespace
 
 RobotConversion convert_robot(const fs::path& file, const ConversionOptions& options) {
   RobotConversion result;
-  const RobotFile robot = read_robot(file, options.reader);
+  RobotFile robot = read_robot(file, options.reader);
   result.warnings = robot.warnings;
   description::RobotDescription description = read_all_bodies(file, options.reader);
-  take_gains(robot.table, description);
+  give_servos(description, robot);
   if (options.fit) result.fits = fit_meshes(description, *options.fit);
   count(description, result);
-  result.mjcf = formats::mjcf::to_mjcf(description, {options.folder});
   fs::path table = file;
   table.replace_extension(".toml");
   std::error_code none;
   result.own_table = fs::exists(table, none);
+  const bool mjcf = options.format == WrittenFormat::mjcf;
+  if (mjcf) {
+    write_mjcf(description, robot, options, result);
+  } else {
+    write_urdf(description, options, result);
+  }
   result.toml = result.own_table ? files::read_input_file(table, files::most_toml_bytes)
                                  : roles_toml(robot.description, robot.table);
-  if (robot.table.rate_limits.empty()) {
-    result.toml += rate_limits_toml(description);
-  } else if (!rate_limits_toml(description).empty()) {
-    result.warnings.push_back(fmt::format("{}: largest rates of other joints than those of the table are left out",
-                                          description.bodies[0].where));
+  if (mjcf) {
+    add_rates(robot, description, result);  // URDF has a word for them
+  } else {
+    result.toml += toml_beside_urdf(robot, description, result.own_table);
   }
-  result.toml += components::sensor_sections(sensors_for_table(robot, description, result.warnings));
+  result.toml += components::sensor_sections(sensors_for_table(options.format, robot, description, result.warnings));
   return result;
 }
 

@@ -1,7 +1,9 @@
-/// robot_conversion.h - a robot file as teams have it becomes an MJCF file in our normal form and a TOML file beside it.
+/// robot_conversion.h - a robot file as teams have it becomes an MJCF or URDF file in our normal form and a TOML file beside it.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,21 +13,27 @@
 
 namespace murosimf::robot {
 
+enum class WrittenFormat : std::uint8_t { mjcf, urdf };
+
 struct ConversionOptions {
   std::filesystem::path folder{};                ///< where the new file will stand
   std::optional<geometry::PrimitiveKind> fit{};  ///< what meshes that collide become; nothing: they stay
   description::ReaderOptions reader{};
+  WrittenFormat format = WrittenFormat::mjcf;
+  std::string mesh_folder = "meshes";  ///< of a URDF file, below `folder`: for meshes that no file holds
 };
 
 struct RobotConversion {
-  std::string mjcf;  ///< text of the file (mjcf_writer.h)
-  std::string
-      toml;  ///< that of the file beside it: the robot's own, or roles_toml (role_inference.h), and sensors that MJCF has no word for
-  bool own_table = false;             ///< the robot had a TOML file beside it
-  int joints = 0, bodies = 0;         ///< bodies without joints count, too
-  double mass = 0;                    ///< [kg]
-  std::vector<MeshFit> fits;          ///< one for each convex part of a mesh
-  std::vector<std::string> warnings;  ///< of the reader
+  std::string text;  ///< of the file (mjcf_writer.h, urdf_writer.h)
+  /// That of the file beside it: the robot's own, or roles_toml (role_inference.h), and sensors that the format has no word for.
+  std::string toml;
+  std::map<std::string, std::string> meshes;  ///< texts of mesh files to write, by name relative to the folder
+  bool own_table = false;                     ///< the robot had a TOML file beside it
+  int joints = 0, bodies = 0;                 ///< bodies without joints count, too
+  double mass = 0;                            ///< [kg]
+  std::vector<MeshFit> fits;                  ///< one for each convex part of a mesh
+  std::vector<std::string> warnings;          ///< of the reader
+  std::vector<std::string> left_out;          ///< file:line: what the format cannot say, nor the TOML file
 };
 
 /// Throws SetupError for everything that keeps the file from becoming a model (robot_reader.h).

@@ -11,6 +11,7 @@
 #include "murosimf/formats/mjcf/mjcf_schema.h"
 #include "murosimf/formats/urdf/gazebo_schema.h"
 #include "murosimf/formats/urdf/urdf_reader.h"
+#include "murosimf/formats/urdf/xacro_file.h"
 
 namespace murosimf::robot {
 namespace {
@@ -21,6 +22,7 @@ std::vector<RobotFormat> built_in_formats() {
                   formats::mjcf::mjcf_schema},
       RobotFormat{"urdf", "the format of ROS, with gazebo blocks", ".urdf .xml", "robot", formats::urdf::read_urdf,
                   formats::urdf::urdf_words},
+      RobotFormat{"xacro", "URDF with macros, by the program xacro", ".xacro", "", formats::urdf::read_xacro},
   };
 }
 

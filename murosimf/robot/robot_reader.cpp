@@ -30,6 +30,16 @@ void apply_rate_limits(description::RobotDescription& description, const RobotCo
   }
 }
 
+/// To be called after the welding, which makes frames of links that a URDF file has for soles.
+void apply_sole_sizes(description::RobotDescription& description, const RobotConfig& table) {
+  for (description::BodyDescription& body : description.bodies) {
+    for (description::FrameDescription& frame : body.frames) {
+      const auto found = table.sole_sizes.find(frame.name);
+      if (found != table.sole_sizes.end()) frame.box = found->second.sole;
+    }
+  }
+}
+
 void check_names(const RobotConfig& table, const description::RobotDescription& description) {
   RobotNames names;
   for (const description::BodyDescription& body : description.bodies) {
@@ -54,6 +64,7 @@ RobotFile read_robot(const std::filesystem::path& file, const description::Reade
   apply_rate_limits(robot.description, table);
   weld_fixed_bodies(robot.description, find_cuts(robot.description, table));
   repair_solids(robot.description);
+  apply_sole_sizes(robot.description, table);
   if (options.guess) guess_roles(robot.description, table);
   place_soles(robot.description, table);
   robot.model = build_model(robot.description, table);

@@ -14,7 +14,7 @@ namespace {
 
 using sensors::SensorSpec;
 
-struct Kind {
+struct SensorKind {
   std::string_view kind, type;
   std::string_view difference;  ///< between what the file means and what the sensor shows; may be empty
 };
@@ -23,34 +23,34 @@ constexpr double usual_camera_rate = 25;  // [Hz] where the file does not say: s
 
 constexpr std::string_view whole_link = "it shows the contact forces of the whole link";
 
-constexpr std::array kinds{Kind{"accelerometer", "accelerometer", ""},
-                           Kind{"actuatorfrc", "joint_torque", ""},
-                           Kind{"camera", "camera", ""},
-                           Kind{"contact", "contact_force", ""},
-                           Kind{"force", "joint_wrench", ""},
-                           Kind{"force_torque", "joint_wrench", ""},
-                           Kind{"frameangvel", "angular_velocity", ""},
-                           Kind{"framelinvel", "linear_velocity", ""},
-                           Kind{"framepos", "position", ""},
-                           Kind{"framequat", "orientation", ""},
-                           Kind{"gpu_lidar", "laser", ""},
-                           Kind{"gpu_ray", "laser", ""},
-                           Kind{"gyro", "gyroscope", ""},
-                           Kind{"imu", "imu", ""},
-                           Kind{"jointactuatorfrc", "joint_torque", ""},
-                           Kind{"jointpos", "joint_position", ""},
-                           Kind{"jointvel", "joint_velocity", ""},
-                           Kind{"lidar", "laser", ""},
-                           Kind{"rangefinder", "rangefinder", "nothing found is infinity, not -1"},
-                           Kind{"ray", "laser", ""},
-                           Kind{"subtreecom", "center_of_mass", ""},
-                           Kind{"torque", "joint_wrench", ""},
-                           Kind{"touch", "contact_force", whole_link},
-                           Kind{"velocimeter", "velocimeter", ""}};
+constexpr std::array kinds{SensorKind{"accelerometer", "accelerometer", ""},
+                           SensorKind{"actuatorfrc", "joint_torque", ""},
+                           SensorKind{"camera", "camera", ""},
+                           SensorKind{"contact", "contact_force", ""},
+                           SensorKind{"force", "joint_wrench", ""},
+                           SensorKind{"force_torque", "joint_wrench", ""},
+                           SensorKind{"frameangvel", "angular_velocity", ""},
+                           SensorKind{"framelinvel", "linear_velocity", ""},
+                           SensorKind{"framepos", "position", ""},
+                           SensorKind{"framequat", "orientation", ""},
+                           SensorKind{"gpu_lidar", "laser", ""},
+                           SensorKind{"gpu_ray", "laser", ""},
+                           SensorKind{"gyro", "gyroscope", ""},
+                           SensorKind{"imu", "imu", ""},
+                           SensorKind{"jointactuatorfrc", "joint_torque", ""},
+                           SensorKind{"jointpos", "joint_position", ""},
+                           SensorKind{"jointvel", "joint_velocity", ""},
+                           SensorKind{"lidar", "laser", ""},
+                           SensorKind{"rangefinder", "rangefinder", "nothing found is infinity, not -1"},
+                           SensorKind{"ray", "laser", ""},
+                           SensorKind{"subtreecom", "center_of_mass", ""},
+                           SensorKind{"torque", "joint_wrench", ""},
+                           SensorKind{"touch", "contact_force", whole_link},
+                           SensorKind{"velocimeter", "velocimeter", ""}};
 
 /// Null: no kind that is known.
-const Kind* find_kind(std::string_view name) {
-  const auto found = std::ranges::find(kinds, name, &Kind::kind);
+const SensorKind* find_kind(std::string_view name) {
+  const auto found = std::ranges::find(kinds, name, &SensorKind::kind);
   return found == kinds.end() ? nullptr : &*found;
 }
 
@@ -81,7 +81,7 @@ std::string object_of(const description::SensorDescription& sensor, const Model&
 }
 
 /// Empty: it can be simulated.
-std::string why_not(const description::SensorDescription& sensor, const Kind* kind,
+std::string why_not(const description::SensorDescription& sensor, const SensorKind* kind,
                     const description::RobotDescription& description) {
   if (!kind) return "not simulated";
   if (!sensor.obstacle.empty()) return "not simulated: " + sensor.obstacle;
@@ -173,7 +173,7 @@ bool has_place(const SensorSpec& spec, const Model& model, bool lenient, descrip
 std::vector<SensorSpec> sensors_of_file(description::RobotDescription& description, const Model& model, bool lenient) {
   std::vector<SensorSpec> specs;
   for (description::SensorDescription& sensor : description.sensors) {
-    const Kind* kind = find_kind(sensor.kind);
+    const SensorKind* kind = find_kind(sensor.kind);
     const std::string reason = why_not(sensor, kind, description);
     if (!reason.empty()) {
       description.unused.push_back({files::one_line("sensor " + sensor.kind), line_of(sensor, reason)});

@@ -191,8 +191,8 @@ RobotFile converted(const std::filesystem::path& file, std::string& mjcf) {
   const auto out = write("out/robot.xml", "");
   const RobotConversion conversion = convert_robot(file, {.folder = out.parent_path()});
   write("out/robot.toml", conversion.toml);
-  mjcf = conversion.mjcf;
-  return read_robot(write("out/robot.xml", conversion.mjcf));
+  mjcf = conversion.text;
+  return read_robot(write("out/robot.xml", conversion.text));
 }
 
 TEST(ConvertedCameras, OfMjcfAreElementsAgain) {

@@ -30,7 +30,7 @@ RobotFile converted(const fs::path& file, std::optional<geometry::PrimitiveKind>
   const fs::path out = test_folder() / "out" / "converted.xml";
   fs::create_directories(out.parent_path());
   const RobotConversion robot = convert_robot(file, {.folder = out.parent_path(), .fit = fit});
-  write("out/converted.xml", robot.mjcf);
+  write("out/converted.xml", robot.text);
   fs::remove(fs::path(out).replace_extension(".toml"));
   if (with_table) write("out/converted.toml", robot.toml);
   return read_robot(out);
@@ -203,8 +203,8 @@ TEST(RobotConversion, AllThatMjcfCanSayComesBack) {
 }
 
 TEST(RobotConversion, TheTextIsTheSameTheSecondTime) {
-  const std::string first = convert_robot(own_model("kid21")).mjcf;
-  const std::string second = convert_robot(write("again.xml", first)).mjcf;
+  const std::string first = convert_robot(own_model("kid21")).text;
+  const std::string second = convert_robot(write("again.xml", first)).text;
   EXPECT_EQ(second, first);
 }
 

@@ -211,8 +211,8 @@ RobotFile converted(const std::filesystem::path& file, std::string* mjcf = nullp
   const auto out = write("out/robot.xml", "");
   const RobotConversion conversion = convert_robot(file, {.folder = out.parent_path()});
   write("out/robot.toml", conversion.toml);
-  if (mjcf) *mjcf = conversion.mjcf;
-  return read_robot(write("out/robot.xml", conversion.mjcf));
+  if (mjcf) *mjcf = conversion.text;
+  return read_robot(write("out/robot.xml", conversion.text));
 }
 
 void expect_same_sensors(const RobotFile& after, const RobotFile& before) {

@@ -29,7 +29,7 @@ class Loops {
   void read(const files::XmlElement& element) {
     MjcfAttributes attributes(element);
     attributes.overlay(element);
-    attributes.choice("active", {"true", "false"});
+    (void)attributes.choice("active", {"true", "false"});  // refuses other words
     const bool welded = element.tag() == "weld";
     const bool sites = attributes.has("site1") || attributes.has("site2");
     const std::string name = name_of(attributes, sites ? "site" : "body");

@@ -32,6 +32,7 @@ class Writer {
   std::string write() {
     xml_.begin("mujoco").text("model", description_.name);
     xml_.begin("compiler").text("angle", "radian").text("autolimits", "true").text("inertiafromgeom", "false").end();
+    write_option();
     geoms_.write_assets();
     xml_.begin("worldbody");
     description_.fixed_base ? write_world() : write_body(0);
@@ -57,6 +58,17 @@ class Writer {
     }
     for (const description::FrameDescription& frame : base.frames) write_frame(frame);
     for (const std::size_t child : children_[0]) write_body(child);
+  }
+
+  /// MuJoCo's usual integrator takes the damping of servos from the step before: with the gains of real ones it shakes.
+  void write_option() {
+    for (const description::BodyDescription& body : description_.bodies) {
+      for (const description::JointDescription& joint : body.joints) {
+        if (!joint.servo || !(joint.servo->velocity_gain > 0)) continue;
+        xml_.begin("option").text("integrator", "implicitfast").end();
+        return;
+      }
+    }
   }
 
   void write_body(std::size_t index) {

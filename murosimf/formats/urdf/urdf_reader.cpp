@@ -83,11 +83,8 @@ void read_bodies(const UrdfTree& tree, bool balance, UrdfShapes& shapes, descrip
   }
 }
 
-}  // namespace
-
-description::RobotDescription read_urdf(const std::filesystem::path& file, const description::ReaderOptions& options) {
-  const files::XmlFile xml(file);
-  const files::XmlElement robot = xml.root();
+description::RobotDescription read_root(const std::filesystem::path& file, const files::XmlElement& robot,
+                                        const description::ReaderOptions& options) {
   check_root(robot);
   description::RobotDescription description;
   description.name = robot.attribute("name").value_or(file.stem().string());
@@ -106,6 +103,17 @@ description::RobotDescription read_urdf(const std::filesystem::path& file, const
   read_gazebo(robot, tree, description, log);
   read_transmissions(robot, tree, log);
   return description;
+}
+
+}  // namespace
+
+description::RobotDescription read_urdf(const std::filesystem::path& file, const description::ReaderOptions& options) {
+  return read_root(file, files::XmlFile(file).root(), options);
+}
+
+description::RobotDescription read_urdf_text(const std::filesystem::path& file, const std::string& text,
+                                             const description::ReaderOptions& options) {
+  return read_root(file, files::XmlFile(file, text).root(), options);
 }
 
 }  // namespace murosimf::formats::urdf

@@ -10,6 +10,9 @@
 /// Source: URDF XML specification.
 #pragma once
 
+#include <filesystem>
+#include <string>
+
 #include "murosimf/description/reader_options.h"
 #include "murosimf/description/robot_description.h"
 
@@ -18,5 +21,8 @@ namespace murosimf::formats::urdf {
 /// Throws SetupError: file, line, what is wrong, what to do.
 [[nodiscard]] description::RobotDescription read_urdf(const std::filesystem::path& file,
                                                       const description::ReaderOptions& options = {});
+/// The same of a text that stands for the file (xacro_file.h): names in it are relative to the file's folder.
+[[nodiscard]] description::RobotDescription read_urdf_text(const std::filesystem::path& file, const std::string& text,
+                                                           const description::ReaderOptions& options);
 
 }  // namespace murosimf::formats::urdf

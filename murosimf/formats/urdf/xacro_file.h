@@ -1,0 +1,23 @@
+/// xacro_file.h - URDF files with macros, expanded by the program xacro (`pip install xacro`), as a process and never through a shell.
+///
+/// `$(find package)` is answered by package_folders.h: the program is started again for each package that it asks for. Numbers of lines in
+/// messages are those of the expanded file.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "murosimf/description/reader_options.h"
+#include "murosimf/description/robot_description.h"
+
+namespace murosimf::formats::urdf {
+
+/// The expanded text. Throws SetupError, one line: there is no python3 or no xacro, a package is not found, what xacro complains of; and
+/// for who may not read all files (files/allowed_files.h), since macros name files and a program is started.
+[[nodiscard]] std::string expand_xacro(const std::filesystem::path& file, const description::ReaderOptions& options);
+
+/// Throws SetupError as expand_xacro and read_urdf.
+[[nodiscard]] description::RobotDescription read_xacro(const std::filesystem::path& file,
+                                                       const description::ReaderOptions& options = {});
+
+}  // namespace murosimf::formats::urdf

@@ -1,0 +1,161 @@
+#include "murosimf/robot/conversion_additions.h"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+#include "murosimf/geometry/collide.h"
+#include "murosimf/geometry/support.h"
+#include "murosimf/robot/robot_soles.h"
+
+namespace murosimf::robot {
+namespace {
+
+const Servo* guessed_servo_of(const description::RobotDescription& description, const std::string& joint) {
+  for (const description::BodyDescription& body : description.bodies) {
+    for (const description::JointDescription& other : body.joints) {
+      if (other.name == joint && other.servo) return &*other.servo;
+    }
+  }
+  return nullptr;
+}
+
+/// What a file says of a drive: a gain, a damping and limits.
+Servo plain_servo(const Servo& servo) {
+  Servo plain;
+  plain.law = "ideal_pd";
+  plain.stall_torque = servo.stall_torque;
+  plain.lowest_share = servo.lowest_share;
+  plain.highest_share = servo.highest_share;
+  plain.position_gain = servo.position_gain;
+  plain.velocity_gain = servo.velocity_gain;
+  if (servo.law == "dc_motor" && servo.no_load_speed > 0) {
+    plain.velocity_gain = servo.stall_torque / servo.no_load_speed;
+  }
+  return plain;
+}
+
+void give_servo(description::JointDescription& joint, const Servo& servo, bool of_table) {
+  joint.servo = plain_servo(servo);
+  if (joint.range && servo.position_gain > 0) joint.target_range = joint.range;
+  if (!of_table) return;
+  joint.armature = servo.rotor_inertia;
+  joint.damping = servo.friction.viscous;
+  joint.friction = servo.friction.coulomb;
+}
+
+/// Moving body that each body is fixed to.
+std::vector<int> links_of(const description::RobotDescription& description) {
+  std::vector<int> links;
+  for (std::size_t i = 0; i < description.bodies.size(); ++i) {
+    const description::BodyDescription& body = description.bodies[i];
+    links.push_back(body.parent < 0 || !body.joints.empty() ? static_cast<int>(i) : links[body.parent]);
+  }
+  return links;
+}
+
+bool overlap(const description::BodyDescription& a, const Transformd& at_a, const description::BodyDescription& b,
+             const Transformd& at_b) {
+  geometry::Manifold manifold;
+  for (const description::ShapeDescription& first : a.shapes) {
+    for (const description::ShapeDescription& second : b.shapes) {
+      const PlacedShape &one = first.placed, &other = second.placed;
+      if (!one.collides || !other.collides || !may_touch(one, other)) continue;
+      if (geometry::collide(one.shape, at_a * one.place(), other.shape, at_b * other.place(), manifold)) return true;
+    }
+  }
+  return false;
+}
+
+bool is_excluded(const description::RobotDescription& description, const std::string& a, const std::string& b) {
+  return std::ranges::any_of(description.exclusions, [&](const description::ExclusionDescription& pair) {
+    return (pair.body1 == a && pair.body2 == b) || (pair.body1 == b && pair.body2 == a);
+  });
+}
+
+/// [m] of all shapes that collide, in the frame of the base turned as in the file; infinite without any.
+double lowest_point(const description::RobotDescription& description, const Mat3d& turn) {
+  const auto places = body_places(description);
+  double z = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    for (const description::ShapeDescription& shape : description.bodies[i].shapes) {
+      if (!shape.placed.collides || std::holds_alternative<Plane>(shape.placed.shape)) continue;
+      const Transformd at = Transformd{{}, turn} * places[i] * shape.placed.place();
+      const Vec3d down = transposed_times(at.orientation, Vec3d{0, 0, -1});
+      z = std::min(z, (at.position + at.orientation * geometry::support(shape.placed.shape, down)).z);
+    }
+  }
+  return z;
+}
+
+}  // namespace
+
+void give_servos(description::RobotDescription& description, const RobotFile& robot) {
+  std::set<std::string> followers;
+  for (const description::MimicDescription& mimic : description.mimics) followers.insert(mimic.joint);
+  for (description::BodyDescription& body : description.bodies) {
+    for (description::JointDescription& joint : body.joints) {
+      const auto of_table = robot.table.servos.find(joint.name);
+      const bool in_table = of_table != robot.table.servos.end();
+      const Servo* servo = in_table ? &of_table->second.servo : guessed_servo_of(robot.description, joint.name);
+      if (!servo || followers.contains(joint.name)) continue;
+      if (!joint.servo) {
+        give_servo(joint, *servo, in_table);
+      } else if (in_table && servo->position_gain > 0) {
+        joint.servo->position_gain = servo->position_gain;
+      }
+    }
+  }
+}
+
+void give_soles(description::RobotDescription& description, RobotFile& robot) {
+  for (TableName& sole : robot.table.soles) {
+    for (const description::BodyDescription& from : robot.description.bodies) {
+      const auto frame = std::ranges::find(from.frames, sole.name + ".sole", &description::FrameDescription::name);
+      const auto body = std::ranges::find(description.bodies, from.name, &description::BodyDescription::name);
+      if (frame == from.frames.end() || !frame->box || body == description.bodies.end()) continue;
+      body->frames.push_back(*frame);
+      sole.name = frame->name;
+      break;
+    }
+  }
+}
+
+void exclude_overlaps(description::RobotDescription& description) {
+  const auto places = body_places(description);
+  const std::vector<int> links = links_of(description);
+  const auto parent_link = [&](int link) {
+    const int parent = description.bodies[link].parent;
+    return parent < 0 ? -1 : links[parent];
+  };
+  for (std::size_t a = 0; a < places.size(); ++a) {
+    for (std::size_t b = a + 1; b < places.size(); ++b) {
+      const description::BodyDescription &first = description.bodies[a], &second = description.bodies[b];
+      const bool neighbors =
+          links[a] == links[b] || parent_link(links[a]) == links[b] || parent_link(links[b]) == links[a];
+      if (neighbors || is_excluded(description, first.name, second.name)) continue;
+      if (overlap(first, places[a], second, places[b])) {
+        description.exclusions.push_back({first.name, second.name, second.where});
+      }
+    }
+  }
+}
+
+void give_key(description::RobotDescription& description) {
+  if (!description.keyframes.empty()) return;
+  const description::BodyDescription& base = description.bodies[0];
+  const double lowest = lowest_point(description, base.place.orientation);
+  description::KeyframeDescription key;
+  key.name = "stand";
+  key.where = base.where;
+  key.base = {{0, 0, std::isfinite(lowest) ? -lowest : 0}, base.place.orientation};
+  for (const description::BodyDescription& body : description.bodies) {
+    for (const description::JointDescription& joint : body.joints) {
+      key.positions[joint.name] = joint.reference;
+      if (joint.servo && joint.servo->position_gain > 0) key.targets[joint.name] = joint.reference;
+    }
+  }
+  description.keyframes.push_back(std::move(key));
+}
+
+}  // namespace murosimf::robot
