@@ -123,10 +123,11 @@ COPIES = {
     "attach": """<mujoco><compiler angle="radian"/><asset><model name="arm" file="arm.xml"/></asset><worldbody><body name="b">
 <freejoint/><geom size=".1"/><frame pos="0 .1 0" euler="0 0 1"><attach model="arm" body="up" prefix="l_"/></frame>
 <attach model="arm" body="up" prefix="r_"/></body></worldbody></mujoco>""",
-    "bolted": """<mujoco><compiler inertiagrouprange="0 2"/><worldbody><frame pos="0 .5 0" euler="30 0 0"><body name="stand" pos="0 0 1">
-<geom type="box" size=".1 .2 .3"/><body name="l" pos="0 0 .3"><joint name="j" axis="0 1 0"/><joint name="s" type="slide" axis="1 0 0"/>
-<geom type="box" size=".1 .2 .3" pos=".1 0 0"/><geom size=".2" group="3"/></body></body></frame><body name="spinner" pos="1 0 0">
-<joint name="k" axis="0 0 1" springdamper=".2 .7"/><geom type="capsule" fromto="0 0 0 .3 0 .1" size=".02"/><body name="m" pos=".3 0 0">
+    "bolted": """<mujoco><compiler inertiagrouprange="0 2"/><worldbody><frame pos="0 .5 0" euler="30 0 0">
+<body name="stand" pos="0 0 1"><geom type="box" size=".1 .2 .3"/><body name="l" pos="0 0 .3"><joint name="j" axis="0 1 0"/>
+<joint name="s" type="slide" axis="1 0 0"/><geom type="box" size=".1 .2 .3" pos=".1 0 0"/><geom size=".2" group="3"/></body>
+</body></frame><body name="spinner" pos="1 0 0"><joint name="k" axis="0 0 1" springdamper=".2 .7"/>
+<geom type="capsule" fromto="0 0 0 .3 0 .1" size=".02"/><body name="m" pos=".3 0 0">
 <joint name="n" axis="0 0 1" springdamper=".1 1"/><geom size=".05"/></body></body></worldbody></mujoco>""",
     "frame": """<mujoco><worldbody><body name="b"><freejoint/><geom size=".1"/><frame euler="0 0 90"><body name="l">
 <frame pos="1 0 0" euler="0 0 90"><joint name="j" axis="1 0 0" pos="0 0 1"/><geom type="box" size=".1 .2 .3"/></frame>

@@ -150,7 +150,7 @@ MjcfGains read_gains(const std::vector<files::XmlElement>& settings, const files
     gains.damping_ratio = state.bias[2];
     gains.bias[2] = 0;
   }
-  if (gains.bias[1] > 0 || gains.bias[2] > 0) gains.obstacle = "a gain of it is negative";
+  if (gains.bias[1] > 0 || gains.bias[2] > 0) actuator.fail("a gain of this actuator is negative; correct it");
   if (gains.bias[0] != 0 && gains.bias[1] == 0 && gains.bias[2] == 0) {
     gains.obstacle = "a constant force (biasprm[0]) without gains is not simulated";
   }

@@ -136,9 +136,8 @@ TEST(MjcfWords, WhatIsNotSimulatedOfActuatorsIsAWarning) {
       return contains(warning, "robot.xml:1: actuator '") && contains(warning, "moves nothing");
     });
   };
-  for (const char* words :
-       {"gaintype='affine'", "biastype='muscle'", "dyntype='integrator'", "dyntype='filter' dynprm='0'",
-        "biastype='affine' biasprm='3'", "biastype='affine' biasprm='0 3'"}) {
+  for (const char* words : {"gaintype='affine'", "biastype='muscle'", "dyntype='integrator'",
+                            "dyntype='filter' dynprm='0'", "biastype='affine' biasprm='3'"}) {
     EXPECT_TRUE(says_that_nothing_moves(std::string("<general joint='j' ") + words + "/>")) << words;
   }
   for (const char* other : {"<muscle joint='j'/>", "<damper joint='j' kv='1' ctrlrange='0 1'/>",
