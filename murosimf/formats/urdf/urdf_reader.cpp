@@ -95,6 +95,7 @@ description::RobotDescription read_root(const std::filesystem::path& file, const
   }
   UrdfLog log(description, options.lenient);
   const UrdfTree tree = read_tree(robot, log);
+  description.fixed_base = tree.bolted;
   const Compiler compiler = read_compiler(robot);
   UrdfMeshes meshes(mesh_paths(file, options, compiler), options.part_per_group, description, log);
   UrdfShapes shapes(read_colors(robot), std::move(meshes), log);

@@ -132,19 +132,19 @@ void check_reached(const UrdfTree& tree, const std::vector<int>& order) {
 
 bool is_empty(const UrdfLink& link) { return link.element.children().empty(); }
 
-/// The robot's base: the root, or what floats below it.
-int find_base(const UrdfTree& tree, int root, UrdfLog& log) {
+/// The robot's base: the root, or what floats below it. An empty root called "world" is the world, as in Gazebo.
+int find_base(UrdfTree& tree, int root, UrdfLog& log) {
   const UrdfLink& link = tree.links[root];
-  if (link.children.size() != 1 || !is_empty(link)) return root;
+  if (link.children.empty() || !is_empty(link)) return root;
   const UrdfJoint& joint = tree.joints[link.children[0]];
-  if (joint.type == "floating") {
+  if (joint.type == "floating" && link.children.size() == 1) {
     log.note(joint.element,
              fmt::format("link '{}' stands for the world and is left out; the scene places the robot", link.name));
     return joint.child;
   }
-  if (joint.type == "fixed" && link.name == "world") {
-    log.warn(joint.element,
-             fmt::format("joint '{}' bolts the robot to the world; here it is free to move", joint.name));
+  if (link.name == "world") {
+    tree.bolted = true;
+    log.note(link.element, "the robot is bolted to the world, since its root is an empty link 'world'");
   }
   return root;
 }

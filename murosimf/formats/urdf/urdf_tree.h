@@ -29,14 +29,16 @@ struct UrdfTree {
   std::vector<UrdfLink> links;
   std::vector<UrdfJoint> joints;
   std::vector<int> order;  ///< links of the robot from the base on, parents first, branches as in the file
+  bool bolted = false;     ///< the root is the world
 
   /// Index, -1 if there is none.
   [[nodiscard]] int find_link(std::string_view name) const;
   [[nodiscard]] int find_joint(std::string_view name) const;
 };
 
-/// A joint whose limits are written as one number is fixed there, with a warning. An empty link above a floating joint stands for the world and is no part of the robot. Throws SetupError if links
-/// and joints form no tree, for missing and double names, and for planar joints and floating ones inside the robot.
+/// A joint whose limits are written as one number is fixed there, with a warning. An empty link above a floating joint stands for the
+/// world and is no part of the robot; an empty root called "world" is the base of a robot that is bolted to it. Throws SetupError if
+/// links and joints form no tree, for missing and double names, and for planar joints and floating ones inside the robot.
 [[nodiscard]] UrdfTree read_tree(const files::XmlElement& robot, UrdfLog& log);
 
 }  // namespace murosimf::formats::urdf

@@ -14,9 +14,10 @@
 namespace murosimf::formats::urdf {
 namespace {
 
-constexpr double least_inertia = 1e-13;    // [kg m^2] readers refuse a mass without inertia
-constexpr double standard_friction = 1.0;  // [1] what read_urdf takes where a file is silent
-constexpr double endless = 1e3;            // [m] range of a slider that has none: URDF wants one
+constexpr double least_inertia = 1e-13;      // [kg m^2] readers refuse a mass without inertia
+constexpr double standard_friction = 1.0;    // [1] what read_urdf takes where a file is silent
+constexpr const char* world_link = "world";  // an empty root of this name bolts a robot
+constexpr double endless = 1e3;              // [m] range of a slider that has none: URDF wants one
 
 /// A link of the file, and where it stands.
 struct Link {
@@ -45,6 +46,7 @@ class Writer {
  private:
   void write_body(const description::BodyDescription& body) {
     Link link{body.name, {}};
+    if (body.parent < 0 && description_.fixed_base) bolt(body, link);
     std::string parent = body.parent < 0 ? "" : links_[body.parent].name;
     Transformd place = body.parent < 0 ? Transformd{} : links_[body.parent].body * body.place;
     for (std::size_t i = 0; i < body.joints.size(); ++i) {
@@ -64,6 +66,16 @@ class Writer {
     write_link(body, link);
     for (const description::FrameDescription& frame : body.frames) write_frame(frame, link);
     links_.push_back(std::move(link));
+  }
+
+  /// An empty root called "world" is the world; a base with mass or shapes hangs on it.
+  void bolt(const description::BodyDescription& base, Link& link) {
+    const bool empty = !(base.solid.mass > 0) && base.shapes.empty() && base.visuals.empty();
+    if (empty && base.name == world_link) return;
+    xml_.begin("link").text("name", world_link).end();
+    link_names_.insert(world_link);
+    if (base.name == world_link) link.name = free_link("base");
+    write_fixed(link.name, world_link, {});
   }
 
   /// In the pose of the file the joint stands at its reference: in URDF it does so at zero.

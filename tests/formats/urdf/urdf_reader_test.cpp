@@ -184,11 +184,16 @@ TEST(UrdfReader, LetsTheRobotFloatInItsWorld) {
   expect_near(description.bodies[0].place.position, {});
 }
 
-TEST(UrdfReader, SaysThatNothingIsBoltedToTheWorld) {
-  const auto description = read("<robot name='r'><link name='world'/>" + link("trunk", solid()) +
-                                joint("fixed", "world", "trunk") + "</robot>");
-  EXPECT_EQ(description.bodies.size(), 2u);
-  EXPECT_TRUE(any_contains(description.warnings, "bolts the robot to the world"));
+TEST(UrdfReader, AnEmptyRootCalledWorldBoltsTheRobot) {
+  for (const char* type : {"fixed", "prismatic"}) {
+    const auto description = read("<robot name='r'><link name='world'/>" + link("trunk", solid()) +
+                                  joint(type, "world", "trunk") + "</robot>");
+    EXPECT_EQ(description.bodies.size(), 2u);
+    EXPECT_TRUE(description.fixed_base);
+    EXPECT_TRUE(any_contains(description.notes, "bolted to the world"));
+  }
+  const std::string rest = link("trunk", solid()) + joint("fixed", "world", "trunk") + "</robot>";
+  EXPECT_FALSE(read("<robot name='r'>" + link("world", solid()) + rest).fixed_base);
 }
 
 TEST(UrdfReader, IgnoresTheAxisOfAFixedJoint) {

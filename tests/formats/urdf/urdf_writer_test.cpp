@@ -75,6 +75,25 @@ std::map<std::string, Transformd> places(const description::RobotDescription& ro
   return by_name;
 }
 
+// With a base that is the world, or has mass and whatever name.
+TEST(UrdfWriter, WhatIsBoltedIsReadAsBolted) {
+  for (const char* name : {"world", "table"}) {
+    for (const double mass : {0.0, 2.0}) {
+      description::RobotDescription robot;
+      robot.fixed_base = true;
+      robot.bodies = {body_of(name, -1, mass), body_of("arm", 0, 1)};
+      robot.bodies[1].place.position = {0.1, 0.2, 0.3};
+      robot.bodies[1].joints = {joint_of("shoulder", {0, 1, 0})};
+      const auto again = read_again(to_urdf(robot));
+      EXPECT_TRUE(again.fixed_base) << name;
+      double total = 0;
+      for (const description::BodyDescription& body : again.bodies) total += body.solid.mass;
+      EXPECT_NEAR(total, mass + 1, 1e-12) << name;
+      EXPECT_LT(norm(places(again).at("arm").position - Vec3d{0.1, 0.2, 0.3}), 1e-12);
+    }
+  }
+}
+
 // The joint stands at 0.4 in the pose of the file and at zero in URDF: by hand, the arm is turned by -0.4 about the anchor.
 TEST(UrdfWriter, AJointAwayFromTheOriginKeepsItsPlace) {
   description::RobotDescription robot;
