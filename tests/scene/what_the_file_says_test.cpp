@@ -127,7 +127,7 @@ TEST(WhatTheFileSays, TorquesMayDifferByDirection) {
 }
 
 TEST(WhatTheFileSays, ARunNamesWordsWithoutEffect) {
-  const std::string file = robot("", R"(<option gravity="0 0 -1"/><tendon/>)");
+  const std::string file = robot("", R"(<option gravity="0 0 -1"/><deformable/>)");
   Scene scene(fixtures::write_scene(scene_with(file, "level = \"full_dynamics\"\n")), {.lenient = true});
   const auto notes = make_report(scene).notes;
   ASSERT_EQ(std::ranges::count_if(notes,
@@ -137,7 +137,7 @@ TEST(WhatTheFileSays, ARunNamesWordsWithoutEffect) {
                                   }),
             1);
   EXPECT_TRUE(std::ranges::any_of(make_report(scene).warnings, [](const std::string& warning) {
-    return warning.find("element 'tendon' is not supported") != std::string::npos;
+    return warning.find("element 'deformable' is not supported") != std::string::npos;
   }));
 }
 
