@@ -35,7 +35,7 @@ TEST(SolidRepair, MakesASphereOfWaterOfAPoint) {
   EXPECT_NEAR(solid.inertia.xx, 2.0 / 5 * 0.5 * radius * radius, 1e-12);
   EXPECT_EQ(solid.inertia.yy, solid.inertia.xx);
   EXPECT_EQ(solid.inertia.xy, 0);
-  EXPECT_TRUE(any_contains(robot.notes, "robot.urdf:2: link 'limb' moves without inertia: 0.00049 kg m^2"));
+  EXPECT_TRUE(any_contains(robot.notes, "robot.urdf:2: link 'limb' moves without inertia: 0.00048 kg m^2"));
 }
 
 TEST(SolidRepair, MakesASphereOfWhatIsZeroButForRounding) {

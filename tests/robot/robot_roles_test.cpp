@@ -64,9 +64,7 @@ TEST(RobotFeet, AreNoHands) {
 
 TEST(RobotFeet, AreBelowTheWeight) {
   EXPECT_EQ(feet_of(limb("a", 0.2, 0.1) + limb("b", 0.2, -0.1)), (Names{"a", "b"}));
-  EXPECT_EQ(feet_of(limb("a", 2, 0.1) + limb("b", 2, -0.1)), (Names{"a", "b"})) << "limbs are heavier than the base";
-  EXPECT_EQ(feet_of(limb("a", 2, 0.1) + limb("b", 2, -0.1) + part("tail", "", 20) + hinge("base", "tail", "-1 0 0")),
-            Names{});
+  EXPECT_EQ(feet_of(limb("a", 2, 0.1) + limb("b", 2, -0.1)), Names{}) << "0.3 m behind them";
 }
 
 TEST(RobotFeet, AreNoneIfTheBaseIsAsLow) {

@@ -82,7 +82,7 @@ TEST(UrdfModel, JointsThatFollowOthersDoNotHangFree) {
 TEST(UrdfModel, NamesTheFileWhereAMovingLinkHasNoMass) {
   const auto description =
       read_robot(write("robot.urdf", robot_xml(link("limb") + joint("revolute", "base", "limb", any_limit))));
-  EXPECT_TRUE(any_contains(description.warnings, "robot.urdf:2: body 'limb' moves but has no mass"));
+  EXPECT_TRUE(any_contains(description.notes, "robot.urdf:2: link 'limb' moves without mass"));
 }
 
 }  // namespace
