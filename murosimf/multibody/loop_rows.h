@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "murosimf/multibody/link_motion.h"
+#include "murosimf/math/transform.h"
 #include "murosimf/multibody/loops.h"
 
 namespace murosimf::multibody {
