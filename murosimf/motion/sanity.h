@@ -7,12 +7,12 @@
 
 namespace murosimf::motion {
 
-inline constexpr double farthest = 1e6;        // [m]
-inline constexpr double fastest = 1e3;         // [m/s]
-inline constexpr double fastest_turn = 1e4;    // [rad/s]
-inline constexpr double fastest_joint = 1e4;   // [rad/s | m/s]
-inline constexpr double least_inertia = 1e-12; // [kg m^2 | kg] that a joint must move
-inline constexpr double farthest_joint = 1e4;  // [rad | m] sines lose their precision far beyond
+inline constexpr double farthest = 1e6;         // [m]
+inline constexpr double fastest = 1e3;          // [m/s]
+inline constexpr double fastest_turn = 1e4;     // [rad/s]
+inline constexpr double fastest_joint = 1e4;    // [rad/s | m/s]
+inline constexpr double least_inertia = 1e-12;  // [kg m^2 | kg] that a joint must move
+inline constexpr double farthest_joint = 1e4;   // [rad | m] sines lose their precision far beyond
 
 /// Why an entity is frozen whose state is not sane.
 inline constexpr const char* too_fast =

@@ -98,8 +98,7 @@ double LoopJoints::look(std::span<const double> q) noexcept {
   return sum;
 }
 
-void LoopJoints::differentiate(const Side& side, const Vec3d& end, double sign, std::size_t row,
-                               bool welded) noexcept {
+void LoopJoints::differentiate(const Side& side, const Vec3d& end, double sign, std::size_t row, bool welded) noexcept {
   for (const Hinge& hinge : side.hinges) {
     if (hinge.column < 0) continue;
     const auto put = [&](std::size_t at, const Vec3d& v) {

@@ -14,6 +14,7 @@
 #include <span>
 #include <vector>
 
+#include "murosimf/math/transform.h"
 #include "murosimf/multibody/loops.h"
 
 namespace murosimf::multibody {

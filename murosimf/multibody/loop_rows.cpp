@@ -22,7 +22,8 @@ PointMotion at_point(const LinkMotion<double>& link, const Vec3d& d) {
 LoopRows::LoopRows(const Model& model) : loops_(loops_of(model)) {
   for (const Loop& loop : loops_) {
     for (int axis = 0; axis < loop.rows(); ++axis) {
-      rows_.push_back({.object = loop.object, .axis = axis, .links = {loop.ends[0].frame.link, loop.ends[1].frame.link}});
+      rows_.push_back(
+          {.object = loop.object, .axis = axis, .links = {loop.ends[0].frame.link, loop.ends[1].frame.link}});
     }
   }
   for (const Link& link : model.tree().links) object_of_.push_back(link.object);

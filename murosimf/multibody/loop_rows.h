@@ -14,19 +14,20 @@
 #include <span>
 #include <vector>
 
+#include "murosimf/math/transform.h"
 #include "murosimf/multibody/link_motion.h"
 #include "murosimf/multibody/loops.h"
 
 namespace murosimf::multibody {
 
 struct LoopRow {
-  int object = 0;          ///< that closes the loop
-  int axis = 0;            ///< 0 to 2: shift along x, y, z; 3 to 5: turn about them
-  int links[2] = {0, 0};   ///< first, second
-  Wrenchd force;           ///< F about O
-  double gap = 0;          ///< [m | rad]
-  double rate = 0;         ///< [m/s | rad/s]
-  double bias = 0;         ///< [m/s^2 | rad/s^2]
+  int object = 0;         ///< that closes the loop
+  int axis = 0;           ///< 0 to 2: shift along x, y, z; 3 to 5: turn about them
+  int links[2] = {0, 0};  ///< first, second
+  Wrenchd force;          ///< F about O
+  double gap = 0;         ///< [m | rad]
+  double rate = 0;        ///< [m/s | rad/s]
+  double bias = 0;        ///< [m/s^2 | rad/s^2]
 
   [[nodiscard]] bool is_turn() const { return axis >= 3; }
 };

@@ -9,7 +9,7 @@
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/multibody/loops.h"
 #include "tests/fixtures.h"
-#include "tests/physics/mechanics.h"
+#include "tests/physics/rig.h"
 
 namespace murosimf::test {
 

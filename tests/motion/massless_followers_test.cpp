@@ -26,11 +26,7 @@ Chain hand(double damping, bool leader_has_mass = true) {
   if (leader_has_mass) leader.with(properties::mass, 1.0).with(properties::inertia, diagonal(J));
   Chain finger = follower("first", {"leader", first, 0.3}, damping).translation({0.1, 0, 0});
   finger.revolute("second", {0, 0, 1}).with(properties::joint_coupling, {"first", then, -0.1});
-  return Chain{}
-      .base("palm")
-      .with(properties::mass, 2.0)
-      .with(properties::inertia, diagonal(0.1))
-      .fork(leader, finger);
+  return Chain{}.base("palm").with(properties::mass, 2.0).with(properties::inertia, diagonal(0.1)).fork(leader, finger);
 }
 
 struct Gaps {

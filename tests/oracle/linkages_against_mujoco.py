@@ -5,8 +5,8 @@ an ankle with two cranks and rods.
 Usage: linkages_against_mujoco.py <dump_trajectory>
 Exit: 0 all agree, 1 some differ, 77 MuJoCo is not installed (test is skipped).
 
-MuJoCo holds a loop by a soft constraint, made here as stiff as its steps of 20 us allow. Ours is of first order: half the step must
-halve the difference, and what is extrapolated from two steps, 2 x(h/2) - x(h), must come much closer.
+MuJoCo holds a loop by a soft constraint, made here as stiff as its steps of 20 us allow. Ours is of first order: half the
+step must halve the difference, and what is extrapolated from two steps, 2 x(h/2) - x(h), must come much closer.
 """
 import pathlib
 import sys
@@ -58,7 +58,8 @@ def ankle():
     """Two cranks at the shank move the foot through rods, each on a universal joint and a point at the foot."""
     sides = loops = ""
     for name, y in (("left", 0.04), ("right", -0.04)):
-        sides += f"""<body name="{name}_crank" pos="0.01 {y} -0.1"><joint name="{name}_crank" axis="0 1 0"/>{bar(0.05, (-0.04, 0, 0))}
+        sides += f"""<body name="{name}_crank" pos="0.01 {y} -0.1"><joint name="{name}_crank" axis="0 1 0"/>
+{bar(0.05, (-0.04, 0, 0))}
 <body name="{name}_rod" pos="-0.04 0 0"><joint name="{name}_pitch" axis="0 1 0"/><joint name="{name}_roll" axis="1 0 0"/>
 {bar(0.08, (0, 0, -0.18))}</body></body>"""
         loops += f'<connect body1="{name}_rod" body2="foot" anchor="0 0 -0.18"/>'
