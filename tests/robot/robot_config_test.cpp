@@ -268,5 +268,12 @@ TEST(RobotConfig, RateLimitsAreThoseOfTheTable) {
   EXPECT_EQ(complaint("\n[rate_limits]\na = 'x'\n"), ":3:5: the largest rate of 'a' must be a number from 0");
 }
 
+TEST(RobotConfig, SizesOfSolesAreLengthAndWidth) {
+  const std::string bad = "the size of sole 'a' must be [length, width], both more than 0";
+  EXPECT_EQ(complaint("\n[sole_sizes]\na = 1\n"), ":3:5: " + bad);
+  EXPECT_EQ(complaint("\n[sole_sizes]\na = [0.2, 0]\n"), ":3:5: " + bad);
+  EXPECT_EQ(complaint("\n[sole_sizes]\na = [0.2]\n"), ":3:5: " + bad);
+}
+
 }  // namespace
 }  // namespace murosimf::robot
