@@ -77,8 +77,9 @@ void refuse_xacro(const files::XmlElement& robot) {
     const files::XmlElement element = open.back();
     open.pop_back();
     if (element.tag().starts_with("xacro:")) {
-      element.fail(
-          fmt::format("<{}> is a macro; end the file's name in .xacro, or expand it first: xacro robot.xacro > robot.urdf", element.tag()));
+      element.fail(fmt::format(
+          "<{}> is a macro; end the file's name in .xacro, or expand it first: xacro robot.xacro > robot.urdf",
+          element.tag()));
     }
     for (const files::XmlElement& child : element.children()) open.push_back(child);
   }

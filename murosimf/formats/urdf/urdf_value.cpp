@@ -25,7 +25,9 @@ files::XmlElement needed_child(const files::XmlElement& parent, const char* tag)
 
 void refuse_macro(const files::XmlElement& element, const std::string& value) {
   if (value.find("${") == std::string::npos && value.find("$(") == std::string::npos) return;
-  element.fail(fmt::format("'{}' is a macro of xacro; end the file's name in .xacro, or expand it first: xacro robot.xacro > robot.urdf", value));
+  element.fail(fmt::format(
+      "'{}' is a macro of xacro; end the file's name in .xacro, or expand it first: xacro robot.xacro > robot.urdf",
+      value));
 }
 
 std::string needed_text(const files::XmlElement& element, const char* attribute) {
