@@ -11,6 +11,7 @@
 #include "murosimf/formats/mjcf/mjcf_writer.h"
 #include "murosimf/formats/urdf/urdf_writer.h"
 #include "murosimf/robot/conversion_additions.h"
+#include "murosimf/robot/conversion_sensors.h"
 #include "murosimf/robot/robot_config.h"
 #include "murosimf/robot/robot_formats.h"
 #include "murosimf/robot/robot_reader.h"
@@ -39,7 +40,7 @@ std::vector<sensors::SensorSpec> sensors_for_table(WrittenFormat format, const R
                                                    const description::RobotDescription& description,
                                                    std::vector<std::string>& warnings) {
   std::vector<sensors::SensorSpec> specs;
-  for (std::size_t i = 0; i < description.sensors.size(); ++i) {
+  for (std::size_t i = 0; i < robot.description.sensors.size(); ++i) {
     const std::string& name = robot.description.sensors[i].becomes;
     const auto spec = std::ranges::find(robot.sensors, name, &sensors::SensorSpec::name);
     if (name.empty() || spec == robot.sensors.end() || has_words_for(format, description.sensors[i], description))
@@ -106,30 +107,55 @@ std::string toml_beside_urdf(const RobotFile& robot, const description::RobotDes
   return sizes + (own_table ? servos_toml(robot, description) : "");
 }
 
-void add_rates(const RobotFile& robot, const description::RobotDescription& description, RobotConversion& result) {
+std::string rates_for_table(const RobotFile& robot, const description::RobotDescription& description,
+                            RobotConversion& result) {
   const std::string rates = rate_limits_toml(description);
-  if (robot.table.rate_limits.empty()) {
-    result.toml += rates;
-  } else if (!rates.empty()) {
-    result.warnings.push_back(fmt::format("{}: largest rates of other joints than those of the table are left out",
-                                          description.bodies[0].where));
-  }
+  if (robot.table.rate_limits.empty() || rates.empty()) return rates;
+  result.warnings.push_back(fmt::format("{}: largest rates of other joints than those of the table are left out",
+                                        description.bodies[0].where));
+  return "";
 }
 
-void write_mjcf(description::RobotDescription& description, RobotFile& robot, const ConversionOptions& options,
-                RobotConversion& result) {
+/// Sensors that the MJCF file has for other programs.
+std::string removed_sensors_toml(const std::vector<std::string>& names) {
+  std::string text =
+      names.empty() ? "" : "\n[sensors]  # in the file for other programs; here they are one sensor, below\n";
+  for (const std::string& name : names) text += fmt::format("{} = false\n", components::toml_quoted(name));
+  return text;
+}
+
+/// A table [sensors] itself, beside those of single ones: a second one would be a mistake.
+bool has_sensor_list(const std::string& toml) {
+  return toml.starts_with("[sensors]") || toml.find("\n[sensors]") != std::string::npos;
+}
+
+/// The robot's own table; empty without one.
+std::string own_toml(fs::path file, RobotConversion& result) {
+  file.replace_extension(".toml");
+  std::error_code none;
+  result.own_table = fs::exists(file, none);
+  return result.own_table ? files::read_input_file(file, files::most_toml_bytes) : "";
+}
+
+/// What belongs into the TOML file because of it.
+std::string write_mjcf(description::RobotDescription& description, RobotFile& robot, bool with_sensors,
+                       const ConversionOptions& options, RobotConversion& result) {
   if (!result.own_table) give_soles(description, robot);
   exclude_overlaps(description);
   give_key(description);
+  std::vector<std::string> doubles;
+  if (with_sensors) doubles = give_mjcf_sensors(description, robot.description);
   result.text = formats::mjcf::to_mjcf(description, {options.folder});
+  return rates_for_table(robot, description, result) + removed_sensors_toml(doubles);
 }
 
-void write_urdf(const description::RobotDescription& description, const ConversionOptions& options,
-                RobotConversion& result) {
+std::string write_urdf(const description::RobotDescription& description, const RobotFile& robot,
+                       const ConversionOptions& options, RobotConversion& result) {
   formats::urdf::UrdfText urdf = formats::urdf::to_urdf(description, {options.folder, options.mesh_folder});
   result.text = std::move(urdf.text);
   result.meshes = std::move(urdf.meshes);
   result.left_out = std::move(urdf.left_out);
+  return toml_beside_urdf(robot, description, result.own_table);
 }
 
 }  // namespace
@@ -142,23 +168,14 @@ RobotConversion convert_robot(const fs::path& file, const ConversionOptions& opt
   give_servos(description, robot);
   if (options.fit) result.fits = fit_meshes(description, *options.fit);
   count(description, result);
-  fs::path table = file;
-  table.replace_extension(".toml");
-  std::error_code none;
-  result.own_table = fs::exists(table, none);
-  const bool mjcf = options.format == WrittenFormat::mjcf;
-  if (mjcf) {
-    write_mjcf(description, robot, options, result);
+  const std::string own = own_toml(file, result);
+  std::string extra;
+  if (options.format == WrittenFormat::mjcf) {
+    extra = write_mjcf(description, robot, !has_sensor_list(own), options, result);
   } else {
-    write_urdf(description, options, result);
+    extra = write_urdf(description, robot, options, result);
   }
-  result.toml = result.own_table ? files::read_input_file(table, files::most_toml_bytes)
-                                 : roles_toml(robot.description, robot.table);
-  if (mjcf) {
-    add_rates(robot, description, result);  // URDF has a word for them
-  } else {
-    result.toml += toml_beside_urdf(robot, description, result.own_table);
-  }
+  result.toml = (result.own_table ? own : roles_toml(robot.description, robot.table)) + extra;
   result.toml += components::sensor_sections(sensors_for_table(options.format, robot, description, result.warnings));
   return result;
 }

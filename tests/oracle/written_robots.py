@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Robots that `murosimf convert` writes, in other programs: URDF in Pinocchio, MJCF in MuJoCo.
 
-Mass matrices in random postures, base at the origin: of the written URDF by Pinocchio, of the written MJCF by MuJoCo, against those
-of the file that both were made from, by MuJoCo or Pinocchio. Armatures stand on the diagonal of MuJoCo's and not of the others: those of
-the written file are taken away. The written MJCF, on a floor and from its key, then steps for a second: it has actuators, nothing
-becomes NaN, and a robot whose actuators all hold their places does not fall.
+Mass matrices in random postures, base at the origin: of the written URDF by Pinocchio, of the written MJCF by MuJoCo,
+against those of the file that both were made from, by MuJoCo or Pinocchio. Armatures are taken away: URDF has none. The
+written MJCF, on a floor and from its key, then steps for a second: it has actuators, nothing becomes NaN, and a robot
+whose actuators all hold their places does not fall.
 
 Usage: written_robots.py <murosimf> <folder of models> <folder of data> [files ...]     (with files: these alone)
 Exit: 0 all agree, 1 some differ, 77 MuJoCo or Pinocchio is not installed (test is skipped).

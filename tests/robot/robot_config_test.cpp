@@ -279,5 +279,12 @@ TEST(RobotConfig, LinkagesNameTheJointsThatTakeTargets) {
   EXPECT_EQ(complaint("\n[linkages]\ncommanded = 'a'\n"), ":3:1: commanded must be a list of names, like [\"torso\"]");
 }
 
+TEST(RobotConfig, SizesOfSolesAreLengthAndWidth) {
+  const std::string bad = "the size of sole 'a' must be [length, width], both more than 0";
+  EXPECT_EQ(complaint("\n[sole_sizes]\na = 1\n"), ":3:5: " + bad);
+  EXPECT_EQ(complaint("\n[sole_sizes]\na = [0.2, 0]\n"), ":3:5: " + bad);
+  EXPECT_EQ(complaint("\n[sole_sizes]\na = [0.2]\n"), ":3:5: " + bad);
+}
+
 }  // namespace
 }  // namespace murosimf::robot

@@ -6,6 +6,8 @@
 #include <fstream>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "murosimf/collision/contact_properties.h"
 #include "murosimf/formats/mjcf/mjcf_writer.h"
 #include "murosimf/geometry/mesh_mass.h"
@@ -257,6 +259,106 @@ TEST(ServoSections, WhatTheFileLacksIsGuessed) {
   EXPECT_EQ(servo.stall_torque, 6);
   EXPECT_NEAR(servo.position_gain, 60, 1e-12);
   EXPECT_EQ(servo.friction.coulomb, 0.2);
+}
+
+/// Writes URDF and its meshes and reads them, with the table or without.
+RobotFile as_urdf(const fs::path& file, bool with_table = true) {
+  const fs::path out = test_folder() / "out" / "converted.urdf";
+  const RobotConversion robot = convert_robot(file, {.folder = out.parent_path(), .format = WrittenFormat::urdf});
+  for (const auto& [name, text] : robot.meshes) write("out/" + name, text);
+  write("out/converted.urdf", robot.text);
+  fs::remove(fs::path(out).replace_extension(".toml"));
+  if (with_table) write("out/converted.toml", robot.toml);
+  return read_robot(out);
+}
+
+class AsUrdf : public testing::TestWithParam<const char*> {};
+
+// URDF and the table beside it together: masses, places, servos and soles; of joints all but what the servo's table has.
+TEST_P(AsUrdf, WithItsTableItIsTheSameRobot) {
+  const RobotFile before = read_robot(own_model(GetParam())), after = as_urdf(own_model(GetParam()));
+  const Model &found = *after.model, &expected = *before.model;
+  ASSERT_EQ(found.joints().size(), expected.joints().size());
+  EXPECT_TRUE(same_model::is_near(found.tree().mass, expected.tree().mass));
+  EXPECT_EQ(after.sensors.size(), before.sensors.size());
+  const auto poses = same_model::bent(found), right = same_model::bent(expected);
+  for (int k = 0; k < expected.size(); ++k) {
+    const Object& object = expected.objects()[k];
+    const auto i = found.find_object(object.name);
+    if (object.kind == Kind::fork || object.structural || !i) continue;
+    if (found.objects()[*i].kind != object.kind)
+      continue;  // the frame of a body whose joint is elsewhere is at the joint now
+    EXPECT_LT(fixtures::difference(poses.r[*i], right.r[k]), 1e-12) << object.name;
+    EXPECT_LT(fixtures::difference(poses.R[*i], right.R[k]), 1e-12) << object.name;
+    same_model::expect_same_servo(found.find(properties::servo, *i), expected.find(properties::servo, k), object.name);
+    const Sole *sole = found.find(properties::sole, *i), *was = expected.find(properties::sole, k);
+    ASSERT_EQ(sole == nullptr, was == nullptr) << object.name;
+    if (was) EXPECT_NEAR(sole->half_length, was->half_length, 1e-12) << object.name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Mjcf, AsUrdf, testing::Values("kid21", "quadruped", "car", "spark_nao0", "spark_nao4"),
+                         [](const auto& model) { return std::string(model.param); });
+
+std::string urdf_with(const std::string& limit, const std::string& gazebo = "") {
+  const std::string inertial =
+      "<inertial><mass value='1'/><inertia ixx='0.01' iyy='0.01' izz='0.01' ixy='0' ixz='0' iyz='0'/></inertial>";
+  const auto ball = [](const char* at) {
+    return fmt::format("<collision><origin xyz='{}'/><geometry><sphere radius='0.1'/></geometry></collision>", at);
+  };
+  return "<robot name='r'><link name='base'>" + inertial + ball("0 0 0") + "</link><link name='arm'>" + inertial +
+         "</link><link name='hand'>" + inertial + ball("0 0 0.05") +
+         "</link><joint name='j' type='revolute'><parent link='base'/><child link='arm'/><axis xyz='0 1 0'/>" + limit +
+         "</joint><joint name='k' type='revolute'><parent link='arm'/><child link='hand'/><axis xyz='0 1 0'/>" + limit +
+         "</joint>" + gazebo + "</robot>";
+}
+
+// By hand: 6 N m at 0.1 rad are 60 N m/rad, 0.05 s of which are 3 N m s/rad; balls of 0.1 m overlap and are no neighbors.
+TEST(RobotConversion, WhatIsGuessedDrivesInMujoco) {
+  const auto file = write("bare.urdf", urdf_with("<limit lower='-1' upper='2' effort='6' velocity='5'/>"));
+  const RobotFile after = converted(file, {}, false);
+  const description::JointDescription& joint = after.description.bodies[1].joints[0];
+  ASSERT_TRUE(joint.servo);
+  EXPECT_NEAR(joint.servo->position_gain, 60, 1e-12);
+  EXPECT_NEAR(joint.servo->velocity_gain, 3, 1e-12);
+  EXPECT_EQ(joint.servo->stall_torque, 6);
+  EXPECT_EQ(joint.target_range->x, -1);
+  EXPECT_EQ(joint.target_range->y, 2);
+  ASSERT_EQ(after.description.keyframes.size(), 1u);
+  EXPECT_NEAR(after.description.keyframes[0].base.position.z, 0.1, 1e-15) << "on its lowest ball";
+  ASSERT_EQ(after.description.exclusions.size(), 1u);
+  EXPECT_EQ(after.description.exclusions[0].body1, "base");
+  EXPECT_EQ(after.description.exclusions[0].body2, "hand");
+}
+
+// A DC motor's damping is the slope of its line: 5 N m over 10 rad/s.
+TEST(RobotConversion, AMotorOfTheTableIsAnActuator) {
+  const auto file = write("bare.urdf", urdf_with("<limit lower='-1' upper='2' effort='6' velocity='5'/>"));
+  write("bare.toml",
+        "[servos.motor]\nlaw = 'dc_motor'\nvoltage = 12\nstall_torque = 5\nno_load_speed = 10\nposition_gain "
+        "= 30\nrotor_inertia = 0.02\ncoulomb_friction = 0.1\nviscous_friction = 0.3\njoints = ['j', 'k']\n");
+  const RobotFile after = converted(file, {}, false);
+  const description::JointDescription& joint = after.description.bodies[1].joints[0];
+  ASSERT_TRUE(joint.servo);
+  EXPECT_EQ(joint.servo->position_gain, 30);
+  EXPECT_EQ(joint.servo->velocity_gain, 0.5);
+  EXPECT_EQ(joint.servo->stall_torque, 5);
+  EXPECT_EQ(joint.armature, 0.02);
+  EXPECT_EQ(joint.damping, 0.3);
+  EXPECT_EQ(joint.friction, 0.1);
+}
+
+TEST(RobotConversion, SensorsOfUrdfAreThereForOtherPrograms) {
+  const auto file =
+      write("bare.urdf", urdf_with("<limit lower='-1' upper='2' effort='6' velocity='5'/>",
+                                   "<gazebo reference='base'><sensor name='imu' type='imu'><pose>0 0 0.1 0 0 "
+                                   "0</pose></sensor></gazebo>"));
+  const RobotConversion robot = convert_robot(file);
+  for (const char* element :
+       {"<gyro name=\"imu_gyro\" site=\"imu_site\"/>", "<accelerometer name=", "<framequat name="}) {
+    EXPECT_NE(robot.text.find(element), std::string::npos) << element;
+  }
+  ASSERT_EQ(converted(file).sensors.size(), 1u) << "the table has it as one";
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ namespace murosimf::formats::mjcf {
 namespace {
 
 constexpr double least_inertia = 1e-13;  // [kg m^2] readers refuse a mass without inertia
+constexpr double least_mass = 1e-13;     // [kg] of a body that moves
 constexpr double sole_thickness = 1e-3;  // [m] half; only looked at
 
 class Writer {
@@ -31,7 +32,7 @@ class Writer {
 
   std::string write() {
     xml_.begin("mujoco").text("model", description_.name);
-    xml_.begin("compiler").text("angle", "radian").text("autolimits", "true").text("inertiafromgeom", "false").end();
+    write_compiler();
     write_option();
     geoms_.write_assets();
     xml_.begin("worldbody");
@@ -60,6 +61,17 @@ class Writer {
     for (const std::size_t child : children_[0]) write_body(child);
   }
 
+  /// Inertias that no solid body has keep MuJoCo from reading a file at all, unless it may even them out.
+  void write_compiler() {
+    xml_.begin("compiler").text("angle", "radian").text("autolimits", "true").text("inertiafromgeom", "false");
+    const auto is_impossible = [](const description::BodyDescription& body) {
+      return body.solid.mass > 0 &&
+             description::breaks_triangle_inequality(description::principal_moments(body.solid.inertia));
+    };
+    if (std::ranges::any_of(description_.bodies, is_impossible)) xml_.text("balanceinertia", "true");
+    xml_.end();
+  }
+
   /// MuJoCo's usual integrator takes the damping of servos from the step before: with the gains of real ones it shakes.
   void write_option() {
     for (const description::BodyDescription& body : description_.bodies) {
@@ -73,11 +85,11 @@ class Writer {
 
   void write_body(std::size_t index) {
     const description::BodyDescription& body = description_.bodies[index];
-    xml_.begin("body").text("name", body.name);
+    xml_.begin("body").text("name", written_name(body.name));
     write_place(xml_, body.place);
     if (index == 0) xml_.begin("freejoint").text_unless_empty("name", description_.base_joint).end();
     for (const description::JointDescription& joint : body.joints) write_joint(joint);
-    write_inertial(body.solid);
+    write_inertial(body.joints.empty() ? body.solid : with_least_mass(body.solid));
     geoms_.write_geoms(body);
     for (const description::FrameDescription& frame : body.frames) write_frame(frame);
     for (const std::size_t child : children_[index]) write_body(child);
@@ -100,6 +112,17 @@ class Writer {
       xml_.numbers("actuatorfrcrange", {-joint.effort_limit, joint.effort_limit});
     }
     xml_.end();
+  }
+
+  /// MuJoCo's world has this name.
+  [[nodiscard]] static std::string written_name(const std::string& body) {
+    return body == "world" ? "world_link" : body;
+  }
+
+  /// MuJoCo refuses bodies that move and have no mass.
+  [[nodiscard]] static description::MassProperties with_least_mass(const description::MassProperties& solid) {
+    if (solid.mass > 0) return solid;
+    return {least_mass, {}, {least_inertia, least_inertia, least_inertia, 0, 0, 0}};
   }
 
   void write_inertial(const description::MassProperties& solid) {
@@ -136,7 +159,8 @@ class Writer {
     xml_.begin("contact");
     for (const description::ExclusionDescription& pair : description_.exclusions) {
       const std::string &first = body_of(pair.body1), &second = body_of(pair.body2);
-      if (first != second) xml_.begin("exclude").text("body1", first).text("body2", second).end();
+      if (first != second)
+        xml_.begin("exclude").text("body1", written_name(first)).text("body2", written_name(second)).end();
     }
     for (const description::PairDescription& pair : description_.pairs) {
       xml_.begin("pair").text("geom1", pair.shape1).text("geom2", pair.shape2).end();
