@@ -77,7 +77,7 @@ std::string joint_list(const std::vector<std::string>& joints) {
 }
 
 std::string section(const Drive& drive) {
-  const std::string guess = drive.guessed ? " guessed: all torque at 0.1 rad, all force at 0.02 m" : "";
+  const std::string guess = drive.guessed ? " guessed" : "";
   return "law = \"ideal_pd\"\n" + unless_zero("stall_torque", drive.stall_torque, "[N m] largest torque") +
          unless(-1, "lowest_torque_share", drive.lowest_share, "[1] of it: the lowest torque") +
          unless(1, "highest_torque_share", drive.highest_share, "[1] of it: the highest torque") +
