@@ -22,6 +22,7 @@
   COMMAND(repair)                  \
   COMMAND(branch)                  \
   COMMAND(sweep)                   \
+  COMMAND(tune)                    \
   COMMAND(doctor)                  \
   COMMAND(compare)                 \
   COMMAND(check)                   \

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "murosimf/locomotion/gait_balance.h"
 #include "murosimf/locomotion/gait_limits.h"
@@ -13,7 +14,8 @@ namespace murosimf::locomotion {
 namespace {
 
 constexpr double gravity = 9.81;  // [m/s^2]
-constexpr double quicker = 0.8;   // [1] steps than kid21's, whose soft servos come late: so the sway does not lead either
+constexpr double quicker =
+    0.8;  // [1] steps than kid21's, whose soft servos come late: so the sway does not lead either
 
 double leg_length(const std::array<Leg, 2>& legs) { return legs[0].thigh + legs[0].shin; }
 
@@ -54,25 +56,43 @@ double sway_of_masses(const Model& model, const std::array<Leg, 2>& legs, const 
   return pendulum_sway(half_distance(middle), above_soles(middle).z, p.period) / share;
 }
 
-/// The center of mass over the middle of the soles.
+/// The servo of the first hinge of the left leg from `first` on that turns about an axis like `along`; null: there is none.
+const Servo* servo_about(const Model& model, const Leg& leg, std::size_t first, const Vec3d& along) {
+  constexpr double like = 0.7;  // [1]
+  const std::vector<double> zero(leg.joints.size());
+  const ChainPose pose = pose_of(leg.chain, zero);
+  for (std::size_t i = first; i < zero.size(); ++i) {
+    if (std::abs(dot(pose.axis[i], along)) >= like) return model.find(properties::servo, leg.joints[i]);
+  }
+  return nullptr;
+}
+
+/// [m] how far the center of mass may be from the ankles, to front or back, without the need of much torque there.
+double reach_of_ankles(const Model& model, const std::array<Leg, 2>& legs, double mass) {
+  constexpr double share = 0.2;  // [1] of the torque of one ankle; steps need the rest
+  const Servo* ankle = servo_about(model, legs[0], legs[0].knee + 1, {0, 1, 0});
+  if (!ankle || !(ankle->stall_torque > 0)) return std::numeric_limits<double>::infinity();
+  return share * ankle->stall_torque / (mass * gravity);
+}
+
+/// The center of mass over the middle of the soles, as far as the ankles hold it there.
 void center(const Model& model, const std::array<Leg, 2>& legs, WalkParameters& p) {
   constexpr int rounds = 4;  // legs weigh, too
   for (int i = 0; i < rounds; ++i) {
-    p.setback -= above_soles(balance_of(model, legs, p)).x;
+    const Balance balance = balance_of(model, legs, p);
+    const double hips = 0.5 * (rotation_y(p.pitch) * (legs[0].hip + legs[1].hip)).x;
+    const double ankles = hips - p.setback;
+    const double most = reach_of_ankles(model, legs, balance.mass);
+    const double wanted = std::clamp(0.5 * (balance.sole[0].x + balance.sole[1].x) - ankles, -most, most);
+    p.setback += wanted - (balance.center.x - ankles);
   }
 }
 
 /// [rad] by which the swinging side hangs because the servo of the standing hip gives way.
 double droop_of(const Model& model, const std::array<Leg, 2>& legs, const Balance& balance) {
-  constexpr double sideways = 0.7;  // [1] of a roll axis
-  const std::vector<double> zero(legs[0].joints.size());
-  const ChainPose pose = pose_of(legs[0].chain, zero);
-  for (std::size_t i = 0; i < zero.size(); ++i) {
-    const Servo* servo = model.find(properties::servo, legs[0].joints[i]);
-    if (std::abs(pose.axis[i].x) < sideways || !servo || !(servo->position_gain > 0)) continue;
-    return balance.mass * gravity * half_distance(balance) / servo->position_gain;
-  }
-  return 0;
+  const Servo* hip = servo_about(model, legs[0], 0, {1, 0, 0});
+  if (!hip || !(hip->position_gain > 0)) return 0;
+  return balance.mass * gravity * half_distance(balance) / hip->position_gain;
 }
 
 void lift_over_droop(const Model& model, const std::array<Leg, 2>& legs, WalkParameters& p) {

@@ -94,9 +94,9 @@ bool bend_numerically(const Leg& leg, const FootTarget& target, std::span<double
 
 }  // namespace
 
-Leg find_leg(const Model& model, int sole) {
+Leg find_leg(const Model& model, int sole, std::size_t shared) {
   Leg leg;
-  leg.chain = read_chain(model, sole);
+  leg.chain = read_chain(model, sole, shared);
   std::string problem;
   const LegShape shape = shape_of(leg.chain, problem);
   if (!problem.empty()) refuse(model, fmt::format("{} ('{}')", problem, model.objects()[sole].name));
@@ -105,6 +105,7 @@ Leg find_leg(const Model& model, int sole) {
   const ChainPose pose = pose_of(leg.chain, zero);
   const Vec3d ankle_in_sole = transposed_times(pose.sole, shape.ankle - pose.tip);
   leg.chain.tip += leg.chain.sole * ankle_in_sole;
+  leg.knee = shape.knee;
   leg.hip = shape.hip;
   leg.ankle = shape.ankle;
   leg.thigh = shape.thigh;
@@ -120,7 +121,8 @@ Leg find_leg(const Model& model, int sole) {
 std::array<Leg, 2> find_legs(const Model& model) {
   const auto soles = model.having(properties::sole);
   if (soles.size() != 2) refuse(model, fmt::format("it has {} soles, not 2", soles.size()));
-  std::array<Leg, 2> legs{find_leg(model, soles[0]), find_leg(model, soles[1])};
+  const std::size_t shared = shared_hinges(model, soles[0], soles[1]);
+  std::array<Leg, 2> legs{find_leg(model, soles[0], shared), find_leg(model, soles[1], shared)};
   for (const Leg& leg : legs) {
     if (leg.joints.size() < turning_feet) {
       refuse(model,

@@ -1,6 +1,6 @@
 /// leg.h - the legs of a model: what walking needs to know, and how they bend.
 ///
-/// A leg is a chain of hinges between the base and a sole, in any order and direction. Where it has six of them, hip yaw,
+/// A leg is a chain of hinges between the base and a sole, without those that all legs share (a waist), which stay at zero, in any order and direction. Where it has six of them, hip yaw,
 /// roll, pitch with intersecting axes (z, x, y), knee pitch (y), ankle pitch and roll with intersecting axes (y, x), its
 /// angles are found in closed form (leg_ik.h), otherwise by damped least squares (leg_solver.h).
 #pragma once
@@ -15,7 +15,8 @@
 namespace murosimf::locomotion {
 
 struct Leg {
-  std::vector<int> joints;     ///< objects: its hinges from the base outwards
+  std::vector<int> joints;     ///< objects: its hinges from the base, or from where the legs part, outwards
+  std::size_t knee = 0;        ///< among them
   Vec3d hip;                   ///< [m] hip center in the base frame
   Vec3d ankle;                 ///< [m] ankle center in the base frame, at joint positions 0
   double thigh = 0, shin = 0;  ///< [m]
@@ -27,8 +28,9 @@ struct Leg {
   std::vector<double> home;  ///< [rad] of the hinges: stands with a bent knee
 };
 
-/// Throws SetupError, with the reason, if the chain to `sole` is no leg. Five hinges and more also turn the sole.
-[[nodiscard]] Leg find_leg(const Model& model, int sole);
+/// Throws SetupError, with the reason, if the chain to `sole` is no leg. Five hinges and more also turn the sole. The first `shared` of
+/// its hinges are no part of it.
+[[nodiscard]] Leg find_leg(const Model& model, int sole, std::size_t shared = 0);
 
 /// Left leg first (the one with the greater y at rest). Throws SetupError if the model does not have two soles, or a leg
 /// has less than five hinges.

@@ -1,5 +1,7 @@
 #include "murosimf/locomotion/leg_chain.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "murosimf/model/error.h"
@@ -21,15 +23,37 @@ LegHinge hinge(const Model& model, const Link& link) {
   return result;
 }
 
+/// From the base, which is no part of it, to `link`.
+std::vector<int> links_to(const Model& model, int link) {
+  std::vector<int> links;
+  for (int l = link; l > 0; l = model.tree().links[l].parent) links.push_back(l);
+  std::ranges::reverse(links);
+  return links;
+}
+
+/// Takes the first `count` hinges away: the next one is where they put it at rest.
+void hold(LegChain& chain, std::size_t count) {
+  if (count == 0 || count >= chain.hinges.size()) return;
+  Vec3d r;
+  Mat3d R;
+  for (std::size_t i = 0; i < count; ++i) {
+    const LegHinge& held = chain.hinges[i];
+    r += R * held.offset;
+    R = R * held.turn * rotation(held.axis, std::clamp(0.0, held.lowest, held.highest));
+  }
+  chain.hinges.erase(chain.hinges.begin(), chain.hinges.begin() + static_cast<std::ptrdiff_t>(count));
+  LegHinge& first = chain.hinges.front();
+  first.offset = r + R * first.offset;
+  first.turn = R * first.turn;
+}
+
 }  // namespace
 
-LegChain read_chain(const Model& model, int sole) {
+LegChain read_chain(const Model& model, int sole, std::size_t shared) {
   LegChain chain;
-  const Tree& tree = model.tree();
   const FixedObject place = model.placement(sole);
-  for (int l = place.link; l > 0; l = tree.links[l].parent) {
-    chain.hinges.insert(chain.hinges.begin(), hinge(model, tree.links[l]));
-  }
+  for (const int l : links_to(model, place.link)) chain.hinges.push_back(hinge(model, model.tree().links[l]));
+  hold(chain, shared);
   if (chain.hinges.size() > most_hinges) {
     throw SetupError(
         fmt::format("model '{}' has no leg that can be walked with: {} joints between the base and its "
@@ -39,6 +63,12 @@ LegChain read_chain(const Model& model, int sole) {
   chain.tip = place.offset;
   chain.sole = place.turned ? place.turn : Mat3d{};
   return chain;
+}
+
+std::size_t shared_hinges(const Model& model, int sole, int other_sole) {
+  const std::vector<int> a = links_to(model, model.placement(sole).link);
+  const std::vector<int> b = links_to(model, model.placement(other_sole).link);
+  return static_cast<std::size_t>(std::ranges::mismatch(a, b).in1 - a.begin());
 }
 
 ChainPose pose_of(const LegChain& chain, std::span<const double> q) noexcept {

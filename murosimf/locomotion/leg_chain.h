@@ -39,8 +39,11 @@ struct ChainPose {
 };
 
 /// The chain to the object `sole`, its tip at the sole's origin. Throws SetupError if something else than hinges is on
-/// the way, or too many.
-[[nodiscard]] LegChain read_chain(const Model& model, int sole);
+/// the way, or too many. The first `shared` hinges are no part of it: they stay at zero, or at the end of their range next to it.
+[[nodiscard]] LegChain read_chain(const Model& model, int sole, std::size_t shared = 0);
+
+/// How many hinges, from the base on, are on the way to both soles.
+[[nodiscard]] std::size_t shared_hinges(const Model& model, int sole, int other_sole);
 
 /// `q` [rad]: one angle for each hinge.
 [[nodiscard]] ChainPose pose_of(const LegChain& chain, std::span<const double> q) noexcept;
