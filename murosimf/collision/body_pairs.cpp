@@ -16,6 +16,14 @@ void append_hash(Hasher& hasher, const PairSet& set) {
   }
 }
 
+static void state(StateArchive& archive, PairContact& c) {
+  constexpr std::size_t own =
+      4 * sizeof(int) + sizeof(c.shapes) + 4 * sizeof(Vec3d);  // three int and what aligns `shapes`
+  static_assert(sizeof(PairContact) == sizeof(ContactPoint) + own, "is a new member stored here?");
+  state(archive, static_cast<ContactPoint&>(c));
+  archive(c.a, c.b, c.object_b, c.shapes, c.arm_a, c.arm_b, c.velocity_a, c.velocity_b);
+}
+
 void state(StateArchive& archive, PairSet& set) {
   archive(set.entities, set.points, set.parameters, set.blocked, set.interpenetrations);
 }

@@ -35,6 +35,21 @@ void append_hash(Hasher& hasher, const ContactSet& set) {
   for (const ContactPoint& point : set.points) append_hash(hasher, point);
 }
 
+static void state(StateArchive& archive, Contact& contact) {
+  auto& [object, feature, surface, point, normal, depth, radius] = contact;
+  archive(object, feature, surface, point, normal, depth, radius);
+}
+
+void state(StateArchive& archive, ContactPoint& c) {
+  // no structured binding knows members of two classes
+  constexpr std::size_t own = sizeof(double) + 6 * sizeof(Vec3d) + 7 * sizeof(double);
+  static_assert(sizeof(ContactPoint) == sizeof(Contact) + own, "is a new member stored here?");
+  state(archive, static_cast<Contact&>(c));
+  archive(c.velocity, c.angular_velocity, c.stretch, c.state, c.force, c.moment);
+  archive(c.normal_damping, c.tangent_damping, c.angular_damping, c.spin_damping, c.last_normal_force);
+  archive(c.slip_direction, c.lift, c.bounce);
+}
+
 void state(StateArchive& archive, ContactSet& set) {
   archive(set.points, set.environment, set.environment_objects, set.stiff, set.interpenetration, set.solved,
           set.island_stands, set.rest_force, set.rest_damping, set.loaded);

@@ -9,6 +9,10 @@
 #include "murosimf/math/hash.h"
 #include "murosimf/math/mat3.h"
 
+namespace murosimf {
+class StateArchive;
+}  // namespace murosimf
+
 namespace murosimf::collision {
 
 /// What collision detection finds: geometry only.
@@ -71,6 +75,7 @@ struct ContactPoint : Contact {
 static_assert(std::is_trivially_copyable_v<ContactPoint>);
 
 void append_hash(Hasher& hasher, const ContactPoint& point);
+void state(StateArchive& archive, ContactPoint& point);
 
 /// b_w (1 - n n^T) + b_s n n^T [N m s].
 [[nodiscard]] SymMat3d angular_damping_matrix(const ContactPoint& point) noexcept;

@@ -7,6 +7,7 @@
 #include "murosimf/collision/body_pairs.h"
 #include "murosimf/collision/bounce.h"
 #include "murosimf/collision/moving_entity.h"
+#include "murosimf/model/state_archive.h"
 
 namespace murosimf::collision {
 namespace {
@@ -49,6 +50,11 @@ bool has_crossed(const PairContact& c, const std::vector<PairContact>& previous)
 }
 
 }  // namespace
+
+void state(StateArchive& archive, Interpenetration& one) {
+  auto& [a, b, object, object_b, depth, thickness, crossed, time] = one;
+  archive(a, b, object, object_b, depth, thickness, crossed, time);
+}
 
 static_assert(std::is_trivially_copyable_v<Interpenetration>);
 

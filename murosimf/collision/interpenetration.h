@@ -18,6 +18,10 @@
 #include "murosimf/model/shape.h"
 #include "murosimf/model/time.h"
 
+namespace murosimf {
+class StateArchive;
+}  // namespace murosimf
+
 namespace murosimf::collision {
 
 struct ContactPoint;
@@ -33,6 +37,8 @@ struct Interpenetration {
   bool crossed = false;
   Duration time{};
 };
+
+void state(StateArchive& archive, Interpenetration& one);
 
 [[nodiscard]] constexpr bool is_of(const Interpenetration& one, int a, int b) {
   return (one.a == a && one.b == b) || (one.a == b && one.b == a);

@@ -4,9 +4,17 @@
 ///
 /// What belongs to the state of a class is said by its member `state(StateArchive&)`, or by a function `state(StateArchive&, T&)`
 /// in its namespace; bytes of plain data without pointers are taken as they are. So a state is for one version of the library
-/// and for machines of one byte order.
+/// and for machines of one byte order. Bytes that belong to no member may be anything, and would make equal states differ: data
+/// that have some do not compile, and say their members one by one:
+///
+///     void state(StateArchive& archive, Step& step) {
+///       auto& [number, length] = step;  // another member does not compile here
+///       archive(number, length);
+///     }
 #pragma once
 
+#include <array>
+#include <bit>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -68,6 +76,19 @@ class StateArchive {
 template <class T>
 inline constexpr bool is_plain = std::is_trivially_copyable_v<T> && !std::is_pointer_v<T>;
 
+/// Reads every byte of a T; no constant expression if one belongs to no member.
+template <class T>
+consteval bool reads_every_byte() {
+  int sum = 0;
+  for (const unsigned char byte : std::bit_cast<std::array<unsigned char, sizeof(T)>>(T{})) sum += byte;
+  return sum >= 0;
+}
+
+/// Of data that are plain (is_plain) and can be made in a constant expression.
+template <class T>
+concept WithoutPadding = std::is_trivially_copyable_v<T> &&
+    (std::has_unique_object_representations_v<T> || requires { typename std::bool_constant<reads_every_byte<T>()>; });
+
 template <class T>
 void StateArchive::one(T& value) {
   if constexpr (requires { value.state(*this); }) {
@@ -76,6 +97,7 @@ void StateArchive::one(T& value) {
     state(*this, value);
   } else {
     static_assert(is_plain<T>, "say what belongs to its state");
+    static_assert(WithoutPadding<T>, "it has bytes between its members: say these one by one");
     raw(std::as_writable_bytes(std::span(&value, 1)));
   }
 }
@@ -101,6 +123,7 @@ void StateArchive::all(std::span<T> values) {
   constexpr bool described = requires(T & value, StateArchive & archive) { value.state(archive); }
   || requires(T & value, StateArchive & archive) { state(archive, value); };
   if constexpr (is_plain<T> && !described) {
+    static_assert(WithoutPadding<T>, "it has bytes between its members: say these one by one");
     raw(std::as_writable_bytes(values));
   } else {
     for (T& value : values) one(value);

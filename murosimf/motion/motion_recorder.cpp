@@ -13,6 +13,11 @@ constexpr std::size_t most_grips = 32;
 
 }  // namespace
 
+static void state(StateArchive& archive, MotionSample& sample) {
+  auto& [time, base, center, pitch, roll, rate, clearance, slip, full_duty] = sample;
+  archive(time, base, center, pitch, roll, rate, clearance, slip, full_duty);
+}
+
 std::int64_t steps_per_sample(Duration period) {
   const double steps = 1 / (MotionRecorder::samples_per_second * seconds(period));
   return std::max<std::int64_t>(1, std::llround(steps));

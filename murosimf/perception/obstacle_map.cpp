@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "murosimf/model/error.h"
+
 namespace murosimf::perception {
 
 std::optional<ObstacleSighting> obstacle_of(const Blob& blob, const imaging::Lens& lens, const CameraPose& pose,
@@ -15,6 +17,12 @@ std::optional<ObstacleSighting> obstacle_of(const Blob& blob, const imaging::Len
   const double distance = norm(sight);
   if (distance <= 0 || distance > farthest) return std::nullopt;
   return ObstacleSighting{*foot + (radius / distance) * sight, blob.left > 0 && blob.right < picture.width - 1};
+}
+
+void ObstacleMap::state(StateArchive& archive) {
+  archive.elements(std::span<Obstacle>(obstacles_));
+  archive(count_);
+  if (count_ > most_obstacles) throw SetupError("it has more obstacles than there is room for");
 }
 
 void ObstacleMap::see(const Vec3d& place, bool whole, double same) noexcept {

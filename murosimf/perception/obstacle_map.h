@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 
+#include "murosimf/model/state_archive.h"
 #include "murosimf/perception/color_blobs.h"
 #include "murosimf/perception/ground_projection.h"
 
@@ -19,6 +20,8 @@ inline constexpr std::size_t most_obstacles = 16;
 struct Obstacle {
   Vec3d place;        ///< [m] of its middle
   int sightings = 0;  ///< pictures in which it was seen
+
+  void state(StateArchive& archive) { archive(place, sightings); }
 };
 
 /// An obstacle of one picture.
@@ -41,6 +44,9 @@ class ObstacleMap {
   void clear() noexcept { count_ = 0; }
 
   [[nodiscard]] std::span<const Obstacle> all() const noexcept { return {obstacles_.data(), count_}; }
+
+  /// Throws SetupError.
+  void state(StateArchive& archive);
 
  private:
   std::array<Obstacle, most_obstacles> obstacles_{};

@@ -1,5 +1,6 @@
 #include "murosimf/model/state_archive.h"
 
+#include <array>
 #include <cstdint>
 #include <map>
 
@@ -74,6 +75,27 @@ TEST(StateArchive, NoticesThatBytesEnd) {
   StateArchive archive{std::span(huge)};
   EXPECT_EQ(error_of([&] { archive(numbers); }), "it ends too early");
 }
+
+enum class Kind : std::uint8_t { none, some };
+struct Gap {
+  bool first = false;
+  double second = 0;
+};
+struct Tail {
+  Vec3d place;
+  float end = 0;
+};
+struct Full {
+  Kind kind = Kind::some;
+  std::uint8_t small = 0;
+  std::uint16_t large = 0;
+  float number = 0;
+  std::array<Vec3d, 2> places;
+};
+
+// Bytes of no member differ between equal values.
+static_assert(WithoutPadding<double> && WithoutPadding<bool> && WithoutPadding<Vec3d> && WithoutPadding<Full>);
+static_assert(!WithoutPadding<Gap> && !WithoutPadding<Tail> && !WithoutPadding<std::array<Gap, 2>>);
 
 TEST(StateArchive, ElementsStayAsManyAsTheyAre) {
   std::vector<double> three{1, 2, 3}, loaded{7, 8, 9}, two(2);
