@@ -1,7 +1,7 @@
 // Servos that are guessed, against the rule worked out by hand from the robot's mass and the height of its center.
 #include "murosimf/robot/servo_inference.h"
 
-#include "murosimf/motion/motion_properties.h"
+#include "murosimf/model/properties.h"
 #include "murosimf/robot/robot_reader.h"
 #include "tests/biped_urdf.h"
 #include "tests/formats/urdf/urdf_files.h"

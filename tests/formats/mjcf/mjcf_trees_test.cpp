@@ -178,7 +178,7 @@ TEST(MjcfTrees, SpringdampersCountWhatTheJointFeelsWhileOthersAreFree) {
 TEST(MjcfTrees, WhatHoldsThingsTogetherAndDoesNotActIsNamed) {
   const auto robot =
       read(world(std::string(arm) + "<body name='other'><joint name='k' axis='0 1 0'/><geom size='.1'/></body>"
-                     "<body name='hand' mocap='true'/>",
+                                    "<body name='hand' mocap='true'/>",
                  "<tendon><fixed name='idle'><joint joint='j' coef='1'/></fixed><fixed name='rope' range='0 1'><joint "
                  "joint='j' coef='1'/></fixed>"
                  "<spatial name='rubber' class='c'><site site='s'/></spatial></tendon><equality><connect body1='arm' "
