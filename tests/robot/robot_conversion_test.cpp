@@ -293,7 +293,9 @@ TEST_P(AsUrdf, WithItsTableItIsTheSameRobot) {
     same_model::expect_same_servo(found.find(properties::servo, *i), expected.find(properties::servo, k), object.name);
     const Sole *sole = found.find(properties::sole, *i), *was = expected.find(properties::sole, k);
     ASSERT_EQ(sole == nullptr, was == nullptr) << object.name;
-    if (was) EXPECT_NEAR(sole->half_length, was->half_length, 1e-12) << object.name;
+    if (was) {
+      EXPECT_NEAR(sole->half_length, was->half_length, 1e-12) << object.name;
+    }
   }
 }
 
