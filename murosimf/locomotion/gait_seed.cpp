@@ -14,8 +14,7 @@ namespace murosimf::locomotion {
 namespace {
 
 constexpr double gravity = 9.81;  // [m/s^2]
-constexpr double quicker =
-    0.8;  // [1] steps than kid21's, whose soft servos come late: so the sway does not lead either
+constexpr double quicker = 0.7;  // [1] steps than kid21's, whose soft servos come late: so the sway does not lead either
 
 double leg_length(const std::array<Leg, 2>& legs) { return legs[0].thigh + legs[0].shin; }
 
@@ -96,13 +95,12 @@ double droop_of(const Model& model, const std::array<Leg, 2>& legs, const Balanc
 }
 
 void lift_over_droop(const Model& model, const std::array<Leg, 2>& legs, WalkParameters& p) {
-  constexpr double clearance = 0.055;  // [1] of the leg's length
-  constexpr double sag = 6;            // [1] of droop times half the distance of the feet: ankles give way, too
+  constexpr double clearance = 0.045;  // [1] of the leg's length
   constexpr double most_roll = 0.06;   // [rad]
   const Balance balance = balance_of(model, legs, p);
   const double droop = droop_of(model, legs, balance);
   p.hip_roll = std::min(droop, most_roll);
-  p.lift = std::min(p.lift, clearance * leg_length(legs) + sag * half_distance(balance) * droop);
+  p.lift = std::min(p.lift, clearance * leg_length(legs) + 2 * half_distance(balance) * droop);
 }
 
 }  // namespace

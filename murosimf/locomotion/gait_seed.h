@@ -1,13 +1,13 @@
 /// gait_seed.h - the numbers of a walk, worked out from a robot: from its legs, its masses and its servos.
 ///
-/// From the legs, those of kid21 scaled by the leg's length (lengths by l, times by sqrt(l)); of a model, steps are 0.8 times as long in
+/// From the legs, those of kid21 scaled by the leg's length (lengths by l, times by sqrt(l)); of a model, steps are 0.7 times as long in
 /// time and the sway does not lead. From the masses, at rest between two steps:
 ///     setback    such that the common center of mass is over the middle between the soles, but from the ankles no farther than
 ///                0.2 tau/(m g), tau the largest torque of an ankle's pitch joint
 ///     sway       of the hips, such that the center of mass sways by b (1 - 1/cosh(w T/4)), w = sqrt(g / z_c): the periodic orbit of
 ///                the linear inverted pendulum; b half the distance of the soles, z_c the center of mass above them
 /// and with m the mass, k the position gain of a hip's roll joint, l thigh and shin:
-///     droop d = m g b / k     hip_roll = d, at most 0.06 rad     lift = 0.055 l + 6 b d, at most 0.19 l
+///     droop d = m g b / k     hip_roll = d, at most 0.06 rad     lift = 0.045 l + 2 b d, at most 0.19 l: the swinging foot hangs by 2 b d
 /// Source: Kajita et al., "The 3D Linear Inverted Pendulum Mode", IROS 2001, for the orbit; docs/robots.md, "What walking needs", for
 /// what was measured.
 #pragma once

@@ -40,7 +40,8 @@ def read(program, kind, file):
         result["error"] = errors[0] if errors else result["error"]
         base = found["tree"][0]["body"] if found.get("tree") else ""
         result |= {"mass_kg": found["total_mass_kg"], "joints": found["joints"], "findings": len(found["findings"]),
-                   "soles": len(found["soles"]), "legs": len(found["legs"])}
+                   "soles": len(found["soles"]), "legs": len(found["legs"]),
+                   "servos": sum("servo_law" in joint for joint in found["tree"])}
     result["oracle"] = oracles.of(kind, file, base)
     oracle = result["oracle"]
     if result["read"] and oracle and "mass_kg" in oracle:
@@ -77,7 +78,7 @@ def move(program, file):
             for level in LEVELS}
 
 
-def convert(program, file):
+def convert(program, file, servos):
     """{mjcf, urdf}: "" if what is written runs in MuJoCo and is read by Pinocchio, else what is wrong."""
     result = {}
     with tempfile.TemporaryDirectory() as folder:
@@ -86,5 +87,5 @@ def convert(program, file):
             out.parent.mkdir()
             done = subprocess.run([program, "convert", str(file), "--out", str(out)], capture_output=True, text=True, check=False)
             key = "mjcf" if ending == "xml" else "urdf"
-            result[key] = (done.stderr.strip().splitlines() or ["?"])[-1] if done.returncode else judge(out)
+            result[key] = (done.stderr.strip().splitlines() or ["?"])[-1] if done.returncode else judge(out, servos)
     return result

@@ -177,8 +177,8 @@ TEST(RobotRoles, ServosAreGuessedFromTorques) {
   const Servo* servo = robot.model->find(properties::servo, robot.model->object_index("left_c"));
   ASSERT_TRUE(servo);
   EXPECT_EQ(servo->stall_torque, 5);
-  EXPECT_NEAR(servo->position_gain, 50, 1e-12);
-  EXPECT_FALSE(robot.model->find(properties::servo, robot.model->object_index("left_a")));
+  EXPECT_NEAR(servo->position_gain, 4 * 50, 1e-12) << "four times all torque at 0.1 rad, on two legs";
+  EXPECT_TRUE(robot.model->find(properties::servo, robot.model->object_index("left_a"))) << "legs need servos";
 }
 
 TEST(RobotRoles, AreWrittenAsATableThatReadsBack) {
@@ -190,7 +190,7 @@ TEST(RobotRoles, AreWrittenAsATableThatReadsBack) {
   ASSERT_EQ(table.soles.size(), 2u);
   EXPECT_EQ(table.soles[0].name, "left_foot");
   EXPECT_EQ(table.frames.at("imu").name, "my_imu");
-  EXPECT_EQ(table.servos.at("left_c").servo.position_gain, 50);
+  EXPECT_EQ(table.servos.at("left_c").servo.position_gain, 200);
 }
 
 }  // namespace

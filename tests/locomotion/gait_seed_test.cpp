@@ -69,7 +69,7 @@ TEST(GaitSeed, LiftsFeetByTheLegsLengthAndTheDroopOfTheHips) {
   const WalkParameters p = seeded_parameters(*model);
   const double droop = model->tree().mass * 9.81 * 0.1 / (4 * 180 / 0.1);  // feet under the hips, 0.2 m apart
   EXPECT_NEAR(p.hip_roll, droop, 0.15 * droop) << "feet are a little wider apart than the hips";
-  EXPECT_NEAR(p.lift, 0.055 * 0.82 + 6 * 0.1 * droop, 0.003);
+  EXPECT_NEAR(p.lift, 0.045 * 0.82 + 2 * 0.1 * droop, 0.003);
 }
 
 TEST(GaitSeed, TakesWhatIsGiven) {

@@ -43,12 +43,12 @@ TEST(Loops, SwingingFourBarKeepsItsAnglesAndItsEnergy) {
 TEST(Loops, HingesThatAreNearlyParallelDoNotLock) {
   Bolted robot(four_bar({.rocker_tilt = 1e-3}));
   Bolted parallel(four_bar());
-  for (int i = 0; i < 400; ++i) {
+  for (int i = 0; i < 400 && std::abs(q(*parallel.robot, "crank")) < 2; ++i) {
     robot.rig.simulation.step();
     parallel.rig.simulation.step();
     EXPECT_NEAR(q(*robot.robot, "crank"), q(*parallel.robot, "crank"), 0.01);
   }
-  EXPECT_GT(std::abs(q(*robot.robot, "crank")), 1);
+  EXPECT_GT(std::abs(q(*robot.robot, "crank")), 1.9);
 }
 
 // A pin whose axes are held, too, and a hinge of its own behind it: the same linkage.
@@ -63,7 +63,7 @@ TEST(Loops, WeldedFramesHoldTheirAxes) {
     EXPECT_LT(rocker_error(*robot.robot), 1e-3) << i;
   }
   EXPECT_LT(turn, 1e-4);
-  EXPECT_GT(std::abs(q(*robot.robot, "end")), 0.5);
+  EXPECT_GT(std::abs(q(*robot.robot, "end")), 0.2);
 }
 
 // Virtual work: the crank's servo carries the weight of all three bars.
@@ -89,9 +89,9 @@ TEST(Loops, PushNothingFromOutside) {
                               .on_ground = false,
                               .tree = {.momentum_correction = false}});
   rig.simulation.initialize();
-  robot.object("crank").set(properties::joint_target, 1.0);
   double most = 0;
   for (int i = 0; i < 500; ++i) {
+    robot.object("crank").set(properties::joint_target, std::min(1.0, 4e-3 * i));
     rig.simulation.step();
     most = std::max(most, norm(robot.object("end_of_rocker").get(properties::loop_force).f));
     EXPECT_LT(norm(test::Rig::velocity(robot)), 5e-3) << i;

@@ -29,12 +29,13 @@ void replace(std::string& text, const std::string& from, const std::string& to) 
   text.replace(at, from.size(), to);
 }
 
-/// A crank at the shin, and its rod down to the foot: as long as the crank's axis is high above the ankle's.
+/// A crank at the shin, and its rod down to the foot: as long as the crank's axis is high above the ankle's. Cranks are longer than
+/// the levers at the feet, so that the rods reach whatever a step asks for.
 std::string crank(const std::string& name, double side) {
   return fmt::format(
-      "<body name='{0}_crank' pos='-0.01 {1} -0.03'><joint name='j_{0}_crank' axis='0 1 0'/>"
-      "<inertial pos='-0.015 0 0' mass='0.01' diaginertia='1e-6 2e-6 2e-6'/>"
-      "<body name='{0}_rod' pos='-0.03 0 0'><joint name='j_{0}_pitch' axis='0 1 0'/><joint name='j_{0}_roll' axis='1 0 "
+      "<body name='{0}_crank' pos='0.01 {1} -0.03'><joint name='j_{0}_crank' axis='0 1 0'/>"
+      "<inertial pos='-0.02 0 0' mass='0.01' diaginertia='1e-6 2e-6 2e-6'/>"
+      "<body name='{0}_rod' pos='-0.04 0 0'><joint name='j_{0}_pitch' axis='0 1 0'/><joint name='j_{0}_roll' axis='1 0 "
       "0'/>"
       "<inertial pos='0 0 -0.045' mass='0.01' diaginertia='7e-6 7e-6 1e-6'/></body></body>",
       name, side);

@@ -2,6 +2,7 @@
 #include "murosimf/robot/servo_inference.h"
 
 #include "murosimf/model/properties.h"
+#include "murosimf/motion/motion_properties.h"
 #include "murosimf/robot/robot_reader.h"
 #include "tests/biped_urdf.h"
 #include "tests/formats/urdf/urdf_files.h"

@@ -27,6 +27,7 @@ controller = "ball_chaser"
 detour = 1
 [[robots]]
 name = "walker"
+controller = "none"
 [[robots]]
 name = "crosser"
 controller = "obstacle_course"
@@ -75,7 +76,7 @@ TEST(RobotOptions, OfOtherControllersAreRefusedWithTheirPlace) {
   EXPECT_TRUE(says(refusal_of(with("speed = 0.15", "sped = 0.15")),
                    {".toml:5:1: unknown option of the controllers of this scene, 'sped'; did you mean 'speed'?"}));
   EXPECT_TRUE(says(refusal_of(game, {"walker.options.speed=1"}),
-                   {"--set 'walker.options.speed=1': controller 'walk' has no options, so 'speed' is none"}));
+                   {"--set 'walker.options.speed=1': controller 'none' has no options, so 'speed' is none"}));
 }
 
 TEST(RobotOptions, OfAnotherTypeOrOutOfRangeAreRefused) {

@@ -72,7 +72,7 @@ TEST(MjcfLoops, SitesAreTheEnds) {
   expect_near(ends.first.position, {0.3, 0.2, 0});
   expect_near(ends.second.position, Vec3d{0.1, 0.3, 0.4} + rotation_z(0.5) * Vec3d{0, 0.1, 0});
   ASSERT_EQ(robot.warnings.size(), 1U);
-  EXPECT_TRUE(fixtures::says(robot.warnings[0], {"xml:5", "'s_u'", "open", "mm"}));
+  EXPECT_TRUE(fixtures::says(robot.warnings[0], {"xml:6", "'s_u'", "open", "mm"}));
 }
 
 // Without relpose the file's pose holds; with it, its position is where the anchor of body2 belongs in body1.
@@ -95,10 +95,10 @@ TEST(MjcfLoops, WhatIsNotActiveIsNotThere) {
 
 // The base floats, so nothing holds it to the world.
 TEST(MjcfLoops, OneWithTheWorldDoesNotAct) {
-  const auto robot = read("<connect body1='one' anchor='0 0 0'/>").description;
-  EXPECT_TRUE(robot.loops.empty());
+  const auto robot = read("<connect body1='one' anchor='0 0 0'/>");
+  EXPECT_TRUE(robot.description.loops.empty());
   ASSERT_EQ(robot.warnings.size(), 1U);
-  EXPECT_TRUE(fixtures::says(robot.warnings[0], {"xml:5", "connect", "'one'", "does not act"}));
+  EXPECT_TRUE(fixtures::says(robot.warnings[0], {"xml:6", "connect", "'one'", "does not act"}));
 }
 
 // A site that closes two loops is the second end of one and the first of the other.
@@ -110,13 +110,13 @@ TEST(MjcfLoops, OneSiteMayEndTwoLoops) {
 TEST(MjcfLoops, MistakesAreNamed) {
   const auto error = [](const std::string& text) { return fixtures::error_of([&] { (void)read(text); }); };
   using fixtures::says;
-  EXPECT_TRUE(says(error("<connect body1='one' body2='othr' anchor='0 0 0'/>"), {"xml:5", "'othr'", "'other'"}));
-  EXPECT_TRUE(says(error("<connect body1='one' body2='other'/>"), {"xml:5", "anchor"}));
-  EXPECT_TRUE(says(error("<connect site1='s' site2='v'/>"), {"xml:5", "site", "'v'"}));
-  EXPECT_TRUE(says(error("<connect site1='s'/>"), {"xml:5", "site2"}));
-  EXPECT_TRUE(says(error("<connect site1='s' site2='t' anchor='0 0 0'/>"), {"xml:5", "anchor"}));
-  EXPECT_TRUE(says(error("<weld body1='one' body2='one'/>"), {"xml:5", "itself"}));
-  EXPECT_TRUE(says(error("<connect body1='other' body2='bolt' anchor='0 0 0'/>"), {"xml:5", "itself"}));
+  EXPECT_TRUE(says(error("<connect body1='one' body2='othr' anchor='0 0 0'/>"), {"xml:6", "'othr'", "'other'"}));
+  EXPECT_TRUE(says(error("<connect body1='one' body2='other'/>"), {"xml:6", "anchor"}));
+  EXPECT_TRUE(says(error("<connect site1='s' site2='v'/>"), {"xml:6", "site", "'v'"}));
+  EXPECT_TRUE(says(error("<connect site1='s'/>"), {"xml:6", "site2"}));
+  EXPECT_TRUE(says(error("<connect site1='s' site2='t' anchor='0 0 0'/>"), {"xml:6", "anchor"}));
+  EXPECT_TRUE(says(error("<weld body1='one' body2='one'/>"), {"xml:6", "itself"}));
+  EXPECT_TRUE(says(error("<connect body1='other' body2='bolt' anchor='0 0 0'/>"), {"xml:6", "itself"}));
 }
 
 }  // namespace

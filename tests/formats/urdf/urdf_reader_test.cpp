@@ -185,7 +185,7 @@ TEST(UrdfReader, LetsTheRobotFloatInItsWorld) {
 }
 
 TEST(UrdfReader, AnEmptyRootCalledWorldBoltsTheRobot) {
-  for (const char* type : {"fixed", "prismatic"}) {
+  for (const char* type : {"fixed", "continuous"}) {
     const auto description = read("<robot name='r'><link name='world'/>" + link("trunk", solid()) +
                                   joint(type, "world", "trunk") + "</robot>");
     EXPECT_EQ(description.bodies.size(), 2u);
