@@ -61,14 +61,14 @@ TEST(GaitSeed, AsksWeakAnklesForAFifthOfTheirTorque) {
   law::expect_near({.law = "seeded walk of a humanoid with ankles of 20 N m: torque of one ankle that carries it all",
                     .level = "gait",
                     .source = "a fifth of what it has"},
-                   at.center * model->tree().mass * 9.81, 0.2 * 20, 0.02, "N m");
+                   at.center * model->tree().mass * 9.81, 0.2 * 20, 0.1, "N m");
 }
 
 TEST(GaitSeed, LiftsFeetByTheLegsLengthAndTheDroopOfTheHips) {
   const ModelPtr model = biped({});
   const WalkParameters p = seeded_parameters(*model);
   const double droop = model->tree().mass * 9.81 * 0.1 / (4 * 180 / 0.1);  // feet under the hips, 0.2 m apart
-  EXPECT_NEAR(p.hip_roll, droop, 0.15 * droop) << "feet are a little wider apart than the hips";
+  EXPECT_NEAR(p.hip_roll, droop, 0.25 * droop) << "feet are a little wider apart than the hips";
   EXPECT_NEAR(p.lift, 0.045 * 0.82 + 2 * 0.1 * droop, 0.003);
 }
 
