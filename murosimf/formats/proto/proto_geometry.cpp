@@ -26,6 +26,10 @@ PlacedShape placed_shape(const Shape& shape, const Transformd& place, bool colli
   return placed;
 }
 
+Vec3d by_parts(const Vec3d& a, const Vec3d& b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
+
+Vec3d absolute(const Vec3d& v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
+
 /// The solid of density 1 kg/m^3 that fills the shape.
 description::MassProperties filled(const PlacedShape& placed) {
   const double mass = description::volume(placed.shape);
@@ -39,7 +43,7 @@ description::MassProperties filled(const PlacedShape& placed) {
 }
 
 /// The points of an IndexedFaceSet [m].
-std::vector<Vec3d> points_of(const Node& geometry, double scale) {
+std::vector<Vec3d> points_of(const Node& geometry, const Vec3d& scale) {
   const NodePtr coordinate = geometry.child("coord");
   const Field* field = coordinate ? coordinate->find("point") : nullptr;
   if (!field || field->numbers.empty() || field->numbers.size() % 3 != 0) {
@@ -47,7 +51,7 @@ std::vector<Vec3d> points_of(const Node& geometry, double scale) {
   }
   std::vector<Vec3d> points;
   for (std::size_t i = 0; i + 2 < field->numbers.size(); i += 3) {
-    points.push_back(scale * Vec3d{field->numbers[i], field->numbers[i + 1], field->numbers[i + 2]});
+    points.push_back(by_parts(scale, {field->numbers[i], field->numbers[i + 1], field->numbers[i + 2]}));
   }
   return points;
 }
@@ -62,17 +66,20 @@ double transparency_of(const Node& node) { return std::clamp(1 - node.number("tr
 
 }  // namespace
 
+bool is_even(const Vec3d& scale) { return scale.x > 0 && scale.y == scale.x && scale.z == scale.x; }
+
 Placing placed_in(const Placing& outer, const Node& node) {
   if (node.type == "Group") return outer;
   const Vec3d scale = node.vector("scale", {1, 1, 1});
-  if (!(scale.x > 0) || scale.y != scale.x || scale.z != scale.x) {
-    node.fail(fmt::format("scale {} {} {} of {} is not the same in all directions and more than 0; write out the sizes",
-                          scale.x, scale.y, scale.z, node.type),
-              node.find("scale"));
-  }
+  if (scale.x == 0 || scale.y == 0 || scale.z == 0) node.fail("scale must not be 0", node.find("scale"));
   Transformd pose = node.pose();
-  pose.position = outer.scale * pose.position;
-  return {outer.place * pose, outer.scale * scale.x};
+  if (!is_even(outer.scale) && !is_identity(pose.orientation)) {
+    node.fail(fmt::format("{} turns what a Transform around it scales by {} {} {}; scale inside it", node.type,
+                          outer.scale.x, outer.scale.y, outer.scale.z),
+              node.find("rotation"));
+  }
+  pose.position = by_parts(outer.scale, pose.position);
+  return {outer.place * pose, by_parts(outer.scale, scale)};
 }
 
 std::optional<ProtoGeometry::Part> ProtoGeometry::primitive(const Node& geometry, const Placing& at) const {
@@ -84,12 +91,18 @@ std::optional<ProtoGeometry::Part> ProtoGeometry::primitive(const Node& geometry
     if (!(size.x > 0 && size.y > 0 && size.z > 0)) {
       geometry.fail("size of Box must be three numbers more than 0", geometry.find("size"));
     }
-    return Part{Box{(0.5 * at.scale) * size}, at.place};
+    return Part{Box{0.5 * by_parts(absolute(at.scale), size)}, at.place};
   }
-  if (geometry.type == "Sphere") return Part{Sphere{at.scale * geometry.positive("radius", 0.1)}, at.place};
-  if (geometry.type != "Capsule" && geometry.type != "Cylinder") return std::nullopt;
-  const double radius = at.scale * geometry.positive("radius", 0.05);
-  const double half_length = 0.5 * at.scale * geometry.positive("height", 0.1);
+  const bool is_long = geometry.type == "Capsule" || geometry.type == "Cylinder";
+  if (geometry.type != "Sphere" && !is_long) return std::nullopt;
+  if (!is_even(at.scale)) {
+    geometry.fail(fmt::format("{} in a Transform with scale {} {} {}; write out its size", geometry.type, at.scale.x,
+                              at.scale.y, at.scale.z));
+  }
+  const double scale = at.scale.x;
+  if (!is_long) return Part{Sphere{scale * geometry.positive("radius", 0.1)}, at.place};
+  const double radius = scale * geometry.positive("radius", 0.05);
+  const double half_length = 0.5 * scale * geometry.positive("height", 0.1);
   if (geometry.type == "Capsule") return turned(Capsule{radius, half_length});
   return turned(Cylinder{radius, half_length});
 }
@@ -102,11 +115,11 @@ std::string ProtoGeometry::free_name(const std::string& stem) const {
   return name;
 }
 
-std::optional<description::MeshDescription> ProtoGeometry::find_mesh(const Node& mesh, double scale) {
+std::optional<description::MeshDescription> ProtoGeometry::find_mesh(const Node& mesh, const Vec3d& scale) {
   const auto file = files::find_spelled(mesh.file->parent_path(), url_of(mesh));
   if (!file) return std::nullopt;
   const auto same = [&](const description::MeshDescription& known) {
-    return known.file == *file && known.scale.x == scale;
+    return known.file == *file && is_zero(known.scale - scale);
   };
   const auto known = std::ranges::find_if(description_.meshes, same);
   if (known != description_.meshes.end()) return *known;
@@ -114,7 +127,7 @@ std::optional<description::MeshDescription> ProtoGeometry::find_mesh(const Node&
   entry.name = free_name(file->stem().string());
   entry.where = mesh.where;
   entry.file = *file;
-  entry.scale = {scale, scale, scale};
+  entry.scale = scale;
   description_.meshes.push_back(entry);
   return entry;
 }

@@ -1,7 +1,7 @@
 /// proto_geometry.h - shapes of a PROTO file: what collides (boundingObject) and what is looked at (Shape).
 ///
 /// Box, Sphere, Capsule and Cylinder (height of the straight part, axis along z; along y before R2022a, which turned them), Mesh and
-/// IndexedFaceSet as their convex hulls. Group, Pose and Transform place them; a `scale` must be the same in all directions.
+/// IndexedFaceSet as their convex hulls. Group, Pose and Transform place them; a `scale` that differs between directions is for meshes.
 /// Source: Webots reference manual, nodes of these names, "boundingObject" of Solid; change log of R2022a.
 #pragma once
 
@@ -17,13 +17,17 @@
 
 namespace murosimf::formats::proto {
 
-/// A frame in that of a body, whose lengths are multiplied by `scale`.
+/// A frame in that of a body, along whose axes lengths are multiplied by `scale`.
 struct Placing {
   Transformd place;
-  double scale = 1;  ///< [1]
+  Vec3d scale{1, 1, 1};  ///< [1] below 0: mirrored
 };
 
-/// The frame of a Group, Pose or Transform in `outer`. Throws SetupError for a scale that differs between directions.
+/// The same in all directions, and not mirrored.
+[[nodiscard]] bool is_even(const Vec3d& scale);
+
+/// The frame of a Group, Pose or Transform in `outer`. Throws SetupError for a scale of 0, and for a turn inside a scale that differs
+/// between directions, which would shear.
 [[nodiscard]] Placing placed_in(const Placing& outer, const Node& node);
 
 class ProtoGeometry {
@@ -50,7 +54,7 @@ class ProtoGeometry {
   [[nodiscard]] std::optional<Part> primitive(const Node& geometry, const Placing& at) const;
   [[nodiscard]] std::vector<Part> convex_parts(const Node& geometry, const Placing& at);
   [[nodiscard]] std::vector<Part> mesh_parts(const Node& geometry, const Placing& at);
-  [[nodiscard]] std::optional<description::MeshDescription> find_mesh(const Node& mesh, double scale);
+  [[nodiscard]] std::optional<description::MeshDescription> find_mesh(const Node& mesh, const Vec3d& scale);
   [[nodiscard]] std::string free_name(const std::string& stem) const;
   void add_visual_mesh(const Node& mesh, const Placing& at, const Color& color, description::BodyDescription& body);
   [[nodiscard]] Color color_of(const Node& shape);

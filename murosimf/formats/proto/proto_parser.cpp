@@ -152,6 +152,7 @@ NodePtr ProtoParser::parse_node() {
 
 void ProtoParser::parse_fields(Node& node) {
   while (!tokens_.peek().is('}')) {
+    refuse_malformed();
     std::string name = take_word(tokens_.peek().kind == Token::Kind::end ? "'}'" : "the name of a field");
     const bool hidden = name == "hidden";
     if (hidden) name = take_word("the name of a field");
@@ -180,6 +181,11 @@ Field ProtoParser::parse_value(const std::string& name) {
   return field;
 }
 
+void ProtoParser::refuse_malformed() const {
+  const Token& next = tokens_.peek();
+  if (next.malformed) tokens_.fail(fmt::format("{} is no number; correct it", files::quoted(next.text)));
+}
+
 void ProtoParser::parse_array(Field& field) {
   take_bracket('[');
   while (!tokens_.peek().is(']')) parse_element(field);
@@ -188,6 +194,7 @@ void ProtoParser::parse_array(Field& field) {
 
 void ProtoParser::parse_element(Field& field) {
   spend();
+  refuse_malformed();
   const Token& next = tokens_.peek();
   if (next.kind == Token::Kind::number) {
     field.numbers.push_back(tokens_.take().number);

@@ -45,6 +45,7 @@ class ProtoParser {
   [[nodiscard]] NodePtr parse_use();
   void parse_fields(Node& node);
   [[nodiscard]] Field parse_value(const std::string& name);
+  void refuse_malformed() const;
   void parse_element(Field& field);
   void parse_array(Field& field);
   void bind(Field& field);

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "murosimf/files/text_encoding.h"
-#include "murosimf/files/text_lines.h"
 #include "murosimf/files/xml_element.h"
 #include "murosimf/model/error.h"
 
@@ -116,11 +115,9 @@ Token Tokens::scan() {
     refuse_template(at_);
     token.text += text_[at_];
   }
-  token.kind = begins_number(token.text) ? Token::Kind::number : Token::Kind::word;
-  if (token.kind == Token::Kind::number && !to_number(token.text, token.number)) {
-    throw SetupError(
-        files::one_line(fmt::format("{}: {} is no number; correct it", where(token.line), files::quoted(token.text))));
-  }
+  const bool numeric = begins_number(token.text);
+  token.malformed = numeric && !to_number(token.text, token.number);
+  token.kind = numeric && !token.malformed ? Token::Kind::number : Token::Kind::word;
   return token;
 }
 

@@ -13,8 +13,9 @@ namespace murosimf::formats::proto {
 struct Token {
   enum class Kind { end, word, number, text, bracket };
   Kind kind = Kind::end;
-  std::string text;   ///< of a word, of a string without its quotes, or one of { } [ ]
-  double number = 0;  ///< of a number
+  std::string text;        ///< of a word, of a string without its quotes, or one of { } [ ]
+  double number = 0;       ///< of a number
+  bool malformed = false;  ///< a word that begins like a number: a name like 3d_printed, or a mistake
   std::size_t line = 1;
 
   [[nodiscard]] bool is(char bracket) const { return kind == Kind::bracket && text[0] == bracket; }
@@ -27,7 +28,7 @@ class Tokens {
 
   /// The next token, which stays.
   [[nodiscard]] const Token& peek() const { return next_; }
-  /// The next token, which is taken. Throws SetupError for numbers that are none, strings without end and templates.
+  /// The next token, which is taken. Throws SetupError for strings without end and templates.
   Token take();
 
   /// "robot.proto:12"

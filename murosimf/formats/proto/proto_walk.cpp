@@ -43,7 +43,7 @@ std::string ProtoWalk::free_name(std::set<std::string>& taken, const std::string
 
 void ProtoWalk::check_scale(const Node& node, const Spot& spot) {
   const Placing inner = placed_in(spot.at, node);
-  if (inner.scale != 1)
+  if (!is_zero(inner.scale - Vec3d{1, 1, 1}))
     log_.refuse(node, fmt::format("{} in a Transform with a scale, which masses do not follow", node.type));
 }
 

@@ -64,6 +64,16 @@ TEST(ProtoPhysics, FillsHullsOfFaces) {
   EXPECT_EQ(description.bodies[0].shapes.size(), 1u);
 }
 
+TEST(ProtoPhysics, ScalesAndMirrorsMeshes) {
+  write("tetra.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  const auto description =
+      read(block("Transform { scale 2 -1 3 translation 0 0 1 children [ Pose { translation 1 1 1 children [ Mesh { url "
+                 "\"tetra.obj\" } ] } ] }",
+                 "density 1"));
+  EXPECT_NEAR(solid_of(description).mass, 1, 1e-12);
+  expect_near(solid_of(description).center, {2 + 2.0 / 4, -1 - 1.0 / 4, 1 + 3 + 3.0 / 4}, 1e-6);
+}
+
 TEST(ProtoPhysics, ReadsMeshesBesideTheFile) {
   write("tetra.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
   const auto description = read(block("Mesh { url [ \"tetra.obj\" ] }", "density 6"));
@@ -85,8 +95,11 @@ TEST(ProtoPhysics, RefusesWhatNoBodyHas) {
       {block("NULL", "mass 1 inertiaMatrix [ 1 1 0, 0 0 0 ]"), "robot.proto:4: moments of inertia must be more than 0"},
       {block("Box { size 1 0 1 }", "mass 1"), "robot.proto:3: size of Box must be three numbers more than 0"},
       {block("Sphere { radius -1 }", "mass 1"), "robot.proto:3: radius of Sphere is -1; it must be more than 0"},
-      {block("Transform { scale 1 2 1 children [ Box { } ] }", "mass 1"),
-       "robot.proto:3: scale 1 2 1 of Transform is not the same"},
+      {block("Transform { scale 1 2 1 children [ Sphere { } ] }", "mass 1"),
+       "robot.proto:3: Sphere in a Transform with scale 1 2 1; write out its size"},
+      {block("Transform { scale 1 2 1 children [ Pose { rotation 0 0 1 1 children [ Box { } ] } ] }", "mass 1"),
+       "robot.proto:3: Pose turns what a Transform around it scales by 1 2 1"},
+      {block("Transform { scale 0 1 1 children [ Box { } ] }", "mass 1"), "robot.proto:3: scale must not be 0"},
       {block("NULL", "mas 1"),
        "robot.proto:4: unknown field of Physics 'mas'; did you mean 'mass'? (--lenient reads on)"},
       {block("Plane { }", "mass 1"), "robot.proto:3: Plane as boundingObject is not supported"},

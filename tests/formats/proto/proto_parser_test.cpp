@@ -90,6 +90,11 @@ TEST(ProtoSyntax, SaysInWhichLineItIsWrong) {
                        "robot.proto:6: translation of Solid has 2 numbers; write 3"));
 }
 
+TEST(ProtoSyntax, TakesNamesThatBeginWithDigits) {
+  EXPECT_EQ(read(robot("DEF 3d_part Solid { } USE 3d_part")).bodies.size(), 3u);
+  EXPECT_TRUE(contains(message(robot("Solid { translation 1 2.2.2 3 }")), "robot.proto:5: '2.2.2' is no number"));
+}
+
 TEST(ProtoSyntax, RefusesDepthsAndMultitudes) {
   std::string deep;
   for (int i = 0; i < 1000; ++i) deep += "Group { children [ ";
