@@ -1,8 +1,8 @@
 /// proto_file.h - PROTO files and worlds as nodes: declarations, defaults, `IS`, `DEF` and `USE`.
 ///
 /// Fields of the file's PROTO have their default values. A node whose type is a PROTO of another file is written out: that of an
-/// EXTERNPROTO line, or NAME.proto in the folder of the file or in `protos` there. One that is not found stays as it is, and its user
-/// decides what it means. Templates with scripts are refused.
+/// EXTERNPROTO line, or NAME.proto in the folder of the file, in that of the outermost file, or in a folder in one of these. One that is not
+/// found stays as it is, and its user decides what it means. Templates with scripts are refused.
 /// Source: Webots reference manual, "PROTO Definition", "PROTO Scripting", "EXTERNPROTO".
 #pragma once
 
@@ -23,6 +23,7 @@ struct ProtoFile {
 };
 
 /// Throws SetupError: file:line, what is wrong, what to do.
-[[nodiscard]] ProtoFile read_proto_file(const std::filesystem::path& file);
+/// With `lenient`, a PROTO inside that cannot be read is a note and its node stays.
+[[nodiscard]] ProtoFile read_proto_file(const std::filesystem::path& file, bool lenient);
 
 }  // namespace murosimf::formats::proto

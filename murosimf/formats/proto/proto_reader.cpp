@@ -28,7 +28,7 @@ const Node& robot_of(const ProtoFile& proto) {
 }  // namespace
 
 description::RobotDescription read_proto(const std::filesystem::path& file, const description::ReaderOptions& options) {
-  const ProtoFile proto = read_proto_file(file);
+  const ProtoFile proto = read_proto_file(file, options.lenient);
   const Node& robot = robot_of(proto);
   if (!is_solid(robot.type)) {
     robot.fail(is_base_node(robot.type)

@@ -77,8 +77,8 @@ void Tokens::refuse_template(std::size_t position) const {
   const char next = position + 1 < text_.size() ? text_[position + 1] : ' ';
   if (text_[position] != '%' || (next != '<' && next != '{')) return;
   throw SetupError(
-      fmt::format("{}: this PROTO is a template with scripts, which are not run here; write it out "
-                  "(Webots exports it as a PROTO without scripts, or convert the robot's URDF file)",
+      fmt::format("{}: this PROTO is a template with scripts, which are not run here; 'Convert to Base Node(s)' "
+                  "of Webots writes the robot out into its world, which is read",
                   where(line_)));
 }
 

@@ -48,6 +48,20 @@ TEST(ProtoSyntax, WritesOutPrototypesOfOtherFiles) {
                        "robot.proto:6: unknown field of Arm 'mas'; did you mean 'mass'?"));
 }
 
+TEST(ProtoSyntax, FindsPrototypesInFoldersBeside) {
+  write("meshes/Cap.proto", "PROTO Cap [ ] { Solid { name \"cap\" children [ Knob { } ] } }");
+  write("Knob.proto", "PROTO Knob [ ] { Solid { name \"knob\" } }");
+  EXPECT_EQ(read(robot("Cap { } Cap { }")).bodies.size(), 5u);
+}
+
+TEST(ProtoSyntax, LeavesOutUnreadablePrototypesIfLenient) {
+  write("Jersey.proto", "PROTO Jersey [ ] { %< let x = 1; >% Solid { } }");
+  EXPECT_TRUE(contains(message(robot("Jersey { }")), "Jersey.proto:1: this PROTO is a template"));
+  const auto description = read(robot("Jersey { }"), {.lenient = true});
+  EXPECT_EQ(description.bodies.size(), 1u);
+  EXPECT_TRUE(any_contains(description.notes, "robot.proto:5: Jersey is left out: "));
+}
+
 TEST(ProtoSyntax, RefusesPrototypesInsideThemselves) {
   write("Loop.proto", "PROTO Loop [ ] { Group { children [ Loop { } ] } }");
   EXPECT_TRUE(contains(message(robot("Loop { }")), "PROTO Loop is inside itself"));
