@@ -14,7 +14,8 @@
 namespace murosimf::formats::proto {
 namespace {
 
-constexpr double standard_friction = 1.0;  // [1] coulombFriction where no ContactProperties says more
+constexpr std::size_t most_nodes = 100'000;  // a node that is used at many places counts at each
+constexpr double standard_friction = 1.0;    // [1] coulombFriction where no ContactProperties says more
 
 PlacedShape placed_shape(const Shape& shape, const Transformd& place, bool collides) {
   PlacedShape placed;
@@ -165,8 +166,13 @@ std::vector<ProtoGeometry::Part> ProtoGeometry::convex_parts(const Node& geometr
   return {};
 }
 
+void ProtoGeometry::count(const Node& node) {
+  if (++seen_ > most_nodes) node.fail(fmt::format("the robot has more than {} nodes; make it smaller", most_nodes));
+}
+
 std::vector<description::MassProperties> ProtoGeometry::add_bounding(const Node& node, const Placing& at,
                                                                      description::BodyDescription& body) {
+  count(node);
   log_.check_fields(node);
   std::vector<description::MassProperties> solids;
   if (is_group(node.type)) {
@@ -210,6 +216,10 @@ void ProtoGeometry::add_visual(const Node& shape, const Placing& at, description
   const NodePtr geometry = shape.child("geometry");
   if (!geometry) return;
   const Color color = color_of(shape);
+  if (!is_even(at.scale) && geometry->type != "Mesh" && geometry->type != "Box") {
+    const std::string message = fmt::format("{} for the eye with an uneven scale is not drawn", geometry->type);
+    return log_.unused(geometry->where, "Transform.scale", message);
+  }
   if (const auto part = primitive(*geometry, at)) {
     PlacedShape placed = placed_shape(part->shape, part->place, false);
     placed.color = color;

@@ -42,6 +42,8 @@ class ProtoGeometry {
                                                         description::BodyDescription& body);
   /// Adds a Shape for the eye.
   void add_visual(const Node& shape, const Placing& at, description::BodyDescription& body);
+  /// Throws SetupError if more nodes are counted than a robot has: a few lines with USE can mean billions.
+  void count(const Node& node);
 
  private:
   struct Part {
@@ -64,6 +66,7 @@ class ProtoGeometry {
   bool upright_;
   ProtoLog& log_;
   formats::mesh::MeshLibrary library_;
+  std::size_t seen_ = 0;  ///< nodes
 };
 
 }  // namespace murosimf::formats::proto

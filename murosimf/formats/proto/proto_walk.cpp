@@ -12,8 +12,6 @@
 namespace murosimf::formats::proto {
 namespace {
 
-constexpr std::size_t most_nodes = 100'000;  // a node that is used at many places counts at each
-
 /// Of a Solid without name: "solid", "camera", as in Webots.
 std::string name_of(const Node& solid) {
   std::string usual = solid.def.empty() ? solid.type : solid.def;
@@ -31,10 +29,6 @@ bool is_bodiless(const Node& device) {
 
 }  // namespace
 
-void ProtoWalk::count(const Node& node) {
-  if (++seen_ > most_nodes) node.fail(fmt::format("the robot has more than {} nodes; make it smaller", most_nodes));
-}
-
 std::string ProtoWalk::free_name(std::set<std::string>& taken, const std::string& name) const {
   std::string free = name;
   for (int number = 2; !taken.insert(free).second; ++number) free = fmt::format("{}_{}", name, number);
@@ -43,8 +37,8 @@ std::string ProtoWalk::free_name(std::set<std::string>& taken, const std::string
 
 void ProtoWalk::check_scale(const Node& node, const Spot& spot) {
   const Placing inner = placed_in(spot.at, node);
-  if (!is_zero(inner.scale - Vec3d{1, 1, 1}))
-    log_.refuse(node, fmt::format("{} in a Transform with a scale, which masses do not follow", node.type));
+  if (is_zero(inner.scale - Vec3d{1, 1, 1})) return;
+  log_.refuse(node, fmt::format("{} in a Transform with a scale, which masses do not follow", node.type));
 }
 
 int ProtoWalk::begin_body(const Node& solid) {
@@ -84,8 +78,9 @@ void ProtoWalk::add_base(const Node& robot) {
   fill_body(robot, base);
   if (robot.flag("selfCollision", false)) return;
   for (description::BodyDescription& body : description_.bodies) {
-    for (description::ShapeDescription& shape : body.shapes)
-      shape.placed.contact_type = 2;  // it touches none of affinity 1
+    for (description::ShapeDescription& shape : body.shapes) {
+      if (shape.placed.collides) shape.placed.contact_type = 2;  // it touches the ground, of kind 1, and none of kind 2
+    }
   }
 }
 
@@ -94,7 +89,7 @@ void ProtoWalk::add_children(const Node& parent, const Spot& spot) {
 }
 
 void ProtoWalk::add_child(const Node& child, const Spot& spot) {
-  count(child);
+  geometry_.count(child);
   if (is_group(child.type)) {
     log_.check_fields(child);
     return add_children(child, {spot.body, placed_in(spot.at, child)});

@@ -39,14 +39,12 @@ class ProtoWalk {
   void add_joint_devices(const Node& joint, int body);
   void check_scale(const Node& node, const Spot& spot);
   [[nodiscard]] std::string free_name(std::set<std::string>& taken, const std::string& name) const;
-  void count(const Node& node);
 
   description::RobotDescription& description_;
   ProtoLog& log_;
   ProtoGeometry geometry_;
   std::set<std::string> bodies_, joints_;  ///< names
   bool old_;
-  std::size_t seen_ = 0;  ///< nodes
 };
 
 }  // namespace murosimf::formats::proto

@@ -123,6 +123,8 @@ TEST(ProtoShapes, AreForContactAndForTheEye) {
   expect_near(shapes[0].placed.position, {0, 0, 1});
   expect_near(shapes[0].placed.orientation.x, {0, 1, 0});
   EXPECT_TRUE(names_unused(description, "robot.proto:6: Cone for the eye is not drawn"));
+  const auto uneven = read(robot("Transform { scale 1 2 3 children [ Shape { geometry Sphere { } } ] }"));
+  EXPECT_TRUE(names_unused(uneven, "robot.proto:5: Sphere for the eye with an uneven scale is not drawn"));
 }
 
 TEST(ProtoShapes, OfOneRobotTouchEachOtherOnlyIfItSaysSo) {

@@ -119,6 +119,12 @@ TEST(ProtoSyntax, RefusesDepthsAndMultitudes) {
     wide += "DEF A" + std::to_string(i) + " Group { children [ " + last + last + "] }\n";
   }
   EXPECT_TRUE(contains(message(robot(wide)), "more than 100000 nodes"));
+  std::string bounding = "Group { children [ DEF A0 Group { children [ Box { } Box { } ] }\n";
+  for (int i = 1; i < 40; ++i) {
+    const std::string last = "USE A" + std::to_string(i - 1) + " ";
+    bounding += "DEF A" + std::to_string(i) + " Group { children [ " + last + last + "] }\n";
+  }
+  EXPECT_TRUE(contains(message(block(bounding + "] }", "mass 1")), "more than 100000 nodes"));
 }
 
 TEST(ProtoWorld, HasOneRobot) {
