@@ -9,6 +9,7 @@
 #include "murosimf/files/xml_element.h"
 #include "murosimf/formats/mjcf/mjcf_reader.h"
 #include "murosimf/formats/mjcf/mjcf_schema.h"
+#include "murosimf/formats/proto/proto_reader.h"
 #include "murosimf/formats/urdf/gazebo_schema.h"
 #include "murosimf/formats/urdf/urdf_reader.h"
 #include "murosimf/formats/urdf/xacro_file.h"
@@ -23,6 +24,8 @@ std::vector<RobotFormat> built_in_formats() {
       RobotFormat{"urdf", "the format of ROS, with gazebo blocks", ".urdf .xml", "robot", formats::urdf::read_urdf,
                   formats::urdf::urdf_words},
       RobotFormat{"xacro", "URDF with macros, by the program xacro", ".xacro", "", formats::urdf::read_xacro},
+      RobotFormat{"proto", "PROTO files of Webots, and worlds with one robot", ".proto .wbt", "",
+                  formats::proto::read_proto},
   };
 }
 

@@ -44,6 +44,7 @@ class Cases:
         self.scene_names = sorted(file.stem for file in ROOT.glob("scenes/*.toml"))
         self.robots = texts("models/*.xml") + texts("tests/fuzz/seeds/*.mjcf")
         self.urdfs = texts("tests/fuzz/seeds/*.urdf")
+        self.protos = texts("tests/fuzz/seeds/*.proto")
         self.tables = texts("models/*.toml")
         self.motions = texts("motions/*.toml")
         self.parts = texts("parts/*.toml")
@@ -54,9 +55,9 @@ class Cases:
                        for file in sorted(ROOT.glob(f"tests/fuzz/seeds/*.{pattern}"))}
         properties = subprocess.run([program, "list", "properties"], capture_output=True, text=True, check=True).stdout
         self.properties = re.findall(r"^([a-z_]+)", properties, re.MULTILINE)
-        self.kinds = [(self.scene, 24), (self.mjcf, 14), (self.urdf, 8), (self.table, 9), (self.motion, 6),
-                      (self.part, 6), (self.servo, 4), (self.lens, 4), (self.log, 4), (self.mesh, 5), (self.numbers, 3),
-                      (self.options, 24)]
+        self.kinds = [(self.scene, 24), (self.mjcf, 14), (self.urdf, 8), (self.proto, 6), (self.table, 9),
+                      (self.motion, 6), (self.part, 6), (self.servo, 4), (self.lens, 4), (self.log, 4), (self.mesh, 5),
+                      (self.numbers, 3), (self.options, 24)]
 
     def make(self, rng):
         kinds, weights = zip(*self.kinds, strict=True)
@@ -82,6 +83,9 @@ class Cases:
 
     def urdf(self, rng):
         return self.robot(rng, "robot.urdf", {"robot.urdf": mutated(rng, rng.choice(self.urdfs))})
+
+    def proto(self, rng):
+        return self.robot(rng, "robot.proto", {"robot.proto": mutated(rng, rng.choice(self.protos))})
 
     def table(self, rng):
         which = rng.choice(["kid21", "quadruped", "spark_nao0", "car"])
