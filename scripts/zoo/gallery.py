@@ -10,18 +10,17 @@ try:
 except ImportError:
     Image = None
 
-from zoo.trials import LEVELS, is_humanoid
+from zoo.trials import LEVELS
 from zoo.wheels import WHEELS
 
 SIZE = (150, 170)  # [px] of a picture, width and height
 HEAD = """# Robots of others
 
 Every robot file of some packages of PyPI, read as it is, by `scripts/robot_zoo --gallery`; the files belong to their authors and
-are not part of this project. Joints are those that move; a humanoid has two legs with soles. **s** stands 10 s, **w** walks
-0.1 m/s for 10 s (no fall, 0.5 to 1.3 m forward, at most 0.5 m to the side), with servos and a gait that are guessed from the file
-alone ([robots.md](robots.md)), at `kinematic_walking`, `simplified_dynamics`, `full_dynamics`, `articulated_dynamics`; `-` does
-not.
-Robots that are no humanoids have no such columns.
+are not part of this project. Joints are those that move; a humanoid has two legs of five hinges or more, with soles. **s** stands
+10 s, **w** walks 0.1 m/s for 10 s (no fall, 0.5 to 1.3 m forward, at most 0.5 m to the side), with servos and a gait that are
+guessed from the file alone ([robots.md](robots.md)), at `kinematic_walking`, `simplified_dynamics`, `full_dynamics`,
+`articulated_dynamics`; `-` does not. Robots that are no humanoids have no such columns.
 """
 
 
@@ -57,7 +56,7 @@ def draw(program, file, out):
 
 def marks(result):
     """A column for each level: what the robot can there."""
-    if not is_humanoid(result) or "moves" not in result:
+    if not result.get("moves"):
         return [" "] * len(LEVELS)
     cells = []
     for level in LEVELS:

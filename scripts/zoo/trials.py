@@ -73,7 +73,10 @@ def motion(program, file, level, speed):
 
 
 def move(program, file):
-    """{level: {stands, walks}} at all levels."""
+    """{level: {stands, walks}} at all levels; empty for legs of too few hinges, which no gait here can move."""
+    first = motion(program, file, LEVELS[0], 0.0)
+    if "no leg that can be walked with" in first["why"]:
+        return {}
     return {level: {"stands": motion(program, file, level, 0.0), "walks": motion(program, file, level, SPEED)}
             for level in LEVELS}
 
