@@ -83,7 +83,7 @@ TEST(Plugin, FormatIsListed) {
   EXPECT_NE(murosimf("list formats" + own_plugin).output.find("lump       .lump"), std::string::npos);
   const fs::path other = write("robot.xml", "<sdf/>");
   expect_mistake("check " + other.string() + own_plugin,
-                 {"unknown format of a robot file", "mjcf (<mujoco>), urdf (<robot>), xacro (.xacro), lump (.lump)"}, 1);
+                 {"unknown format of a robot file", "mjcf (<mujoco>), urdf (<robot>)", "lump (.lump)"}, 1);
 }
 
 TEST(Plugin, FormatsMistakeIsOneLine) {
