@@ -20,6 +20,7 @@ add_oracle_test(converted_robots_in_mujoco $<TARGET_FILE:murosimf_app> ${PROJECT
 add_oracle_test(written_robots $<TARGET_FILE:murosimf_app> ${PROJECT_SOURCE_DIR}/models
   ${PROJECT_SOURCE_DIR}/../shared/data)
 add_oracle_test(mjcf_words_against_mujoco $<TARGET_FILE:murosimf_app>)
+add_oracle_test(macros_by_xacro $<TARGET_FILE:murosimf_app> $<TARGET_FILE:test_formats_urdf>)
 add_oracle_test(random_trees_against_mujoco $<TARGET_FILE:dump_dynamics>)
 add_oracle_test(random_trees_against_pinocchio $<TARGET_FILE:dump_dynamics>)
 add_oracle_test(trajectories_against_mujoco $<TARGET_FILE:dump_trajectory>)
