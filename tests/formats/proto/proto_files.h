@@ -1,19 +1,23 @@
 /// proto_files.h - PROTO files of tests, in a folder of its own for every test, so that tests can run at the same time.
 #pragma once
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <string>
-#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "murosimf/formats/proto/proto_reader.h"
 #include "murosimf/model/error.h"
+#include "tests/formats/description_checks.h"
 #include "tests/temp_folder.h"
 
 namespace murosimf::formats::proto::proto_files {
+
+using description_checks::any_contains;
+using description_checks::contains;
+using description_checks::expect_near;
+using description_checks::names_unused;
 
 /// Writes a file into the test's folder.
 inline std::filesystem::path write(const std::string& name, const std::string& text) {
@@ -57,22 +61,6 @@ inline std::string message(const std::string& text, bool lenient = false) {
     return error.what();
   }
   return "no SetupError";
-}
-
-inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-inline bool any_contains(const std::vector<std::string>& texts, const std::string& part) {
-  return std::ranges::any_of(texts, [&](const std::string& text) { return contains(text, part); });
-}
-
-/// Whether something without effect is told so.
-inline bool names_unused(const description::RobotDescription& description, const std::string& part) {
-  return std::ranges::any_of(description.unused, [&](const auto& unused) { return contains(unused.line, part); });
-}
-
-inline void expect_near(const Vec3d& a, const Vec3d& b, double tolerance = 1e-12) {
-  EXPECT_LT(norm(a - b), tolerance) << a.x << ' ' << a.y << ' ' << a.z << " instead of " << b.x << ' ' << b.y << ' '
-                                    << b.z;
 }
 
 }  // namespace murosimf::formats::proto::proto_files
