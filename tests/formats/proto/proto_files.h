@@ -9,7 +9,7 @@
 
 #include "murosimf/formats/proto/proto_reader.h"
 #include "murosimf/model/error.h"
-#include "tests/formats/description_checks.h"
+#include "tests/description_checks.h"
 #include "tests/temp_folder.h"
 
 namespace murosimf::formats::proto::proto_files {

@@ -10,7 +10,7 @@
 
 #include "murosimf/formats/urdf/urdf_reader.h"
 #include "murosimf/model/error.h"
-#include "tests/formats/description_checks.h"
+#include "tests/description_checks.h"
 #include "tests/temp_folder.h"
 
 namespace murosimf::formats::urdf::urdf_files {
