@@ -157,6 +157,7 @@ TEST(Viewer, APropertyIsEdited) {
 TEST(Viewer, GoesBackAndOn) {
   Viewer viewer(options_with());
   watch_to_end(viewer);
+  viewer.settle();
   const Vec3d at_end = *viewer.place_of(viewer.path_of("blue1"));
   viewer.seek(0.25);
   viewer.settle();
