@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/description/mesh_entry.h"
 #include "murosimf/files/file_spelling.h"
 #include "murosimf/formats/proto/proto_schema.h"
 #include "murosimf/geometry/hull.h"
@@ -108,29 +109,10 @@ std::optional<ProtoGeometry::Part> ProtoGeometry::primitive(const Node& geometry
   return turned(Cylinder{radius, half_length});
 }
 
-std::string ProtoGeometry::free_name(const std::string& stem) const {
-  std::string name = stem;
-  const auto taken = [&](const description::MeshDescription& known) { return known.name == name; };
-  for (int number = 2; std::ranges::any_of(description_.meshes, taken); ++number)
-    name = fmt::format("{}_{}", stem, number);
-  return name;
-}
-
 std::optional<description::MeshDescription> ProtoGeometry::find_mesh(const Node& mesh, const Vec3d& scale) {
   const auto file = files::find_spelled(mesh.file->parent_path(), url_of(mesh));
   if (!file) return std::nullopt;
-  const auto same = [&](const description::MeshDescription& known) {
-    return known.file == *file && is_zero(known.scale - scale);
-  };
-  const auto known = std::ranges::find_if(description_.meshes, same);
-  if (known != description_.meshes.end()) return *known;
-  description::MeshDescription entry;
-  entry.name = free_name(file->stem().string());
-  entry.where = mesh.where;
-  entry.file = *file;
-  entry.scale = scale;
-  description_.meshes.push_back(entry);
-  return entry;
+  return description::mesh_entry(description_, *file, scale, mesh.where);
 }
 
 std::vector<ProtoGeometry::Part> ProtoGeometry::mesh_parts(const Node& geometry, const Placing& at) {

@@ -57,7 +57,6 @@ class ProtoGeometry {
   [[nodiscard]] std::vector<Part> convex_parts(const Node& geometry, const Placing& at);
   [[nodiscard]] std::vector<Part> mesh_parts(const Node& geometry, const Placing& at);
   [[nodiscard]] std::optional<description::MeshDescription> find_mesh(const Node& mesh, const Vec3d& scale);
-  [[nodiscard]] std::string free_name(const std::string& stem) const;
   void add_visual_mesh(const Node& mesh, const Placing& at, const Color& color, description::BodyDescription& body);
   [[nodiscard]] Color color_of(const Node& shape);
 

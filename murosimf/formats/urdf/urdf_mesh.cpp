@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/description/mesh_entry.h"
 #include "murosimf/formats/urdf/urdf_value.h"
 #include "murosimf/model/error.h"
 
@@ -22,27 +23,7 @@ std::string file_name(const files::XmlElement& mesh) {
 std::optional<description::MeshDescription> UrdfMeshes::find(const files::XmlElement& mesh) {
   const auto file = paths_.find(file_name(mesh));
   if (!file) return std::nullopt;
-  const Vec3d scale = vector_or(mesh, "scale", {1, 1, 1});
-  const auto same = [&](const description::MeshDescription& known) {
-    return known.file == *file && is_zero(known.scale - scale);
-  };
-  const auto known = std::ranges::find_if(description_.meshes, same);
-  if (known != description_.meshes.end()) return *known;
-  description::MeshDescription entry;
-  entry.name = free_name(file->stem().string());
-  entry.where = mesh.where();
-  entry.file = *file;
-  entry.scale = scale;
-  description_.meshes.push_back(entry);
-  return entry;
-}
-
-std::string UrdfMeshes::free_name(const std::string& stem) const {
-  std::string name = stem;
-  const auto taken = [&](const description::MeshDescription& known) { return known.name == name; };
-  for (int number = 2; std::ranges::any_of(description_.meshes, taken); ++number)
-    name = fmt::format("{}_{}", stem, number);
-  return name;
+  return description::mesh_entry(description_, *file, vector_or(mesh, "scale", {1, 1, 1}), mesh.where());
 }
 
 const std::vector<formats::mesh::ConvexPart>& UrdfMeshes::parts(const description::MeshDescription& mesh,

@@ -32,8 +32,6 @@ class UrdfMeshes {
   [[nodiscard]] std::string complaint(const files::XmlElement& mesh) const;
 
  private:
-  [[nodiscard]] std::string free_name(const std::string& stem) const;
-
   UrdfMeshPaths paths_;
   std::vector<std::string> part_per_group_;
   description::RobotDescription& description_;

@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/formats/proto/proto_reader.h"
-#include "murosimf/model/error.h"
 #include "tests/description_checks.h"
+#include "tests/fixtures.h"
 #include "tests/temp_folder.h"
 
 namespace murosimf::formats::proto::proto_files {
@@ -55,12 +55,7 @@ inline std::string block(const std::string& bounding, const std::string& physics
 }
 
 inline std::string message(const std::string& text, bool lenient = false) {
-  try {
-    (void)read(text, {.lenient = lenient});
-  } catch (const SetupError& error) {
-    return error.what();
-  }
-  return "no SetupError";
+  return fixtures::error_of([&] { (void)read(text, {.lenient = lenient}); });
 }
 
 }  // namespace murosimf::formats::proto::proto_files

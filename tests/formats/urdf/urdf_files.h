@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/formats/urdf/urdf_reader.h"
-#include "murosimf/model/error.h"
 #include "tests/description_checks.h"
+#include "tests/fixtures.h"
 #include "tests/temp_folder.h"
 
 namespace murosimf::formats::urdf::urdf_files {
@@ -86,12 +86,7 @@ inline std::string visual(const std::string& geometry, const std::string& materi
 }
 
 inline std::string message(const std::string& text, bool lenient = false) {
-  try {
-    (void)read(text, {.lenient = lenient});
-  } catch (const SetupError& error) {
-    return error.what();
-  }
-  return "no SetupError";
+  return fixtures::error_of([&] { (void)read(text, {.lenient = lenient}); });
 }
 
 }  // namespace murosimf::formats::urdf::urdf_files
