@@ -34,7 +34,9 @@ struct CheckOptions {
 };
 
 void define(const Command& command, CheckOptions& options) {
-  command.add("model", options.model, "Robot file (MJCF or URDF), or the name of one that comes with the program")
+  command
+      .add("model", options.model,
+           "Robot file ('murosimf list formats'), or the name of one that comes with the program")
       .required()
       .offers_list("models");
   add_json(command, options.json);

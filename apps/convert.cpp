@@ -29,7 +29,9 @@ struct ConvertOptions {
 };
 
 void define(const Command& command, ConvertOptions& options) {
-  command.add("model", options.model, "Model file (URDF or MJCF), or the name of one that comes with the program")
+  command
+      .add("model", options.model,
+           "Robot file ('murosimf list formats'), or the name of one that comes with the program")
       .required()
       .offers_list("models");
   command.add("--out", options.out, "File to write: MJCF (.xml) or URDF (.urdf)").required();

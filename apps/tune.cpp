@@ -31,7 +31,8 @@ struct TuneArguments {
 void define(const Command& command, TuneArguments& arguments) {
   command.add("what", arguments.what, "What is searched for").required().one_of({"walk"});
   command
-      .add("--model", arguments.walk.model, "Robot file (MJCF or URDF), or the name of one that comes with the program")
+      .add("--model", arguments.walk.model,
+           "Robot file ('murosimf list formats'), or the name of one that comes with the program")
       .required()
       .offers_list("models");
   command.add("--level", arguments.walk.levels, "Levels that it shall walk at").one_at_a_time().offers_list("levels");

@@ -9,7 +9,7 @@
 namespace murosimf::check {
 namespace {
 
-constexpr double tiny_mass = 0.001;  // [kg] lighter moving bodies are frames that somebody forgot to fix; those that
+constexpr double tiny_mass = 0.001;  // [kg] lighter moving bodies are frames whose joint should be fixed; those that
                                      // were repaired have a note
 constexpr double huge_mass = 500;    // [kg] no humanoid weighs that
 constexpr double widest = 1.5;  // [1] radius of gyration over the reach of the body's shapes; of a solid it is below 1

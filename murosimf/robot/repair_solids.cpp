@@ -63,7 +63,7 @@ void make_definite(BodyDescription& body, RobotDescription& description) {
                              body.name, moments.x, least)));
 }
 
-/// What moves, and carries no mass anywhere behind it. A robot without any mass is told by who builds the model.
+/// What moves, and carries no mass anywhere behind it. robot_builder.cpp refuses a robot without any mass.
 void give_masses(RobotDescription& description) {
   std::vector<double> behind;  // [kg] by body
   for (const BodyDescription& body : description.bodies) behind.push_back(body.solid.mass);

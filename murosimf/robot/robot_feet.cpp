@@ -16,7 +16,7 @@ constexpr double off_balance = 0.1;       // [1] of its height above the ground 
 constexpr double endless = 4 * pi;        // [rad] a wider range is none
 constexpr double roundness = 0.9;         // [1] smallest reach of a wheel over its largest
 constexpr double level_axis = 0.3;        // [1] sine of an axle's slope at most
-constexpr int around = 32;                // around
+constexpr int around = 32;                // directions
 
 using description::BodyDescription;
 using description::RobotDescription;

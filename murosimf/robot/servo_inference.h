@@ -9,7 +9,7 @@
 ///     a leg's joint without a torque: F = 0.4 m g z_c, k = 4 m g z_c, rotor 0.005 m z_c^2
 ///
 /// Source: an inverted pendulum of mass m with its center at z_c topples with m g z_c per radian; the factors are the project's, those
-///         with which most of 30 humanoids of other people's files stood and walked (docs/robots.md, "Servos that are guessed").
+///         with which the humanoids of other people's files stood and walked (docs/robots.md, "Servos that are guessed").
 #pragma once
 
 #include "murosimf/description/robot_description.h"
@@ -17,8 +17,8 @@
 
 namespace murosimf::robot {
 
-/// To be called when soles are known: those of `table`, or frames that are soles (robot_soles.h). Joints that follow others, that have
-/// a spring, or that have gains or a servo in the table, stay as they are.
+/// To be called when soles are known: those of `table`, or frames that are soles (robot_soles.h). Joints that follow others, or that
+/// have gains or a servo in the table, stay as they are, and so do those with a spring and no torque.
 void guess_servos(description::RobotDescription& description, const RobotConfig& table);
 
 }  // namespace murosimf::robot

@@ -57,8 +57,8 @@ void read_mass_rules(const MjcfAttributes& attributes, MjcfCompiler& compiler) {
   compiler.least_inertia = attributes.number("boundinertia", compiler.least_inertia);
   compiler.total_mass = std::max(0.0, attributes.number("settotalmass", compiler.total_mass));
   if (const auto groups = attributes.numbers("inertiagrouprange", 2, 2); !groups.empty()) {
-    compiler.first_group = static_cast<int>(groups[0]);
-    compiler.last_group = static_cast<int>(groups[1]);
+    compiler.first_group = groups[0];
+    compiler.last_group = groups[1];
   }
   if (attributes.has("balanceinertia")) {
     compiler.balance_inertia = attributes.choice("balanceinertia", {"false", "true"}) == "true";

@@ -34,13 +34,13 @@ struct MjcfCompiler {
   }
 
   InertiaFromGeom inertia_from_geom = InertiaFromGeom::if_missing;
-  std::string mesh_folder;              ///< where mesh files are, seen from the MJCF file's folder
-  bool strip_path = false;              ///< only the last part of a mesh file's path counts
-  int first_group = 0, last_group = 5;  ///< inertiagrouprange: geoms of these groups make masses
-  double least_mass = 0;                ///< [kg] boundmass: no body is lighter
-  double least_inertia = 0;             ///< [kg m^2] boundinertia: no principal moment is smaller
-  double total_mass = 0;                ///< [kg] settotalmass: masses and inertias are scaled to it; 0: as they are
-  bool balance_inertia = false;         ///< an impossible inertia becomes a ball's of the same mean moment
+  std::string mesh_folder;                 ///< where mesh files are, seen from the MJCF file's folder
+  bool strip_path = false;                 ///< only the last part of a mesh file's path counts
+  double first_group = 0, last_group = 5;  ///< inertiagrouprange: geoms of these groups make masses
+  double least_mass = 0;                   ///< [kg] boundmass: no body is lighter
+  double least_inertia = 0;                ///< [kg m^2] boundinertia: no principal moment is smaller
+  double total_mass = 0;                   ///< [kg] settotalmass: masses and inertias are scaled to it; 0: as they are
+  bool balance_inertia = false;            ///< an impossible inertia becomes a ball's of the same mean moment
 };
 
 /// Throws SetupError where a setting has an impossible value.

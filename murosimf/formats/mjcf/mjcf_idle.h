@@ -1,7 +1,7 @@
 /// mjcf_idle.h - what an MJCF file says that would change the motion and does not act here: one warning each.
 ///
 /// Tendons with a spring, a damper, friction, a rotor or a limit; equalities that hold tendons together, or the robot to what is no part
-/// of it; gravity that is taken from a body. A tendon without all that only measures a length and is a line in `unused`.
+/// of it. A tendon without all that only measures a length and is a line in `unused`.
 #pragma once
 
 #include "murosimf/description/robot_description.h"

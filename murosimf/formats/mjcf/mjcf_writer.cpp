@@ -51,8 +51,8 @@ class Writer {
   /// What is fixed to the world is a body without joints, since the world has no mass.
   void write_world() {
     const description::BodyDescription& base = description_.bodies[0];
-    if (base.solid.mass > 0 || !base.shapes.empty() || !base.visuals.empty()) {
-      xml_.begin("body").text("name", base.name + ".fixed");
+    if (has_fixed_part()) {
+      xml_.begin("body").text("name", written_name(base.name));
       write_inertial(base.solid);
       geoms_.write_geoms(base);
       xml_.end();
@@ -114,8 +114,17 @@ class Writer {
     xml_.end();
   }
 
-  /// MuJoCo's world has this name.
-  [[nodiscard]] static std::string written_name(const std::string& body) {
+  /// Of a bolted robot: its base has what the world cannot have.
+  [[nodiscard]] bool has_fixed_part() const {
+    const description::BodyDescription& base = description_.bodies[0];
+    return base.solid.mass > 0 || !base.shapes.empty() || !base.visuals.empty();
+  }
+
+  /// The base of a bolted robot is the world, or a body without joints in it. MuJoCo's world has the name "world".
+  [[nodiscard]] std::string written_name(const std::string& body) const {
+    if (description_.fixed_base && body == description_.bodies[0].name) {
+      return has_fixed_part() ? body + ".fixed" : "world";
+    }
     return body == "world" ? "world_link" : body;
   }
 

@@ -88,8 +88,9 @@ class ProtoFiles {
       all.push_back(outer);
       std::vector<std::filesystem::path> inner;
       std::error_code ignored;
-      for (const auto& entry : std::filesystem::directory_iterator(outer.empty() ? "." : outer, ignored)) {
-        if (entry.is_directory(ignored)) inner.push_back(entry.path());
+      std::filesystem::directory_iterator entry(outer.empty() ? "." : outer, ignored);
+      for (; entry != std::filesystem::directory_iterator(); entry.increment(ignored)) {
+        if (entry->is_directory(ignored)) inner.push_back(entry->path());
       }
       std::ranges::sort(inner);  // the same file is found everywhere
       all.insert(all.end(), inner.begin(), inner.end());

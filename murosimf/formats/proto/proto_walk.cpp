@@ -70,6 +70,7 @@ void ProtoWalk::fill_body(const Node& solid, int number) {
 }
 
 void ProtoWalk::add_base(const Node& robot) {
+  check_scale(robot, {});
   const int base = begin_body(robot);
   if (!robot.child("physics")) {
     description_.fixed_base = true;

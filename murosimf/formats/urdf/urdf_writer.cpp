@@ -234,6 +234,9 @@ class Writer {
     if (!description_.pairs.empty()) {
       leave_out(where, fmt::format("{} pairs of shapes that touch whatever forbids it", description_.pairs.size()));
     }
+    if (!description_.loops.empty()) {
+      leave_out(where, fmt::format("{} loops of bodies: they are open", description_.loops.size()));
+    }
     if (!description_.keyframes.empty()) leave_out(where, fmt::format("{} keys", description_.keyframes.size()));
   }
 

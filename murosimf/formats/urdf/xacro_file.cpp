@@ -23,7 +23,9 @@ constexpr int package_is_missing = 3, xacro_is_missing = 4;
 
 /// Standard input: name and folder of each known package, a line each. Arguments: the file, then name:=value.
 constexpr const char* script = R"(
-import sys, types
+import sys
+sys.path = [folder for folder in sys.path if folder]  # not the folder where the command runs: it may be the robot's
+import types
 try:
     import xacro
 except ImportError as error:
@@ -98,7 +100,8 @@ std::string expand_xacro(const fs::path& file, const description::ReaderOptions&
     if (result->exit_code == 0) return result->output;
     const std::string& package = result->output;
     if (result->exit_code != package_is_missing || known.contains(package)) {
-      fail(file, "xacro gives up: " + (result->errors.empty() ? "without a word" : result->errors));
+      fail(file, "xacro gives up: " +
+                     (result->errors.empty() ? fmt::format("exit code {}", result->exit_code) : result->errors));
     }
     known[package] = folder_of(file, package, packages);
   }

@@ -13,7 +13,7 @@
 namespace murosimf::formats::urdf {
 
 /// The expanded text. Throws SetupError, one line: there is no python3 or no xacro, a package is not found, what xacro complains of; and
-/// for who may not read all files (files/allowed_files.h), since macros name files and a program is started.
+/// where reads are limited (files/allowed_files.h) (files/allowed_files.h), since macros name files and a program is started.
 [[nodiscard]] std::string expand_xacro(const std::filesystem::path& file, const description::ReaderOptions& options);
 
 /// Throws SetupError as expand_xacro and read_urdf.

@@ -212,14 +212,15 @@ TEST(MjcfTrees, WeightIsNotTakenFromBodies) {
 
 /// What is bolted is written so that it is read again as the same.
 TEST(MjcfTrees, WrittenFilesAreBoltedAsWell) {
-  const auto robot =
-      read(world(std::string(arm) + "<body name='table'><geom type='box' size='.5 .5 .5' mass='30'/></body>",
-                 "<keyframe><key name='k' qpos='.1'/></keyframe>"));
+  const auto robot = read(
+      world(std::string(arm) + "<body name='table'><geom type='box' size='.5 .5 .5' mass='30'/></body>",
+            "<contact><exclude body1='world' body2='arm'/></contact><keyframe><key name='k' qpos='.1'/></keyframe>"));
   const std::string text = to_mjcf(robot.description);
   const auto again = read(text);
   EXPECT_TRUE(has_fixed_base(*again.model));
   EXPECT_EQ(joints_of(again), Names{"j"});
   EXPECT_EQ(mass_of(again), mass_of(robot));
+  EXPECT_EQ(again.description.exclusions.size(), 1U);
   EXPECT_EQ(again.description.keyframes.at(0).positions.at("j"), .1);
 }
 

@@ -191,10 +191,11 @@ TEST(UrdfWriter, SaysWhatUrdfCannot) {
   joint.effort_range = Vec3d{-2, 5, 0};
   robot.bodies[1].joints = {joint};
   robot.exclusions = {{"base", "tray", "robot:3"}};
+  robot.loops = {{"pin", "robot:4", "here", "there", false}};
   const UrdfText urdf = to_urdf(robot);
   const std::string all = fmt::format("{}", fmt::join(urdf.left_out, "\n"));
   EXPECT_TRUE(fixtures::says(all, {"'slide' slides without an end", "armature of 1 joints", "from -2 to 5",
-                                   "1 pairs of bodies"}));
+                                   "1 pairs of bodies", "1 loops of bodies"}));
   EXPECT_EQ(read_again(urdf).bodies[1].joints[0].effort_limit, 5);
 }
 

@@ -46,6 +46,19 @@ TEST(Xacro, PackagesAreFoundAsThoseOfMeshes) {
                              {"lost.xacro: there is no package 'nowhere'", "MUROSIMF_PACKAGE_PATH"}));
 }
 
+// Python looks for modules in the folder where it is started, which may be that of a downloaded robot.
+TEST(Xacro, NoModuleBesideTheRobotIsRun) {
+  if (!has_xacro()) GTEST_SKIP() << "python3 has no package xacro: pip install xacro";
+  const auto file = write("robot.urdf.xacro", with_macros());
+  write("xacro.py", "open('was_run', 'w')");
+  const auto before = std::filesystem::current_path();
+  std::filesystem::current_path(test_folder());
+  const double mass = read_xacro(file).bodies[0].solid.mass;
+  std::filesystem::current_path(before);
+  EXPECT_EQ(mass, 0.5);
+  EXPECT_FALSE(std::filesystem::exists(test_folder() / "was_run"));
+}
+
 TEST(Xacro, MistakesAreOneLine) {
   if (!has_xacro()) GTEST_SKIP() << "python3 has no package xacro: pip install xacro";
   const auto file = write("robot.xacro", with_macros("<xacro:nothing/>"));
@@ -54,8 +67,8 @@ TEST(Xacro, MistakesAreOneLine) {
   EXPECT_EQ(error.find('\n'), std::string::npos);
 }
 
-// No file of another program is read for who may not read it.
-TEST(Xacro, IsRefusedToWhoMayNotReadAllFiles) {
+// Programs are not started for what comes over a network.
+TEST(Xacro, IsRefusedWhereReadsAreLimited) {
   const auto file = write("robot.xacro", with_macros());
   const files::AllowedFiles allowed({test_folder()});
   const files::OnlyAllowed only(&allowed);
