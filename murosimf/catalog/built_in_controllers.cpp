@@ -19,10 +19,13 @@
 #include "murosimf/files/data_path.h"
 #include "murosimf/locomotion/gait_seed.h"
 #include "murosimf/locomotion/keyframe_player.h"
+#include "murosimf/locomotion/motion_engine.h"
 #include "murosimf/locomotion/trot.h"
 #include "murosimf/locomotion/walk_engine.h"
 #include "murosimf/locomotion/walk_options.h"
 #include "murosimf/sensors/ground_truth.h"
+#include "murosimf/sensors/inertial.h"
+#include "murosimf/sensors/joint_sensors.h"
 
 namespace murosimf::catalog {
 namespace {
@@ -31,6 +34,11 @@ namespace {
 template <class C>
 double rate_of(const ControllerOptions& options) {
   return options.rate > 0 ? options.rate : C::rate_hz;
+}
+
+Vec3d clipped_command(const Vec3d& v, const Vec3d& fastest) {
+  const auto clip = [](double x, double limit) { return std::clamp(x, -limit, limit); };
+  return {clip(v.x, fastest.x), clip(v.y, fastest.y), clip(v.z, fastest.z)};
 }
 
 void attach_none(Simulation&, Entity&, const ControllerOptions&) {}
@@ -42,6 +50,30 @@ locomotion::WalkParameters walk_of(const Model& model, const OptionValues& optio
 void attach_walk(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
   simulation.attach<locomotion::WalkEngine>("walk_engine", robot, rate_of<locomotion::WalkEngine>(options),
                                             options.command, walk_of(robot.model(), options.own));
+}
+
+/// A robot without inertial sensor or encoders gets ones without errors.
+void attach_missing_senses(Simulation& simulation, Entity& robot) {
+  constexpr double rate = 200;  // [Hz]
+  const auto has = [&](auto matches) { return std::ranges::any_of(sensors::readings_of(robot), matches); };
+  const sensors::SensorSurroundings nothing;
+  if (!sensors::find_reading(robot, "imu"))
+    simulation.attach<sensors::Imu>("imu", robot, rate, sensors::SensorSpec{.name = "imu", .type = "imu"}, nothing);
+  if (!has([](const sensors::Reading* reading) { return reading->info->type == "joint_position"; })) {
+    const sensors::SensorSpec encoders{.name = "encoders", .type = "joint_position"};
+    simulation.attach<sensors::JointPosition>("encoders", robot, rate, encoders, nothing);
+  }
+}
+
+void attach_motions(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
+  attach_missing_senses(simulation, robot);
+  simulation.attach<locomotion::MotionEngine>("motion_engine", robot, rate_of<locomotion::MotionEngine>(options),
+                                              options.command,
+                                              locomotion::motion_engine_options(robot.model(), options.own));
+}
+
+Vec3d engine_walks_at(const Model& model, const OptionValues& options, const Vec3d& command) {
+  return clipped_command(command, locomotion::balanced_walk(model, options).fastest);
 }
 
 void attach_balance(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
@@ -217,11 +249,6 @@ void attach_obstacle_course(Simulation& simulation, Entity& robot, const Control
   simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz);
 }
 
-Vec3d clipped_command(const Vec3d& v, const Vec3d& fastest) {
-  const auto clip = [](double x, double limit) { return std::clamp(x, -limit, limit); };
-  return {clip(v.x, fastest.x), clip(v.y, fastest.y), clip(v.z, fastest.z)};
-}
-
 Vec3d walks_at(const Model& model, const OptionValues& options, const Vec3d& command) {
   return clipped_command(command, walk_of(model, options).fastest);
 }
@@ -246,6 +273,9 @@ std::vector<ControllerType> built_in_controllers() {
                      locomotion::walk_options(), false, walks_at},
       ControllerType{
           "trot", "trots on four legs with the velocity in walk_command", "command", attach_trot, {}, false, trots_at},
+      ControllerType{"motions",
+                     "stands, walks with feedback, plays the robot's motions and gets up, from its own sensors",
+                     "command", attach_motions, locomotion::balanced_walk_options(), false, engine_walks_at},
       ControllerType{"balance", "stands and answers pushes with its ankles, from the sensor 'imu'", "", attach_balance,
                      balance_options().infos()},
       ControllerType{"keyframes", "plays the key frames of a motion once", "motion", attach_keyframes},

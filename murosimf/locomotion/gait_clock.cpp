@@ -30,14 +30,19 @@ void GaitClock::initialize() noexcept {
   phase_ = amplitude_ = 0;
 }
 
-void GaitClock::advance(double dt, const GaitLimits& limits) noexcept {
+void GaitClock::advance(double dt, const GaitLimits& limits, double rate, bool steps) noexcept {
   const Vec3d goal = halted_ != 0 ? Vec3d{} : clipped(command_, limits.fastest);
   const Vec3d& slew = limits.slew;
   velocity_ = {approach(velocity_.x, goal.x, dt * slew.x), approach(velocity_.y, goal.y, dt * slew.y),
                approach(velocity_.z, goal.z, dt * slew.z)};
-  const bool walking = !is_zero(goal) || !is_zero(velocity_);
+  const bool walking = steps || !is_zero(goal) || !is_zero(velocity_);
   amplitude_ = approach(amplitude_, walking ? 1 : 0, dt / (ramp * limits.period));
-  phase_ = amplitude_ > 0 ? std::fmod(phase_ + 2 * pi * dt / limits.period, 2 * pi) : 0.0;
+  phase_ = amplitude_ > 0 ? std::fmod(phase_ + rate * 2 * pi * dt / limits.period, 2 * pi) : 0.0;
+}
+
+void GaitClock::start_at(double phase, double amplitude) noexcept {
+  phase_ = phase;
+  amplitude_ = amplitude;
 }
 
 }  // namespace murosimf::locomotion

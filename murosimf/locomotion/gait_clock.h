@@ -4,6 +4,7 @@
 /// something moves and to 0 otherwise; the phase runs while it is not 0. All are columns.
 #pragma once
 
+#include "murosimf/math/scalar.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/model/setup.h"
 
@@ -21,12 +22,17 @@ class GaitClock {
   GaitClock(Setup& setup, const Vec3d& command);
 
   void initialize() noexcept;
-  /// By `dt` [s].
-  void advance(double dt, const GaitLimits& limits) noexcept;
+  /// By `dt` [s], the phase `rate` [1] times as quick as the period says; `steps` steps on the spot where nothing else moves.
+  void advance(double dt, const GaitLimits& limits, double rate = 1, bool steps = false) noexcept;
+  /// At once.
+  void start_at(double phase, double amplitude) noexcept;
 
-  [[nodiscard]] const Vec3d& velocity() const noexcept { return velocity_; }  ///< [m/s, m/s, rad/s]
-  [[nodiscard]] double phase() const noexcept { return phase_; }              ///< [rad] 0 to 2 pi
-  [[nodiscard]] double amplitude() const noexcept { return amplitude_; }      ///< [1] 0 stands, 1 walks
+  [[nodiscard]] const Vec3d& velocity() const noexcept { return velocity_; }           ///< [m/s, m/s, rad/s]
+  [[nodiscard]] double phase() const noexcept { return phase_; }                       ///< [rad] 0 to 2 pi
+  [[nodiscard]] std::size_t standing() const noexcept { return phase_ < pi ? 0 : 1; }  ///< 0: left
+  /// [1] of the step of that foot
+  [[nodiscard]] double share() const noexcept { return (phase_ < pi ? phase_ : phase_ - pi) / pi; }
+  [[nodiscard]] double amplitude() const noexcept { return amplitude_; }  ///< [1] 0 stands, 1 walks
 
  private:
   const Vec3d& command_;

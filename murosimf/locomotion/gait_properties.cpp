@@ -8,7 +8,10 @@ namespace {
 constexpr std::array gait_entries{constant(given_walk),     variable(walk_command),    variable(gait_velocity),
                                   variable(path_curvature), variable(gait_phase),      variable(gait_amplitude),
                                   variable(motion_time),    variable(balance_up),      variable(balance_upright),
-                                  variable(balance_bias),   variable(balance_capture), variable(halted)};
+                                  variable(balance_bias),   variable(balance_capture), variable(halted),
+                                  constant(given_balance),  constant(given_motions),   constant(given_steps),
+                                  variable(gait_state),     variable(odometry),        variable(motion_request),
+                                  variable(motion_state),   variable(motion_start)};
 
 }  // namespace
 

@@ -3,6 +3,9 @@
 
 #include <span>
 
+#include "murosimf/locomotion/gait_state.h"
+#include "murosimf/locomotion/motion_state.h"
+#include "murosimf/locomotion/named_motions.h"
 #include "murosimf/model/option.h"
 #include "murosimf/model/property.h"
 #include "murosimf/model/value.h"
@@ -13,6 +16,9 @@ namespace murosimf::properties {
 
 // ---- constant: of the base ----
 inline constexpr Property<OptionValues> given_walk   {{"given_walk", "-", "-", "numbers of the walk that the robot's file gives, by their names", Scope::base}};
+inline constexpr Property<locomotion::NamedMotions> given_motions {{"given_motions", "-", "-", "key-frame motions that the robot's file names, by what they are for", Scope::base}};
+inline constexpr Property<OptionValues> given_balance {{"given_balance", "-", "-", "numbers of the walk with feedback that the robot's file gives, by their names", Scope::base}};
+inline constexpr Property<locomotion::StepTablePtr> given_steps {{"given_steps", "-", "-", "how its steady walk looks to its own sensors", Scope::base}};
 
 // ---- variable: one for the whole entity ----
 inline constexpr Property<Vec3d>  walk_command       {{"walk_command", "m/s, m/s, rad/s", "robot, x forward", "desired walking velocity", Scope::base}};
@@ -26,6 +32,12 @@ inline constexpr Property<Vec3d>  balance_up         {{"balance_up", "1", "senso
 inline constexpr Property<Vec3d>  balance_upright    {{"balance_upright", "1", "sensor", "mean direction of gravity while the robot settled", Scope::base}};
 inline constexpr Property<Vec3d>  balance_bias       {{"balance_bias", "rad/s", "sensor", "mean of the gyroscope while the robot settled", Scope::base}};
 inline constexpr Property<double> balance_capture    {{"balance_capture", "rad", "-", "lean forward at which the robot would come to rest, smoothed", Scope::base}};
+
+inline constexpr Property<locomotion::GaitState> gait_state {{"gait_state", "-", "-", "what a walk with feedback remembers: attitude, center of mass, offsets of feet", Scope::base}};
+inline constexpr Property<double> motion_request     {{"motion_request", "1", "-", "number of a motion of the robot, from 1, that shall be played; 0: none", Scope::base}};
+inline constexpr Property<locomotion::MotionState> motion_state {{"motion_state", "-", "-", "what the motion engine does, and since when", Scope::base}};
+inline constexpr Property<double> motion_start       {{"motion_start", "rad | m", "joint", "targets from which the present motion began"}};
+inline constexpr Property<Vec3d>  odometry           {{"odometry", "m, m, rad", "where the robot started", "how far the robot thinks that it has walked, and turned", Scope::base}};
 
 // clang-format on
 

@@ -52,6 +52,8 @@ class Builder {
     add_pairs(chain);
     add_keyframes(chain);
     if (!table_.walk.empty()) chain.with(properties::given_walk, table_.walk);
+    if (!table_.balance.empty()) chain.with(properties::given_balance, table_.balance);
+    if (table_.steps) chain.with(properties::given_steps, table_.steps);
     finish(chain, 0);
     return chain;
   }

@@ -1,4 +1,5 @@
 #include "murosimf/robot/robot_config.h"
+#include "murosimf/robot/step_table_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +8,7 @@
 
 #include "murosimf/components/sensor_toml.h"
 #include "murosimf/components/servo_description.h"
+#include "murosimf/locomotion/gait_feedback.h"
 #include "murosimf/locomotion/walk_options.h"
 #include "murosimf/model/error.h"
 
@@ -41,11 +43,13 @@ class Reader {
       } else if (key == "sensors") {
         table_.sensors = components::read_sensor_tables(table_of(key, value));
       } else if (key == "walk") {
-        read_walk(table_of(key, value));
+        read_numbers("walk", locomotion::walk_options(), table_of(key, value), table_.walk);
+      } else if (key == "balance") {
+        read_balance(table_of(key, value));
       } else {
         unknown("table", key,
                 {"soles", "sole_sizes", "frames", "joints", "rate_limits", "linkages", "surfaces", "meshes", "servos",
-                 "sensors", "walk"});
+                 "sensors", "walk", "balance"});
       }
     }
     return table_;
@@ -122,15 +126,30 @@ class Reader {
     }
   }
 
-  void read_walk(const toml::table& walk) {
-    for (const auto& [key, value] : walk) {
-      const std::string name(key.str());
-      const OptionInfo* option = find_option(locomotion::walk_options(), name);
-      if (!option) unknown("number of the walk", key, option_names(locomotion::walk_options()));
-      const auto numbers = value.is_array() ? std::nullopt : files::numbers_of(value);
-      if (!numbers) files::fail_at(value.source(), fmt::format("'{}' must be a number", name));
-      with_context(files::where(value.source()), [&] { check_option(*option, numbers->front()); });
-      table_.walk[name] = numbers->front();
+  void read_number(std::string_view of, const std::vector<OptionInfo>& options, const toml::key& key,
+                   const toml::node& value, OptionValues& numbers_read) {
+    const std::string name(key.str());
+    const OptionInfo* option = find_option(options, name);
+    if (!option) unknown(fmt::format("number of the {}", of), key, option_names(options));
+    const auto numbers = value.is_array() ? std::nullopt : files::numbers_of(value);
+    if (!numbers) files::fail_at(value.source(), fmt::format("'{}' must be a number", name));
+    with_context(files::where(value.source()), [&] { check_option(*option, numbers->front()); });
+    numbers_read[name] = numbers->front();
+  }
+
+  void read_numbers(std::string_view of, const std::vector<OptionInfo>& options, const toml::table& table,
+                    OptionValues& numbers_read) {
+    for (const auto& [key, value] : table) read_number(of, options, key, value, numbers_read);
+  }
+
+  void read_balance(const toml::table& balance) {
+    for (const auto& [key, value] : balance) {
+      if (key == "steps") {
+        const TableName file = name_of("steps", value);
+        table_.steps = with_context(file.where, [&] { return read_step_table(folder_ / file.name); });
+      } else {
+        read_number("balance", locomotion::balanced_walk_options(), key, value, table_.balance);
+      }
     }
   }
 

@@ -30,6 +30,10 @@
 ///     [walk]                       # numbers of the walk, instead of those that are worked out (locomotion/walk_options.h)
 ///     lift = 0.03
 ///
+///     [balance]                    # numbers of the walk with feedback (locomotion/gait_feedback.h), and how it looks (step_table_file.h)
+///     step_at = 0.03
+///     steps = "robot_steps.csv"
+///
 ///     [sensors.imu]                # docs/robots.md, "Sensors"; murosimf/components/sensor_table.h
 ///     part = "mpu6050"
 ///
@@ -45,6 +49,7 @@
 #include <vector>
 
 #include "murosimf/components/sensor_table.h"
+#include "murosimf/locomotion/step_table.h"
 #include "murosimf/model/option.h"
 #include "murosimf/model/servo.h"
 #include "murosimf/model/shape.h"
@@ -85,7 +90,8 @@ struct RobotConfig {
   std::map<std::string, TableServo> servos;        ///< by joint
   std::vector<TableName> part_per_group;           ///< meshes of several convex parts
   std::vector<components::SensorTable> sensors;    ///< that it makes, changes or removes
-  OptionValues walk;                               ///< numbers of the walk, by their names
+  OptionValues walk, balance;                      ///< numbers of the walk and of the one with feedback, by their names
+  locomotion::StepTablePtr steps;                  ///< null: none
 
   /// Material of a body: its own or the default.
   [[nodiscard]] const std::string& surface(const std::string& body) const;

@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-#include "murosimf/math/vec3.h"
+#include "murosimf/math/mat3.h"
 #include "murosimf/model/setup.h"
 
 namespace murosimf::sensors {
@@ -34,6 +34,7 @@ struct SensorInfo {
   std::string frame{};  ///< name of the object that it is mounted on; empty: nothing in particular
   Duration period{};    ///< between two samples
   std::vector<Output> outputs{};
+  Mat3d orientation{};  ///< its axes, as it is meant to be mounted, to those of the frame
   [[nodiscard]] std::size_t numbers() const;
 };
 

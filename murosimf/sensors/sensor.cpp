@@ -43,7 +43,7 @@ void for_outputs(const SensorInfo& info, std::span<double> values, const Call& c
 Sensor::Sensor(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings,
                std::vector<Output> outputs, Watch watch)
     : reading_(write_reading(setup, {spec.name, spec.type, spec.frame, sample_rate(spec, setup.period()).period(),
-                                     std::move(outputs)})),
+                                     std::move(outputs), spec.orientation})),
       watch_(watch),
       rate_(sample_rate(spec, setup.period())),
       execution_(setup.period()),

@@ -1,0 +1,223 @@
+#include "murosimf/locomotion/balanced_gait.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "murosimf/locomotion/stride.h"
+
+namespace murosimf::locomotion {
+namespace {
+
+constexpr double most_deviation = 0.3;  // [m] of xi: beyond, nothing helps any more
+
+double without_dead_zone(double x, double zone) noexcept { return x > zone ? x - zone : x < -zone ? x + zone : 0.0; }
+
+double cut(double x, double zone) noexcept {
+  return std::clamp(without_dead_zone(x, zone), -most_deviation, most_deviation);
+}
+
+double outward(std::size_t side) noexcept { return side == 0 ? 1 : -1; }
+
+StepSignals difference(const StepSignals& a, const StepSignals& b) noexcept {
+  return {a.forward - b.forward, a.outward - b.outward,     a.pitch - b.pitch,
+          a.roll - b.roll,       a.roll_rate - b.roll_rate, a.pitch_rate - b.pitch_rate};
+}
+
+StepSignals scaled(double factor, const StepSignals& s) noexcept {
+  return {factor * s.forward, factor * s.outward,   factor * s.pitch,
+          factor * s.roll,    factor * s.roll_rate, factor * s.pitch_rate};
+}
+
+StepSignals blended(const StepSignals& a, const StepSignals& b, double share) noexcept {
+  const StepSignals step = scaled(share, difference(b, a));
+  return {a.forward + step.forward, a.outward + step.outward,     a.pitch + step.pitch,
+          a.roll + step.roll,       a.roll_rate + step.roll_rate, a.pitch_rate + step.pitch_rate};
+}
+
+}  // namespace
+
+BalancedGait::BalancedGait(const std::array<Leg, 2>& legs, const WalkParameters& walk, const GaitFeedback& feedback,
+                           StepTablePtr table)
+    : legs_(legs), walk_(walk), feedback_(feedback), table_(std::move(table)) {
+  for (std::size_t side = 0; side < 2; ++side) {
+    constexpr double like = 0.7;  // [1]
+    const std::vector<double> zero(legs_[side].joints.size());
+    const ChainPose pose = pose_of(legs_[side].chain, zero);
+    for (std::size_t i = zero.size(); i-- > 0;) {
+      if (std::abs(pose.axis[i].x) < like) continue;
+      roll_hinge_[side] = i;
+      roll_sign_[side] = pose.axis[i].x > 0 ? 1 : -1;
+    }
+  }
+}
+
+GaitPose BalancedGait::stance() const noexcept { return gait_pose(legs_, walk_, 0, 0, {}); }
+
+void BalancedGait::feel(double dt, const GaitClock& clock, std::span<const double> targets, WalkSenses& senses,
+                        GaitState& state) const noexcept {
+  const std::size_t standing = clock.standing();
+  senses.follow(dt, standing, feedback_.smoothing, feedback_.omega, state);
+  double sum = 0, count = 0;
+  for (std::size_t side = 0; side < 2; ++side) {
+    for (const int joint : legs_[side].joints) {
+      sum += std::abs(targets[joint] - senses.joints()[joint]);
+      ++count;
+    }
+    const int roll = legs_[side].joints[roll_hinge_[side]];
+    const bool loaded = side == standing && clock.amplitude() > 0.5;
+    constexpr double follows = 0.4, fades = 0.6;  // [1] in a cycle
+    double& lag = state.roll_lag[side];
+    lag = loaded ? lag + follows * (state.roll_target[side] - senses.joints()[roll] - lag) : fades * lag;
+  }
+  constexpr double memory = 1;  // [s]
+  state.lag += dt / memory * (sum / count - state.lag);
+  constexpr double of_servos = 0.03;  // [rad] lag of joints whose servos are those of kid21
+  state.compliance = std::clamp(state.lag / of_servos, 0.0, 1.0);
+}
+
+void BalancedGait::find_deviation(const GaitClock& clock, GaitState& state) const noexcept {
+  state.deviation = {};
+  if (clock.amplitude() > 0) {
+    if (!table_) return;
+    const double mirror = outward(clock.standing());
+    const Vec3d& v = clock.velocity();
+    const StepSignals steady =
+        steady_signals(*table_, state.compliance, clock.share(), {v.x, mirror * v.y, mirror * v.z});
+    state.deviation = scaled(std::min(1.0, clock.amplitude()), difference(state.signals, steady));
+  } else if (state.settled > 0) {
+    state.deviation = difference(state.signals, state.upright);
+  }
+  state.deviation.forward = cut(state.deviation.forward, feedback_.dead_zone);
+  state.deviation.outward = cut(state.deviation.outward, feedback_.dead_zone);
+}
+
+/// What it does of itself: learns how it stands, steps where ankles are not enough, and stands again when nothing is left of it.
+void BalancedGait::watch(double dt, GaitClock& clock, GaitState& state) const noexcept {
+  constexpr double calm = 1.0;  // [s] of steps on the spot, after the last deviation
+  const StepSignals& e = state.deviation;
+  const bool off = std::max(std::abs(e.forward), std::abs(e.outward)) > feedback_.step_at;
+  state.alarm = off ? calm : std::max(0.0, state.alarm - dt);
+  if (clock.amplitude() > 0) {
+    state.settled = 0;
+    return;
+  }
+  constexpr double still = 0.2, memory = 1;  // [s]
+  if (state.still > still) {
+    state.settled = std::min(memory, state.settled + dt);
+    state.upright = blended(state.upright, state.signals, dt / state.settled);
+  }
+  if (!off || state.settled < memory / 2) return;
+  // The foot on the side to which it falls swings: at its standing still, the left foot counts as the one that stands.
+  constexpr double early = 0.15, begins = 0.6;  // [1] of a step, of the amplitude
+  const bool falls_left = e.outward > std::abs(0.5 * e.forward);
+  clock.start_at((falls_left ? pi : 0) + early * pi, begins);
+  state.deviation = {};
+}
+
+double BalancedGait::phase_rate(const GaitState& state) const noexcept {
+  const StepSignals& e = state.deviation;
+  const double rate = 1 - feedback_.timing_sideways * e.outward + feedback_.timing_forward * std::abs(e.forward);
+  return std::clamp(rate, feedback_.slowest, feedback_.quickest);
+}
+
+/// `left` [s] of the step in which `stood` stood.
+void BalancedGait::place_steps(double dt, const GaitClock& clock, std::size_t stood, double left,
+                               GaitState& state) const noexcept {
+  if (clock.standing() != stood) return;
+  constexpr double placed = 0.9;  // [1] of a step: then the foot comes down
+  const GaitFeedback& f = feedback_;
+  const double grows = std::exp(f.omega * left), out = outward(stood);
+  // To the side of the foot that swings is inward of the one that stands.
+  const Vec3d goal{std::clamp(f.step_forward * state.deviation.forward * grows, -f.most_forward, f.most_forward),
+                   out * std::clamp(f.step_sideways * state.deviation.outward * grows, -f.most_sideways, f.most_inward),
+                   0};
+  Vec3d& swinging = state.offset[1 - stood];
+  if (clock.share() < placed) {
+    const double most = f.offset_speed * dt;
+    swinging.x += std::clamp(goal.x - swinging.x, -most, most);
+    swinging.y += std::clamp(goal.y - swinging.y, -most, most);
+  }
+  Vec3d& standing = state.offset[stood];
+  standing = std::max(0.0, 1 - dt / f.step_decay) * standing;
+}
+
+BalancedGait::Feet BalancedGait::open_loop(const GaitClock& clock, const GaitState& state) const noexcept {
+  const double d = walk_.double_support * pi / 2;
+  const double stance_time = walk_.period * (pi + 2 * d) / (2 * pi) * feedback_.stride_gain;
+  const double amplitude = clock.amplitude(), phase = clock.phase();
+  const double sway = amplitude * walk_.sway * std::sin(phase + walk_.lead);
+  const Vec3d& velocity = clock.velocity();
+  Feet feet;
+  for (std::size_t side = 0; side < 2; ++side) {
+    const Leg& leg = legs_[side];
+    const Stride s = stride(side == 0 ? phase - pi : phase, d);
+    feet.ankle[side] = Vec3d{s.xi * velocity.x * stance_time - walk_.setback - feedback_.setback_per_speed * velocity.x,
+                             outward(side) * walk_.half_width - leg.hip.y + s.xi * velocity.y * stance_time - sway,
+                             -walk_.hip_height + leg.ankle_height + amplitude * walk_.lift * s.lift} +
+                       state.offset[side];
+    feet.sole[side] = rotation_z(s.xi * velocity.z * stance_time);
+    const double standing = outward(side) * std::sin(phase);
+    feet.roll[side] = standing > 0 ? outward(side) * amplitude * walk_.hip_roll * standing : 0;
+  }
+  return feet;
+}
+
+/// The swinging foot goes to where it belongs seen from the standing one, and its sole is level; the ankle of the other one presses.
+void BalancedGait::turn_feet(const GaitClock& clock, const GaitState& state, Feet& feet) const noexcept {
+  const GaitFeedback& f = feedback_;
+  const StepSignals& e = state.deviation;
+  const std::size_t standing = clock.standing(), swinging = 1 - standing;
+  const double out = outward(standing);
+  const Mat3d undo = rotation_x(-f.foot_level * out * e.roll) * rotation_y(-f.foot_level * e.pitch);
+  const Vec3d between = legs_[swinging].hip + feet.ankle[swinging] - legs_[standing].hip - feet.ankle[standing];
+  if (clock.amplitude() > 0) {
+    feet.ankle[swinging] = legs_[standing].hip + feet.ankle[standing] + undo * between - legs_[swinging].hip;
+    feet.sole[swinging] = undo * feet.sole[swinging];
+  }
+  constexpr double most_pitch = 0.4, most_roll = 0.3;  // [rad]
+  const double pitch =
+      std::clamp(f.ankle_pitch * e.pitch + f.ankle_pitch_rate * e.pitch_rate + f.ankle_forward * e.forward, -most_pitch,
+                 most_pitch);
+  const double roll = std::clamp(f.ankle_roll * e.roll + f.ankle_roll_rate * e.roll_rate - f.ankle_sideways * e.outward,
+                                 -most_roll, most_roll);
+  const Mat3d press = rotation_y(pitch) * rotation_x(out * roll);
+  feet.sole[standing] = press * feet.sole[standing];
+  if (clock.amplitude() == 0) feet.sole[swinging] = press * feet.sole[swinging];  // both stand
+}
+
+GaitPose BalancedGait::bend_legs(const GaitClock& clock, const Feet& feet, GaitState& state,
+                                 const GaitPose& start) const noexcept {
+  constexpr double most_lag = 0.15;  // [rad]
+  const Mat3d level_to_pelvis = rotation_y(-walk_.pitch - feedback_.lean_per_speed * clock.velocity().x);
+  GaitPose pose = start;
+  for (std::size_t side = 0; side < 2; ++side) {
+    const Leg& leg = legs_[side];
+    const bool loaded = side == clock.standing() && clock.amplitude() > 0.5;
+    const double sag = loaded ? feedback_.sag * std::clamp(state.roll_lag[side], -most_lag, most_lag) : 0;
+    const FootTarget target{.ankle = level_to_pelvis * feet.ankle[side],
+                            .sole = level_to_pelvis * feet.sole[side],
+                            .roll = feet.roll[side] + roll_sign_[side] * sag};
+    const auto q = std::span(pose.q[side]).first(leg.joints.size());
+    pose.reachable = bend(leg, target, q) && pose.reachable;
+    state.roll_target[side] = q[roll_hinge_[side]] - sag;
+  }
+  return pose;
+}
+
+GaitPose BalancedGait::step(double dt, GaitClock& clock, const WalkSenses& senses, GaitState& state,
+                            const GaitPose& start, bool stops) const noexcept {
+  find_deviation(clock, state);
+  watch(dt, clock, state);
+  const double rate = phase_rate(state);
+  const std::size_t stood = clock.standing();
+  const double left = (1 - clock.share()) * walk_.period / 2 / std::max(0.5, rate);
+  clock.advance(dt, {walk_.period, walk_.slew, stops ? Vec3d{} : walk_.fastest}, rate, state.alarm > 0);
+  place_steps(dt, clock, stood, left, state);
+  if (clock.standing() != stood) senses.change_foot(clock.standing(), state);
+  Feet feet = open_loop(clock, state);
+  turn_feet(clock, state, feet);
+  return bend_legs(clock, feet, state, start);
+}
+
+}  // namespace murosimf::locomotion

@@ -1,0 +1,52 @@
+/// balanced_gait.h - the walk of gait.h with feedback: legs for one control cycle after the other.
+///
+/// While it walks, deviations count from the steady walk (step_table.h); a robot without a table walks without feedback. While it
+/// stands, they count from how it stood still, ankles answer, and what ankles cannot hold makes it step (gait_feedback.h).
+#pragma once
+
+#include "murosimf/locomotion/gait_clock.h"
+#include "murosimf/locomotion/gait_feedback.h"
+#include "murosimf/locomotion/walk_senses.h"
+
+namespace murosimf::locomotion {
+
+class BalancedGait {
+ public:
+  /// `table` may be null.
+  BalancedGait(const std::array<Leg, 2>& legs, const WalkParameters& walk, const GaitFeedback& feedback,
+               StepTablePtr table);
+
+  /// How it stands.
+  [[nodiscard]] GaitPose stance() const noexcept;
+  /// What the robot feels after a cycle of `dt` [s] in which its joints were asked for `targets` [rad] by object.
+  void feel(double dt, const GaitClock& clock, std::span<const double> targets, WalkSenses& senses,
+            GaitState& state) const noexcept;
+  /// The pose of the next cycle. `start` as in gait_pose; `stops`: whatever the command says.
+  [[nodiscard]] GaitPose step(double dt, GaitClock& clock, const WalkSenses& senses, GaitState& state,
+                              const GaitPose& start, bool stops) const noexcept;
+
+ private:
+  struct Feet {
+    std::array<Vec3d, 2> ankle;    // [m] from the hip center, level axes of the pelvis
+    std::array<Mat3d, 2> sole;     // level axes of the pelvis
+    std::array<double, 2> roll{};  // [rad] at the hip
+  };
+
+  void find_deviation(const GaitClock& clock, GaitState& state) const noexcept;
+  void watch(double dt, GaitClock& clock, GaitState& state) const noexcept;
+  [[nodiscard]] double phase_rate(const GaitState& state) const noexcept;
+  void place_steps(double dt, const GaitClock& clock, std::size_t stood, double left, GaitState& state) const noexcept;
+  [[nodiscard]] Feet open_loop(const GaitClock& clock, const GaitState& state) const noexcept;
+  void turn_feet(const GaitClock& clock, const GaitState& state, Feet& feet) const noexcept;
+  [[nodiscard]] GaitPose bend_legs(const GaitClock& clock, const Feet& feet, GaitState& state,
+                                   const GaitPose& start) const noexcept;
+
+  const std::array<Leg, 2>& legs_;
+  WalkParameters walk_;
+  GaitFeedback feedback_;
+  StepTablePtr table_;
+  std::array<std::size_t, 2> roll_hinge_{};  // of the legs' hinges: the first about the forward axis
+  std::array<double, 2> roll_sign_{};        // 1: it turns about +x; 0: the leg has none
+};
+
+}  // namespace murosimf::locomotion

@@ -1,0 +1,69 @@
+/// gait_feedback.h - how a walk answers to what is not as in the steady walk: numbers, and from what they are worked out.
+///
+/// Signals (step_table.h) are those of the divergent component of motion xi = c + v/omega, c the center of mass from the ankle that
+/// stands. e is the deviation of xi from its steady course, less a dead zone; y counts outward, away from the other foot.
+///
+///     swinging foot   k e exp(omega T), T what is left of the step: where xi would be at its end      (capture point)
+///     phase           1 - ky e_y + kx |e_x|, within its limits                                         (step timing)
+///     standing ankle  pitch: p d_pitch + d d_gyro_y + a e_x, roll likewise                             (center of pressure)
+///     swinging sole   turned and moved back by a share of the tilt's deviation
+///     standing hip    a share of the measured lag of its roll joint is added to its target             (droop)
+/// Source: Pratt et al., "Capture Point", Humanoids 2006; Takenaka et al., IROS 2009, and Englsberger et al., "Three-dimensional
+/// bipedal walking control based on divergent component of motion", IROS 2013, for xi; Khadiv et al., "Walking control based on step
+/// timing adaptation", IEEE T-RO 36 (2020), for timing, linear here. Numbers: found for kid21 by CMA-ES over gait and feedback at once.
+#pragma once
+
+#include <vector>
+
+#include "murosimf/locomotion/gait_seed.h"
+#include "murosimf/model/model.h"
+#include "murosimf/model/option.h"
+
+namespace murosimf::locomotion {
+
+/// Those of kid21, whose thigh and shin are 0.24 m long.
+struct GaitFeedback {
+  // the gait itself at a speed
+  double stride_gain = 0.96327;        ///< [1] of the strides
+  double lean_per_speed = -0.20808;    ///< [rad s/m] of the pelvis, forward
+  double setback_per_speed = 0.04198;  ///< [s] of the feet
+  double sag = 0.20653;                ///< [1] of the lag of the standing hip's roll
+  // feedback
+  double foot_level = 0.43885;         ///< [1] of the tilt that the swinging foot undoes
+  double ankle_pitch = 0.52203;        ///< [1] of the deviation of the pitch
+  double ankle_pitch_rate = 0.040905;  ///< [s]
+  double ankle_roll = 0.1721;          ///< [1]
+  double ankle_roll_rate = 0.0082881;  ///< [s]
+  double ankle_forward = 1.3991;       ///< [rad/m] of e_x
+  double ankle_sideways = 2.0698;      ///< [rad/m] of e_y
+  double step_forward = 0.79326;       ///< [1]
+  double step_sideways = 0.34193;      ///< [1]
+  double step_decay = 0.053458;        ///< [s] in which the offset of a foot that stands goes back
+  double timing_forward = 1.3604;      ///< [1/m] of |e_x|
+  double timing_sideways = 8.2033;     ///< [1/m] of e_y
+  double slowest = 0.80712;            ///< [1] of the phase
+  double quickest = 1.9618;            ///< [1]
+  double dead_zone = 0.0061561;        ///< [m] of e
+  double most_forward = 0.12477;       ///< [m] of a foot's offset
+  double most_sideways = 0.11787;      ///< [m]
+  double most_inward = 0.02;           ///< [m] the same, towards the foot that stands
+  double offset_speed = 0.60624;       ///< [m/s] of an offset
+  double smoothing = 0.0091649;        ///< [s] of the rate of the center of mass, from encoders
+  double omega = 7.3899;               ///< [1/s] of the pendulum
+  // standing
+  double step_at = 0.025;  ///< [m] of e while it stands: it steps
+};
+
+/// Names, units, meanings and bounds; none has a default of its own.
+[[nodiscard]] const std::vector<OptionInfo>& feedback_options();
+
+/// Those and the numbers of the walk (walk_options.h): what [balance] of a robot's file and the controller `motions` take.
+[[nodiscard]] const std::vector<OptionInfo>& balanced_walk_options();
+
+/// Scaled from kid21 by the length of the legs (lengths by l, times by sqrt(l)), with the model's own numbers (given_balance) in their
+/// place, and `given` before these. Throws SetupError if an option is wrong or the model has no legs to walk with.
+[[nodiscard]] GaitFeedback gait_feedback(const Model& model, const OptionValues& given);
+/// The walk itself: walk_parameters with those of the model's own numbers (given_balance) and of `given` that are its own.
+[[nodiscard]] WalkParameters balanced_walk(const Model& model, const OptionValues& given);
+
+}  // namespace murosimf::locomotion

@@ -1,0 +1,40 @@
+/// gait_state.h - what the balanced gait remembers from one control cycle to the next, besides its phase, amplitude and velocity.
+#pragma once
+
+#include <array>
+
+#include "murosimf/locomotion/attitude_filter.h"
+#include "murosimf/locomotion/step_table.h"
+#include "murosimf/model/value.h"
+
+namespace murosimf::locomotion {
+
+/// Doubles and nothing else. By side: left first.
+struct GaitState {
+  AttitudeFilter attitude;
+  std::array<Vec3d, 2> center;       ///< [m] of mass, from the ankle; axes of the base
+  std::array<Vec3d, 2> center_rate;  ///< [m/s] its rate in those axes
+  std::array<Vec3d, 2>
+      offset;  ///< [m] of the foot from where the open-loop walk has it, level axes of the pelvis; z: 0
+  std::array<double, 2> roll_target{};  ///< [rad] of the hip, before sag
+  std::array<double, 2> roll_lag{};     ///< [rad]
+  StepSignals signals;                  ///< measured
+  StepSignals deviation;                ///< from the steady walk
+  double compliance = 0;                ///< [1] 0: joints are where their targets are
+  double lag = 0;                       ///< [rad] mean of what the joints of the legs are away from their targets
+  double cycles = 0;                    ///< [1] since the start, up to two
+  StepSignals upright;                  ///< mean of the signals while it stands, the left foot as the standing one
+  double settled = 0;                   ///< [s] that they are the mean of, up to one
+  double still = 0;                     ///< [s] since it stands without moving
+  double alarm = 0;                     ///< [s] for which it goes on stepping on the spot
+  Vec3d foot;                           ///< [m, m, rad] standing ankle and heading of the base, from where it started
+};
+
+}  // namespace murosimf::locomotion
+
+namespace murosimf {
+
+template <>
+struct ValueTraits<locomotion::GaitState> : OfDoubles<locomotion::GaitState> {};
+
+}  // namespace murosimf

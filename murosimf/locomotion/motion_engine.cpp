@@ -1,0 +1,212 @@
+#include "murosimf/locomotion/motion_engine.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "murosimf/model/error.h"
+#include "murosimf/motion/rate_limit.h"
+
+namespace murosimf::locomotion {
+namespace {
+
+const double cos_falling = std::cos(35 * pi / 180);
+const double cos_fallen = std::cos(60 * pi / 180);
+const double cos_upright = std::cos(30 * pi / 180);
+
+bool starts_with_any(std::string_view name, std::initializer_list<std::string_view> words) {
+  return std::ranges::any_of(words, [&](std::string_view word) { return name.starts_with(word); });
+}
+
+/// The side of the robot that is down, or goes down: up is a unit vector in axes of the base.
+std::string_view side_down(const Vec3d& up) noexcept {
+  if (std::abs(up.x) >= std::abs(up.y)) return up.x < 0 ? "front" : "back";
+  return up.y > 0 ? "right" : "left";
+}
+
+double smooth(double s) noexcept { return 0.5 * (1 - std::cos(pi * std::clamp(s, 0.0, 1.0))); }
+
+}  // namespace
+
+MotionEngineOptions motion_engine_options(const Model& model, const OptionValues& given) {
+  MotionEngineOptions options{.walk = balanced_walk(model, given), .feedback = gait_feedback(model, given)};
+  if (const StepTablePtr* steps = model.find(properties::given_steps, 0)) options.steps = *steps;
+  if (const NamedMotions* motions = model.find(properties::given_motions, 0)) options.motions = *motions;
+  return options;
+}
+
+MotionEngine::MotionEngine(Setup& setup, const Vec3d& command, const MotionEngineOptions& options)
+    : legs_(legs_of(setup.model())),
+      gait_(legs_, options.walk, options.feedback, options.steps),
+      senses_(setup, legs_),
+      clock_(setup, command),
+      rates_(static_cast<std::size_t>(setup.model().size())),
+      next_(rates_.size()),
+      request_(setup.input(properties::motion_request, 0.0)[0]),
+      gait_state_(setup.write(properties::gait_state)[0]),
+      state_(setup.write(properties::motion_state)[0]),
+      start_(setup.write(properties::motion_start)),
+      target_(setup.write(properties::joint_target)) {
+  for (const int joint : setup.model().joints()) {
+    joints_.push_back(joint);
+    rates_[joint] = motion::joint_rate_limit(setup.model(), joint);
+  }
+  for (const auto& [name, motion] : options.motions) {
+    with_context(name, [&] {
+      motions_.push_back(
+          {name, KeyframePose(setup.model(), motion), starts_with_any(name, {"dive", "protect", "get_up"})});
+    });
+  }
+}
+
+void MotionEngine::initialize() {
+  std::ranges::fill(target_, 0.0);
+  std::ranges::fill(start_, 0.0);
+  clock_.initialize();
+  senses_.initialize(clock_.standing(), gait_state_);
+  state_ = {};
+  write_walk(gait_.stance());
+  std::ranges::copy(next_, target_.begin());
+}
+
+void MotionEngine::step(const Instant& instant) noexcept {
+  const double dt = seconds(instant.period);
+  gait_.feel(dt, clock_, target_, senses_, gait_state_);
+  read_request();
+  choose(dt);
+  state_.time += dt;
+  if (mode() == MotionMode::walk) {
+    walk(dt);
+  } else {
+    play(dt);
+  }
+  limit_rates(dt);
+}
+
+/// A new request waits in `motion` until the robot has stopped.
+void MotionEngine::read_request() noexcept {
+  const double asked = std::round(request_);
+  const bool is_new = asked != state_.asked;
+  state_.asked = asked;
+  if (!is_new || !(asked >= 1) || asked > static_cast<double>(motions_.size())) return;
+  const int motion = static_cast<int>(asked) - 1;
+  if (mode() != MotionMode::walk) return;
+  if (motions_[motion].lies) return begin(MotionMode::play, motion);
+  state_.motion = motion;
+}
+
+void MotionEngine::choose(double dt) noexcept {
+  const double up = gait_state_.attitude.up.z;
+  const bool means_to_lie =
+      mode() != MotionMode::walk && state_.motion >= 0 && motions_[static_cast<int>(state_.motion)].lies;
+  const bool over = mode() != MotionMode::walk && state_.motion >= 0 &&
+                    state_.time > state_.blend + motions_[static_cast<int>(state_.motion)].pose.duration();
+  switch (mode()) {
+    case MotionMode::walk:
+    case MotionMode::play:
+      if (means_to_lie && !over) return;
+      if (up < cos_fallen) return lie_down();
+      if (up < cos_falling && !means_to_lie) return begin(MotionMode::protect, find_motion("protect_"));
+      if (over) return begin(MotionMode::walk, -1);
+      if (mode() == MotionMode::walk && state_.motion >= 0 && clock_.amplitude() == 0 && state_.time > state_.blend)
+        return begin(MotionMode::play, static_cast<int>(state_.motion));
+      return;
+    case MotionMode::protect:
+      if (up < cos_fallen && (over || state_.motion < 0)) return lie_down();
+      if (up > cos_upright && (over || state_.motion < 0)) return begin(MotionMode::walk, -1);
+      return;
+    case MotionMode::lie: {
+      constexpr double waits = 0.4, patience = 3;  // [s]
+      state_.quiet = gait_state_.still > 0 ? state_.quiet + dt : 0;
+      if (up > cos_upright) return begin(MotionMode::walk, -1);
+      if (state_.quiet < waits && state_.time < patience) return;
+      if (const int motion = find_motion("get_up_"); motion >= 0) begin(MotionMode::get_up, motion);
+      return;
+    }
+    case MotionMode::get_up:
+      if (over) return up > cos_upright ? begin(MotionMode::walk, -1) : lie_down();
+  }
+}
+
+void MotionEngine::lie_down() noexcept {
+  if (mode() != MotionMode::get_up) state_.falls += 1;
+  begin(MotionMode::lie, -1);
+}
+
+/// From where the joints are.
+void MotionEngine::begin(MotionMode mode, int motion) noexcept {
+  state_.mode = static_cast<double>(mode);
+  state_.motion = motion;
+  state_.time = state_.quiet = 0;
+  std::ranges::copy(target_, start_.begin());
+  clock_.initialize();
+  gait_state_.offset = {};
+  gait_state_.settled = gait_state_.alarm = 0;
+  if (mode == MotionMode::walk) {
+    write_walk(gait_.stance());
+  } else if (motion >= 0) {
+    motions_[motion].pose.write(0, next_);
+  } else {
+    std::ranges::copy(target_, next_.begin());
+  }
+  state_.blend = way_time();
+}
+
+/// [s] for the slowest joint from `start_` to `next_`, along a cosine.
+double MotionEngine::way_time() const noexcept {
+  constexpr double peak = pi / 2, at_least = 0.05;  // [1] largest rate of a cosine over its mean; [s]
+  double time = at_least;
+  for (const int joint : joints_) time = std::max(time, peak * std::abs(next_[joint] - start_[joint]) / rates_[joint]);
+  return time;
+}
+
+void MotionEngine::walk(double dt) noexcept {
+  if (state_.time < state_.blend) {
+    write_walk(gait_.stance());
+    const double share = smooth(state_.time / state_.blend);
+    for (const int joint : joints_) next_[joint] = start_[joint] + share * (next_[joint] - start_[joint]);
+    return;
+  }
+  GaitPose last;
+  for (std::size_t side = 0; side < 2; ++side) {
+    const auto& joints = legs_[side].joints;
+    for (std::size_t i = 0; i < joints.size(); ++i) last.q[side][i] = target_[joints[i]];
+  }
+  const bool stops = state_.motion >= 0;  // a motion waits
+  write_walk(gait_.step(dt, clock_, senses_, gait_state_, last, stops));
+}
+
+void MotionEngine::play(double) noexcept {
+  if (state_.motion < 0) return;  // lies: targets stay
+  KeyframePose& pose = motions_[static_cast<int>(state_.motion)].pose;
+  pose.write(state_.time - state_.blend, next_);
+  if (state_.time >= state_.blend) return;
+  const double share = smooth(state_.time / state_.blend);
+  for (const int joint : joints_) next_[joint] = start_[joint] + share * (next_[joint] - start_[joint]);
+}
+
+void MotionEngine::write_walk(const GaitPose& pose) noexcept {
+  std::ranges::fill(next_, 0.0);
+  for (std::size_t side = 0; side < 2; ++side) {
+    const auto& joints = legs_[side].joints;
+    for (std::size_t i = 0; i < joints.size(); ++i) next_[joints[i]] = pose.q[side][i];
+  }
+}
+
+void MotionEngine::limit_rates(double dt) noexcept {
+  for (const int joint : joints_) {
+    const double most = rates_[joint] * dt;
+    target_[joint] += std::clamp(next_[joint] - target_[joint], -most, most);
+  }
+}
+
+int MotionEngine::find_motion(std::string_view kind) const noexcept {
+  const std::string_view side = side_down(gait_state_.attitude.up);
+  for (std::size_t i = 0; i < motions_.size(); ++i) {
+    const std::string_view name = motions_[i].name;
+    if (name.size() == kind.size() + side.size() && name.starts_with(kind) && name.ends_with(side))
+      return static_cast<int>(i);
+  }
+  return -1;
+}
+
+}  // namespace murosimf::locomotion

@@ -1,0 +1,83 @@
+/// motion_engine.h - algorithm: stands, walks, plays motions, and gets up when it has fallen, by what the robot's own sensors say.
+///
+/// Modes (motion_state.h), the later ones go before the earlier ones:
+///     walk      stands or walks with the velocity in `walk_command` (balanced_gait.h); without a command and undisturbed it stands
+///     play      a key-frame motion that `motion_request` asked for: number n of the robot's motions, from 1, in the order of their
+///               names. It begins when the robot has stopped, a dive at once. A request plays once; it must be 0 in between.
+///     protect   it falls (leans over 35 degrees): plays protect_front, _back, _left or _right, if the robot has it
+///     lie       it has fallen (60 degrees): waits until it lies still
+///     get_up    plays get_up_front, _back, _left or _right by the side that it lies on, and again if it does not stand then
+/// A motion begins with a way from where the joints are, in the time that the slowest joint needs; targets never change by more than
+/// a joint's largest rate (motion/rate_limit.h).
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "murosimf/locomotion/balanced_gait.h"
+#include "murosimf/locomotion/gait_properties.h"
+#include "murosimf/locomotion/keyframe_pose.h"
+#include "murosimf/model/algorithm.h"
+#include "murosimf/model/properties.h"
+#include "murosimf/model/setup.h"
+
+namespace murosimf::locomotion {
+
+struct MotionEngineOptions {
+  WalkParameters walk;
+  GaitFeedback feedback;
+  StepTablePtr steps;    ///< null: walks without feedback
+  NamedMotions motions;  ///< in the order of their names
+};
+
+/// What the model's file gives, with `given` (balanced_walk_options) before it. Throws SetupError as gait_feedback.
+[[nodiscard]] MotionEngineOptions motion_engine_options(const Model& model, const OptionValues& given);
+
+class MotionEngine final : public Algorithm {
+ public:
+  /// `command` [m/s, m/s, rad/s]: walk_command until another is set. Throws SetupError if the robot lacks sensors (walk_senses.h) or
+  /// legs (leg.h), or a motion does not fit the model.
+  MotionEngine(Setup& setup, const Vec3d& command, const MotionEngineOptions& options);
+
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::control; }
+  void initialize() override;
+  void step(const Instant& instant) noexcept override;
+
+  static constexpr double rate_hz = 100;
+
+ private:
+  struct PlayedMotion {
+    std::string name;
+    KeyframePose pose;
+    bool lies = false;  ///< the robot is meant to go down, or to come from there
+  };
+
+  void read_request() noexcept;
+  void choose(double dt) noexcept;
+  void begin(MotionMode mode, int motion) noexcept;
+  void lie_down() noexcept;
+  void walk(double dt) noexcept;
+  void play(double dt) noexcept;
+  void write_walk(const GaitPose& pose) noexcept;
+  void limit_rates(double dt) noexcept;
+  [[nodiscard]] double way_time() const noexcept;
+  [[nodiscard]] MotionMode mode() const noexcept { return static_cast<MotionMode>(state_.mode); }
+  [[nodiscard]] int find_motion(std::string_view kind) const noexcept;
+
+  const std::array<Leg, 2>& legs_;
+  BalancedGait gait_;
+  WalkSenses senses_;
+  GaitClock clock_;
+  std::vector<PlayedMotion> motions_;
+  std::vector<int> joints_;
+  std::vector<double> rates_;  // [rad/s | m/s] by object
+  std::vector<double> next_;   // [rad | m] targets of this cycle, by object
+  const double& request_;
+  GaitState& gait_state_;
+  MotionState& state_;
+  std::span<double> start_;   // [rad | m] by object
+  std::span<double> target_;  // [rad | m] by object
+};
+
+}  // namespace murosimf::locomotion

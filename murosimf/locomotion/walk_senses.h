@@ -1,0 +1,65 @@
+/// walk_senses.h - what a walking robot feels: attitude, center of mass and odometry from its inertial sensor and its encoders.
+///
+/// With R the rotation of roll and pitch from the attitude filter, c_a the center of mass from an ankle by forward kinematics of the
+/// encoders, w the gyroscope, all in axes of the base, omega the rate of the pendulum:
+///
+///     xi = R c_a + R (w x c_a + dc_a/dt) / omega         dc_a/dt from differences, through a low-pass
+///
+/// Odometry: the ankle that stands does not move, and the heading is the integral of the vertical rate.
+/// Source: gait_feedback.h.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "murosimf/locomotion/gait_state.h"
+#include "murosimf/locomotion/leg.h"
+#include "murosimf/model/setup.h"
+
+namespace murosimf::locomotion {
+
+class WalkSenses {
+ public:
+  /// Throws SetupError if the robot has no sensor "imu" with gyroscope and accelerometer, or no sensor of the type joint_position for the
+  /// joints of its legs.
+  WalkSenses(Setup& setup, const std::array<Leg, 2>& legs);
+
+  /// Before the first control cycle.
+  void initialize(std::size_t standing, GaitState& state) noexcept;
+  /// A control cycle of `dt` [s] is over, in which `standing` (0: left) stood; `smoothing` [s], `omega` [1/s].
+  void follow(double dt, std::size_t standing, double smoothing, double omega, GaitState& state) noexcept;
+  /// Another foot stands from now on.
+  void change_foot(std::size_t standing, GaitState& state) const noexcept;
+
+  /// [rad | m] of all objects, as measured.
+  [[nodiscard]] std::span<const double> joints() const noexcept { return q_; }
+  [[nodiscard]] const Vec3d& rate() const noexcept { return rate_; }  ///< [rad/s] gyroscope less bias, axes of the base
+
+ private:
+  /// Where a number of a reading goes.
+  struct Encoder {
+    const double* value = nullptr;
+    int joint = 0;
+  };
+
+  void read_joints() noexcept;
+  [[nodiscard]] Vec3d flat_step(std::size_t standing, const GaitState& state) const noexcept;
+
+  const std::array<Leg, 2>& legs_;
+  const Model& model_;
+  std::vector<Encoder> encoders_;
+  std::span<const double> gyroscope_, accelerometer_;  // [rad/s], [m/s^2] axes of the sensor
+  int mounting_ = 0;                                   // object of the link that the sensor is on
+  Mat3d turn_;                                         // axes of the sensor to those of that link
+  double gravity_ = 9.81;                              // [m/s^2]
+  std::vector<double> q_;
+  std::vector<Vec3d> r_, rest_;  // of all objects, in the base
+  std::vector<Mat3d> R_;
+  Vec3d rate_;
+  Vec3d& odometry_;
+};
+
+/// Roll and pitch of a base, from its axes to level ones with its heading.
+[[nodiscard]] Mat3d level_axes(const AttitudeFilter& attitude) noexcept;
+
+}  // namespace murosimf::locomotion
