@@ -23,6 +23,7 @@
   COMMAND(branch)                  \
   COMMAND(sweep)                   \
   COMMAND(tune)                    \
+  COMMAND(tune_steps)              \
   COMMAND(doctor)                  \
   COMMAND(compare)                 \
   COMMAND(check)                   \

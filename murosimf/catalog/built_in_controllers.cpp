@@ -23,6 +23,7 @@
 #include "murosimf/locomotion/trot.h"
 #include "murosimf/locomotion/walk_engine.h"
 #include "murosimf/locomotion/walk_options.h"
+#include "murosimf/robot/step_table_file.h"
 #include "murosimf/sensors/ground_truth.h"
 #include "murosimf/sensors/inertial.h"
 #include "murosimf/sensors/joint_sensors.h"
@@ -65,11 +66,24 @@ void attach_missing_senses(Simulation& simulation, Entity& robot) {
   }
 }
 
+std::vector<OptionInfo> motions_options() {
+  std::vector<OptionInfo> options = locomotion::balanced_walk_options();
+  options.push_back(
+      {"steps", std::string(), "", "table of the steady walk (CSV), instead of the model's; none: no feedback"});
+  return options;
+}
+
 void attach_motions(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
   attach_missing_senses(simulation, robot);
+  locomotion::MotionEngineOptions engine = locomotion::motion_engine_options(robot.model(), options.own);
+  if (const auto steps = options.own.find("steps"); steps != options.own.end()) {
+    const std::string& file = std::get<std::string>(steps->second);
+    engine.steps = file == "none"
+                       ? nullptr
+                       : robot::read_step_table(files::find_data_file(file, "models", ".csv", options.folder));
+  }
   simulation.attach<locomotion::MotionEngine>("motion_engine", robot, rate_of<locomotion::MotionEngine>(options),
-                                              options.command,
-                                              locomotion::motion_engine_options(robot.model(), options.own));
+                                              options.command, engine);
 }
 
 Vec3d engine_walks_at(const Model& model, const OptionValues& options, const Vec3d& command) {
@@ -275,7 +289,7 @@ std::vector<ControllerType> built_in_controllers() {
           "trot", "trots on four legs with the velocity in walk_command", "command", attach_trot, {}, false, trots_at},
       ControllerType{"motions",
                      "stands, walks with feedback, plays the robot's motions and gets up, from its own sensors",
-                     "command", attach_motions, locomotion::balanced_walk_options(), false, engine_walks_at},
+                     "command", attach_motions, motions_options(), false, engine_walks_at},
       ControllerType{"balance", "stands and answers pushes with its ankles, from the sensor 'imu'", "", attach_balance,
                      balance_options().infos()},
       ControllerType{"keyframes", "plays the key frames of a motion once", "motion", attach_keyframes},

@@ -206,13 +206,14 @@ GaitPose BalancedGait::bend_legs(const GaitClock& clock, const Feet& feet, GaitS
 }
 
 GaitPose BalancedGait::step(double dt, GaitClock& clock, const WalkSenses& senses, GaitState& state,
-                            const GaitPose& start, bool stops) const noexcept {
+                            const GaitPose& start, const Intent& intent) const noexcept {
   find_deviation(clock, state);
+  if (!intent.answers) state.deviation = {};
   watch(dt, clock, state);
   const double rate = phase_rate(state);
   const std::size_t stood = clock.standing();
   const double left = (1 - clock.share()) * walk_.period / 2 / std::max(0.5, rate);
-  clock.advance(dt, {walk_.period, walk_.slew, stops ? Vec3d{} : walk_.fastest}, rate, state.alarm > 0);
+  clock.advance(dt, {walk_.period, walk_.slew, intent.stops ? Vec3d{} : walk_.fastest}, rate, state.alarm > 0);
   place_steps(dt, clock, stood, left, state);
   if (clock.standing() != stood) senses.change_foot(clock.standing(), state);
   Feet feet = open_loop(clock, state);

@@ -21,9 +21,13 @@ class BalancedGait {
   /// What the robot feels after a cycle of `dt` [s] in which its joints were asked for `targets` [rad] by object.
   void feel(double dt, const GaitClock& clock, std::span<const double> targets, WalkSenses& senses,
             GaitState& state) const noexcept;
-  /// The pose of the next cycle. `start` as in gait_pose; `stops`: whatever the command says.
+  struct Intent {
+    bool stops = false;   ///< whatever the command says
+    bool answers = true;  ///< to deviations
+  };
+  /// The pose of the next cycle. `start` as in gait_pose.
   [[nodiscard]] GaitPose step(double dt, GaitClock& clock, const WalkSenses& senses, GaitState& state,
-                              const GaitPose& start, bool stops) const noexcept;
+                              const GaitPose& start, const Intent& intent) const noexcept;
 
  private:
   struct Feet {

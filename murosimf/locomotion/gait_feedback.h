@@ -51,7 +51,7 @@ struct GaitFeedback {
   double smoothing = 0.0091649;        ///< [s] of the rate of the center of mass, from encoders
   double omega = 7.3899;               ///< [1/s] of the pendulum
   // standing
-  double step_at = 0.025;  ///< [m] of e while it stands: it steps
+  double step_at = 0.035;  ///< [m] of e while it stands: it steps
 };
 
 /// Names, units, meanings and bounds; none has a default of its own.

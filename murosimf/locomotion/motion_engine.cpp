@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
+#include "murosimf/collision/contact_properties.h"
 #include "murosimf/model/error.h"
 #include "murosimf/motion/rate_limit.h"
 
@@ -27,9 +29,25 @@ double smooth(double s) noexcept { return 0.5 * (1 - std::cos(pi * std::clamp(s,
 
 }  // namespace
 
+namespace {
+
+/// Kept by the model.
+StepTablePtr steps_of(const Model& model, const std::function<StepTablePtr()>& make) {
+  return *model.derived().get<StepTablePtr>("steps", make);
+}
+
+}  // namespace
+
+void take_steps(const Model& model, const StepTablePtr& steps) {
+  (void)steps_of(model, [&] { return steps; });
+}
+
 MotionEngineOptions motion_engine_options(const Model& model, const OptionValues& given) {
   MotionEngineOptions options{.walk = balanced_walk(model, given), .feedback = gait_feedback(model, given)};
-  if (const StepTablePtr* steps = model.find(properties::given_steps, 0)) options.steps = *steps;
+  options.steps = steps_of(model, [&] {
+    const StepTablePtr* const given_steps = model.find(properties::given_steps, 0);
+    return given_steps ? *given_steps : nullptr;
+  });
   if (const NamedMotions* motions = model.find(properties::given_motions, 0)) options.motions = *motions;
   return options;
 }
@@ -41,6 +59,7 @@ MotionEngine::MotionEngine(Setup& setup, const Vec3d& command, const MotionEngin
       clock_(setup, command),
       rates_(static_cast<std::size_t>(setup.model().size())),
       next_(rates_.size()),
+      dynamic_(setup.input(properties::dynamic, 1.0)[0]),
       request_(setup.input(properties::motion_request, 0.0)[0]),
       gait_state_(setup.write(properties::gait_state)[0]),
       state_(setup.write(properties::motion_state)[0]),
@@ -104,8 +123,8 @@ void MotionEngine::choose(double dt) noexcept {
     case MotionMode::walk:
     case MotionMode::play:
       if (means_to_lie && !over) return;
-      if (up < cos_fallen) return lie_down();
-      if (up < cos_falling && !means_to_lie) return begin(MotionMode::protect, find_motion("protect_"));
+      if (can_fall() && up < cos_fallen) return lie_down();
+      if (can_fall() && up < cos_falling && !means_to_lie) return begin(MotionMode::protect, find_motion("protect_"));
       if (over) return begin(MotionMode::walk, -1);
       if (mode() == MotionMode::walk && state_.motion >= 0 && clock_.amplitude() == 0 && state_.time > state_.blend)
         return begin(MotionMode::play, static_cast<int>(state_.motion));
@@ -171,8 +190,8 @@ void MotionEngine::walk(double dt) noexcept {
     const auto& joints = legs_[side].joints;
     for (std::size_t i = 0; i < joints.size(); ++i) last.q[side][i] = target_[joints[i]];
   }
-  const bool stops = state_.motion >= 0;  // a motion waits
-  write_walk(gait_.step(dt, clock_, senses_, gait_state_, last, stops));
+  const bool waits = state_.motion >= 0;
+  write_walk(gait_.step(dt, clock_, senses_, gait_state_, last, {.stops = waits, .answers = can_fall()}));
 }
 
 void MotionEngine::play(double) noexcept {

@@ -34,6 +34,10 @@ struct MotionEngineOptions {
 /// What the model's file gives, with `given` (balanced_walk_options) before it. Throws SetupError as gait_feedback.
 [[nodiscard]] MotionEngineOptions motion_engine_options(const Model& model, const OptionValues& given);
 
+/// Motion engines of this model take `steps` from now on, instead of what its file gives; null: none. Must be called before the first one is
+/// made, by what learns them.
+void take_steps(const Model& model, const StepTablePtr& steps);
+
 class MotionEngine final : public Algorithm {
  public:
   /// `command` [m/s, m/s, rad/s]: walk_command until another is set. Throws SetupError if the robot lacks sensors (walk_senses.h) or
@@ -63,6 +67,7 @@ class MotionEngine final : public Algorithm {
   void limit_rates(double dt) noexcept;
   [[nodiscard]] double way_time() const noexcept;
   [[nodiscard]] MotionMode mode() const noexcept { return static_cast<MotionMode>(state_.mode); }
+  [[nodiscard]] bool can_fall() const noexcept { return dynamic_ != 0; }
   [[nodiscard]] int find_motion(std::string_view kind) const noexcept;
 
   const std::array<Leg, 2>& legs_;
@@ -73,6 +78,7 @@ class MotionEngine final : public Algorithm {
   std::vector<int> joints_;
   std::vector<double> rates_;  // [rad/s | m/s] by object
   std::vector<double> next_;   // [rad | m] targets of this cycle, by object
+  const double& dynamic_;      // 0: at kinematic_walking, which cannot fall, nothing that the sensors say is answered
   const double& request_;
   GaitState& gait_state_;
   MotionState& state_;
