@@ -5,10 +5,11 @@
 namespace murosimf::properties {
 namespace {
 
-constexpr std::array gait_entries{constant(given_walk),     variable(walk_command),    variable(gait_velocity),
-                                  variable(path_curvature), variable(gait_phase),      variable(gait_amplitude),
-                                  variable(motion_time),    variable(balance_up),      variable(balance_upright),
-                                  variable(balance_bias),   variable(balance_capture), variable(halted)};
+constexpr std::array gait_entries{constant(given_walk),      constant(given_motions),  variable(walk_command),
+                                  variable(gait_velocity),   variable(path_curvature), variable(gait_phase),
+                                  variable(gait_amplitude),  variable(motion_time),    variable(balance_up),
+                                  variable(balance_upright), variable(balance_bias),   variable(balance_capture),
+                                  variable(halted)};
 
 }  // namespace
 

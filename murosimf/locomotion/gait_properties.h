@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "murosimf/locomotion/named_motions.h"
 #include "murosimf/model/option.h"
 #include "murosimf/model/property.h"
 #include "murosimf/model/value.h"
@@ -13,6 +14,7 @@ namespace murosimf::properties {
 
 // ---- constant: of the base ----
 inline constexpr Property<OptionValues> given_walk   {{"given_walk", "-", "-", "numbers of the walk that the robot's file gives, by their names", Scope::base}};
+inline constexpr Property<locomotion::NamedMotions> given_motions {{"given_motions", "-", "-", "key-frame motions that the robot's file names, by what they are for", Scope::base}};
 
 // ---- variable: one for the whole entity ----
 inline constexpr Property<Vec3d>  walk_command       {{"walk_command", "m/s, m/s, rad/s", "robot, x forward", "desired walking velocity", Scope::base}};

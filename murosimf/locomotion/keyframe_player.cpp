@@ -1,51 +1,20 @@
 #include "murosimf/locomotion/keyframe_player.h"
 
 #include <algorithm>
-#include <optional>
-
-#include <fmt/format.h>
 
 #include "murosimf/locomotion/gait_properties.h"
-#include "murosimf/model/error.h"
+#include "murosimf/locomotion/keyframe_channel.h"
+#include "murosimf/locomotion/mirrored_motion.h"
 
 namespace murosimf::locomotion {
-namespace {
-
-constexpr std::array<std::string_view, 2> sides{"left_foot.", "right_foot."};
-constexpr std::array<std::string_view, 4> axes{"x", "y", "z", "pitch"};
-
-struct FootAxis {
-  std::size_t side, axis;
-};
-
-std::optional<FootAxis> foot_axis(std::string_view channel) {
-  for (std::size_t side = 0; side < sides.size(); ++side) {
-    if (!channel.starts_with(sides[side])) continue;
-    const auto* found = std::find(axes.begin(), axes.end(), channel.substr(sides[side].size()));
-    if (found != axes.end()) return FootAxis{side, static_cast<std::size_t>(found - axes.begin())};
-  }
-  return std::nullopt;
-}
-
-int joint_named(const Model& model, std::string_view name) {
-  std::vector<std::string_view> known;
-  for (const int joint : model.joints()) {
-    if (model.objects()[joint].name == name) return joint;
-    known.emplace_back(model.objects()[joint].name);
-  }
-  throw SetupError(fmt::format("model '{}': {}", model.name(), unknown_name("joint or foot", name, known)));
-}
-
-}  // namespace
-
 KeyframePlayer::KeyframePlayer(Setup& setup, const KeyframeMotion& motion)
-    : motion_(motion),
+    : motion_(played_by(setup.model(), motion)),
       duration_(duration(motion)),
       values_(motion.start),
       time_(setup.write(properties::motion_time)[0]),
       target_(setup.write(properties::joint_target)) {
-  for (std::size_t column = 0; column < motion.columns.size(); ++column) {
-    for (const Channel& channel : motion.columns[column]) connect(setup.model(), channel, column);
+  for (std::size_t column = 0; column < motion_.columns.size(); ++column) {
+    for (const Channel& channel : motion_.columns[column]) connect(setup.model(), channel, column);
   }
   if (foot_sinks_.empty()) return;
   legs_ = find_legs(setup.model());
@@ -56,7 +25,7 @@ void KeyframePlayer::connect(const Model& model, const Channel& channel, std::si
   if (const auto foot = foot_axis(channel.name)) {
     foot_sinks_.push_back({column, channel.sign, foot->side, foot->axis});
   } else {
-    joint_sinks_.push_back({column, channel.sign, joint_named(model, channel.name)});
+    joint_sinks_.push_back({column, channel.sign, joint_of_channel(model, channel.name)});
   }
 }
 

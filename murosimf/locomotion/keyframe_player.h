@@ -19,7 +19,7 @@ namespace murosimf::locomotion {
 class KeyframePlayer final : public Algorithm {
  public:
   /// Throws SetupError if the motion names a channel that the model does not have, or moves feet of a model without legs
-  /// as leg.h describes them.
+  /// as leg.h describes them, or cannot be mirrored where it is for the other side.
   KeyframePlayer(Setup& setup, const KeyframeMotion& motion);
 
   [[nodiscard]] Phase phase() const noexcept override { return Phase::control; }
@@ -39,7 +39,7 @@ class KeyframePlayer final : public Algorithm {
     std::size_t column = 0;
     double sign = 1;
     std::size_t side = 0;  // 0: left
-    std::size_t axis = 0;  // x, y, z, pitch
+    std::size_t axis = 0;  // of foot_axes
   };
   using FootPlace = std::array<double, 4>;  // [m, m, m, rad] x, y, z, pitch from the stance
 

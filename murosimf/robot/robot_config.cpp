@@ -9,6 +9,7 @@
 #include "murosimf/components/servo_description.h"
 #include "murosimf/locomotion/walk_options.h"
 #include "murosimf/model/error.h"
+#include "murosimf/robot/motion_file.h"
 
 namespace murosimf::robot {
 namespace {
@@ -42,10 +43,12 @@ class Reader {
         table_.sensors = components::read_sensor_tables(table_of(key, value));
       } else if (key == "walk") {
         read_walk(table_of(key, value));
+      } else if (key == "motions") {
+        read_motions(table_of(key, value));
       } else {
         unknown("table", key,
                 {"soles", "sole_sizes", "frames", "joints", "rate_limits", "linkages", "surfaces", "meshes", "servos",
-                 "sensors", "walk"});
+                 "sensors", "walk", "motions"});
       }
     }
     return table_;
@@ -131,6 +134,15 @@ class Reader {
       if (!numbers) files::fail_at(value.source(), fmt::format("'{}' must be a number", name));
       with_context(files::where(value.source()), [&] { check_option(*option, numbers->front()); });
       table_.walk[name] = numbers->front();
+    }
+  }
+
+  void read_motions(const toml::table& motions) {
+    for (const auto& [key, value] : motions) {
+      const auto [motion, place] = name_of(key.str(), value);
+      table_.motions[std::string(key.str())] = {with_context(place,
+                                                             [&] { return read_motion(find_motion(motion, folder_)); }),
+                                                place};
     }
   }
 
