@@ -47,6 +47,7 @@ ReportRow make_row(const Model& model, int object, const std::string& body) {
     row.stall_torque = servo->stall_torque;
     row.torque_limit = servo->torque_limit;
     row.no_load_speed = servo->no_load_speed;
+    row.position_gain = servo->position_gain;
   }
   return row;
 }
@@ -226,6 +227,7 @@ json row_object(const ReportRow& row) {
     object["stall_torque"] = row.stall_torque;
     object["torque_limit"] = row.torque_limit;
     object["no_load_speed"] = row.no_load_speed;
+    object["position_gain"] = row.position_gain;
   }
   return object;
 }

@@ -24,6 +24,7 @@ struct ReportRow {
   double stall_torque = 0;     ///< [N m | N] 0: unlimited
   double torque_limit = 0;     ///< [N m | N] from the current limit; 0: none
   double no_load_speed = 0;    ///< [rad/s | m/s] 0: not known
+  double position_gain = 0;    ///< [N m/rad | N/m]
 };
 
 /// Everything behind one joint at the base.

@@ -1,9 +1,13 @@
 /// keyframe_player.h - algorithm: plays a key-frame motion once, then holds its last frame.
 ///
-/// Writes `joint_target` of all joints: those that the motion does not name stay at zero (keyframe_pose.h).
+/// Writes `joint_target` of all joints, as keyframe_targets.h says.
 #pragma once
 
-#include "murosimf/locomotion/keyframe_pose.h"
+#include <span>
+#include <vector>
+
+#include "murosimf/locomotion/keyframe_motion.h"
+#include "murosimf/locomotion/keyframe_targets.h"
 #include "murosimf/model/algorithm.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/model/setup.h"
@@ -12,8 +16,11 @@ namespace murosimf::locomotion {
 
 class KeyframePlayer final : public Algorithm {
  public:
-  /// Throws SetupError as KeyframePose does.
+  /// Throws SetupError as KeyframeTargets.
   KeyframePlayer(Setup& setup, const KeyframeMotion& motion);
+
+  /// From the next initialize() on: a motion with the same columns and other values, durations or number of frames.
+  void play(const KeyframeMotion& motion);
 
   [[nodiscard]] Phase phase() const noexcept override { return Phase::control; }
   void initialize() override;
@@ -22,9 +29,14 @@ class KeyframePlayer final : public Algorithm {
   static constexpr double rate_hz = 100;
 
  private:
-  KeyframePose pose_;
-  double& time_;              // [s] since the start
-  std::span<double> target_;  // [rad | m] by object
+  void write_targets() noexcept;
+
+  KeyframeMotion motion_;
+  double duration_;  // [s]
+  KeyframeTargets targets_;
+  std::vector<double> values_;  // by column
+  double& time_;                // [s] since the start
+  std::span<double> target_;    // [rad | m] by object
 };
 
 }  // namespace murosimf::locomotion

@@ -71,8 +71,8 @@ MotionEngine::MotionEngine(Setup& setup, const Vec3d& command, const MotionEngin
   }
   for (const auto& [name, motion] : options.motions) {
     with_context(name, [&] {
-      motions_.push_back(
-          {name, KeyframePose(setup.model(), motion), starts_with_any(name, {"dive", "protect", "get_up"})});
+      motions_.push_back({name, motion, duration(motion), KeyframeTargets(setup.model(), motion), motion.start,
+                          starts_with_any(name, {"dive", "protect", "get_up"})});
     });
   }
 }
@@ -118,7 +118,7 @@ void MotionEngine::choose(double dt) noexcept {
   const bool means_to_lie =
       mode() != MotionMode::walk && state_.motion >= 0 && motions_[static_cast<int>(state_.motion)].lies;
   const bool over = mode() != MotionMode::walk && state_.motion >= 0 &&
-                    state_.time > state_.blend + motions_[static_cast<int>(state_.motion)].pose.duration();
+                    state_.time > state_.blend + motions_[static_cast<int>(state_.motion)].duration;
   switch (mode()) {
     case MotionMode::walk:
     case MotionMode::play:
@@ -163,7 +163,7 @@ void MotionEngine::begin(MotionMode mode, int motion) noexcept {
   if (mode == MotionMode::walk) {
     write_walk(gait_.stance());
   } else if (motion >= 0) {
-    motions_[motion].pose.write(0, next_);
+    write_motion(motions_[motion], 0);
   } else {
     std::ranges::copy(target_, next_.begin());
   }
@@ -196,11 +196,15 @@ void MotionEngine::walk(double dt) noexcept {
 
 void MotionEngine::play(double) noexcept {
   if (state_.motion < 0) return;  // lies: targets stay
-  KeyframePose& pose = motions_[static_cast<int>(state_.motion)].pose;
-  pose.write(state_.time - state_.blend, next_);
+  write_motion(motions_[static_cast<int>(state_.motion)], state_.time - state_.blend);
   if (state_.time >= state_.blend) return;
   const double share = smooth(state_.time / state_.blend);
   for (const int joint : joints_) next_[joint] = start_[joint] + share * (next_[joint] - start_[joint]);
+}
+
+void MotionEngine::write_motion(PlayedMotion& played, double time) noexcept {
+  sample(played.motion, time, played.values);
+  played.targets.write(played.values, next_);
 }
 
 void MotionEngine::write_walk(const GaitPose& pose) noexcept {

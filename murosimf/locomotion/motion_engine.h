@@ -17,7 +17,7 @@
 
 #include "murosimf/locomotion/balanced_gait.h"
 #include "murosimf/locomotion/gait_properties.h"
-#include "murosimf/locomotion/keyframe_pose.h"
+#include "murosimf/locomotion/keyframe_targets.h"
 #include "murosimf/model/algorithm.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/model/setup.h"
@@ -53,8 +53,11 @@ class MotionEngine final : public Algorithm {
  private:
   struct PlayedMotion {
     std::string name;
-    KeyframePose pose;
-    bool lies = false;  ///< the robot is meant to go down, or to come from there
+    KeyframeMotion motion;
+    double duration = 0;  // [s]
+    KeyframeTargets targets;
+    std::vector<double> values;  // of this instant, by column
+    bool lies = false;           ///< the robot is meant to go down, or to come from there
   };
 
   void read_request() noexcept;
@@ -63,6 +66,7 @@ class MotionEngine final : public Algorithm {
   void lie_down() noexcept;
   void walk(double dt) noexcept;
   void play(double dt) noexcept;
+  void write_motion(PlayedMotion& played, double time) noexcept;
   void write_walk(const GaitPose& pose) noexcept;
   void limit_rates(double dt) noexcept;
   [[nodiscard]] double way_time() const noexcept;

@@ -9,6 +9,7 @@
 #include "murosimf/description/robot_visuals.h"
 #include "murosimf/files/xml_element.h"
 #include "murosimf/locomotion/gait_properties.h"
+#include "murosimf/locomotion/mirrored_motion.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/fixed_base.h"
 #include "murosimf/model/keyframe.h"
@@ -280,12 +281,25 @@ class Builder {
   std::set<std::string> other_names_;               // that add_other_names has given
 };
 
+/// The motions of the table as the model plays them.
+locomotion::NamedMotions motions_of(const RobotConfig& table, const Model& model) {
+  locomotion::NamedMotions motions;
+  for (const auto& [name, given] : table.motions) {
+    motions.push_back({name, with_context(given.where, [&] { return locomotion::played_by(model, given.motion); })});
+  }
+  return motions;
+}
+
 }  // namespace
 
 ModelPtr build_model(description::RobotDescription& description, const RobotConfig& table) {
   const Chain chain = Builder(description, table).build();
-  return with_context(description.bodies[0].where,
-                      [&] { return std::make_shared<const Model>(description.name, chain); });
+  auto model =
+      with_context(description.bodies[0].where, [&] { return std::make_shared<const Model>(description.name, chain); });
+  if (table.motions.empty()) return model;
+  ConstantTable constants = model->constants();
+  constants.set(properties::given_motions, 0, motions_of(table, *model));
+  return std::make_shared<const Model>(model->with(std::move(constants)));
 }
 
 }  // namespace murosimf::robot

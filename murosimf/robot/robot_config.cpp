@@ -11,6 +11,7 @@
 #include "murosimf/locomotion/gait_feedback.h"
 #include "murosimf/locomotion/walk_options.h"
 #include "murosimf/model/error.h"
+#include "murosimf/robot/motion_file.h"
 
 namespace murosimf::robot {
 namespace {
@@ -46,10 +47,12 @@ class Reader {
         read_numbers("walk", locomotion::walk_options(), table_of(key, value), table_.walk);
       } else if (key == "balance") {
         read_balance(table_of(key, value));
+      } else if (key == "motions") {
+        read_motions(table_of(key, value));
       } else {
         unknown("table", key,
                 {"soles", "sole_sizes", "frames", "joints", "rate_limits", "linkages", "surfaces", "meshes", "servos",
-                 "sensors", "walk", "balance"});
+                 "sensors", "walk", "balance", "motions"});
       }
     }
     return table_;
@@ -150,6 +153,15 @@ class Reader {
       } else {
         read_number("balance", locomotion::balanced_walk_options(), key, value, table_.balance);
       }
+    }
+  }
+
+  void read_motions(const toml::table& motions) {
+    for (const auto& [key, value] : motions) {
+      const auto [motion, place] = name_of(key.str(), value);
+      table_.motions[std::string(key.str())] = {with_context(place,
+                                                             [&] { return read_motion(find_motion(motion, folder_)); }),
+                                                place};
     }
   }
 

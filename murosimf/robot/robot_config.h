@@ -30,6 +30,9 @@
 ///     [walk]                       # numbers of the walk, instead of those that are worked out (locomotion/walk_options.h)
 ///     lift = 0.03
 ///
+///     [motions]                    # key-frame motions by what they are for (docs/motions.md)
+///     kick_right = "kick"
+///
 ///     [balance]                    # numbers of the walk with feedback (locomotion/gait_feedback.h), and how it looks (step_table_file.h)
 ///     step_at = 0.03
 ///     steps = "robot_steps.csv"
@@ -49,6 +52,7 @@
 #include <vector>
 
 #include "murosimf/components/sensor_table.h"
+#include "murosimf/locomotion/keyframe_motion.h"
 #include "murosimf/locomotion/step_table.h"
 #include "murosimf/model/option.h"
 #include "murosimf/model/servo.h"
@@ -77,6 +81,11 @@ struct TableSole {
   std::string where;
 };
 
+struct TableMotion {
+  locomotion::KeyframeMotion motion;
+  std::string where;
+};
+
 struct RobotConfig {
   std::vector<TableName> soles;
   std::vector<std::string> sole_frames;            ///< where the soles are, once they are placed (role_inference.h)
@@ -92,12 +101,14 @@ struct RobotConfig {
   std::vector<components::SensorTable> sensors;    ///< that it makes, changes or removes
   OptionValues walk, balance;                      ///< numbers of the walk and of the one with feedback, by their names
   locomotion::StepTablePtr steps;                  ///< null: none
+  std::map<std::string, TableMotion> motions;      ///< by what they are for
 
   /// Material of a body: its own or the default.
   [[nodiscard]] const std::string& surface(const std::string& body) const;
 };
 
-/// Throws SetupError with file:line:column for unknown keys, values of a wrong type and impossible numbers.
+/// Throws SetupError with file:line:column for unknown keys, values of a wrong type, impossible numbers, and motions that are missing
+/// or have mistakes.
 [[nodiscard]] RobotConfig read_robot_config(const std::filesystem::path& file);
 
 /// The table beside a model file; an empty one if there is none.

@@ -9,10 +9,10 @@
 #include "murosimf/connect/message_exchange.h"
 #include "murosimf/motion/accelerations.h"
 #include "murosimf/motion/odometer.h"
+#include "murosimf/robot/motion_file.h"
 #include "murosimf/scene/scene_checks.h"
 #include "murosimf/scene_file/field.h"
 #include "murosimf/scene_file/level_options.h"
-#include "murosimf/scene_file/motion_file.h"
 
 namespace murosimf::scene {
 namespace {
@@ -43,7 +43,7 @@ catalog::ControllerOptions controller_options(const SceneParts& parts, const sce
   }
   if (!robot.motion.empty()) {
     options.motion = with_context(robot.where, [&] {
-      return scene_file::read_motion(scene_file::find_motion(robot.motion, spec.file.parent_path()));
+      return robot::read_motion(robot::find_motion(robot.motion, spec.file.parent_path()));
     });
   }
   return options;

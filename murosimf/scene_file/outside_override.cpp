@@ -13,9 +13,9 @@
 #include "murosimf/files/toml_reader.h"
 #include "murosimf/files/xml_element.h"
 #include "murosimf/model/error.h"
+#include "murosimf/robot/motion_file.h"
 #include "murosimf/scene_file/assignment.h"
 #include "murosimf/scene_file/key_list.h"
-#include "murosimf/scene_file/motion_file.h"
 #include "murosimf/scene_file/setting_targets.h"
 
 namespace murosimf::scene_file {
@@ -174,7 +174,7 @@ void check_text(Value kind, const std::string& text, const std::filesystem::path
       if (!may_control(text)) throw SetupError("software of one's own is chosen on the command line only");
       return;
     case Value::model: (void)files::find_data_file(text, "models", ".xml", folder); return;
-    case Value::motion: (void)find_motion(text, folder); return;
+    case Value::motion: (void)robot::find_motion(text, folder); return;
   }
 }
 

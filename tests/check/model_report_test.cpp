@@ -77,6 +77,7 @@ TEST(ModelReport, ShowsTheLimitsOfServos) {
   limited.type = "mx106";
   limited.stall_torque = 8;
   limited.no_load_speed = 5;
+  limited.position_gain = 21;
   limited.torque_limit = 3;
   ideal.type = "position";
   ideal.law = "ideal_pd";
@@ -94,6 +95,7 @@ TEST(ModelReport, ShowsTheLimitsOfServos) {
   EXPECT_TRUE(contains(json, "\"servo_law\": \"ideal_pd\"")) << json;
   EXPECT_TRUE(contains(json, "\"torque_limit\": 3.0")) << json;
   EXPECT_TRUE(contains(json, "\"no_load_speed\": 5.0")) << json;
+  EXPECT_TRUE(contains(json, "\"position_gain\": 21.0")) << json;
 }
 
 TEST(ModelReport, ShowsFindingsLimbsAndLegs) {

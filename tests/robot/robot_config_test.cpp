@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/components/servo_table.h"
+#include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/model/error.h"
+#include "murosimf/robot/robot_reader.h"
 #include "tests/temp_folder.h"
 
 namespace murosimf::robot {
@@ -168,6 +170,50 @@ TEST(RobotConfig, NamesMistakesInServoFiles) {
   EXPECT_TRUE(complaint_of(own_servo, "voltage = 12")
                   .starts_with(":3:11: servo type 'servo_NamesMistakesInServoFiles' "
                                "does not say at which voltage its numbers hold"));
+}
+
+/// Writes a file into the folder where the table of a test stands.
+std::string motion_file(const std::string& name, const std::string& text) {
+  std::ofstream(fixtures::temp_folder() / (name + ".toml")) << text;
+  return name + ".toml";
+}
+
+TEST(RobotConfig, ReadsMotionsByWhatTheyAreFor) {
+  const std::string wave =
+      motion_file("wave", "columns = ['a']\nstart = [1]\n[[frames]]\nduration = 1\nvalues = [2]\n");
+  const auto motions = read("[motions]\nwave = '" + wave + "'\nkick_left = 'kick'\n").motions;
+  ASSERT_EQ(motions.size(), 2U);
+  EXPECT_EQ(motions.at("wave").motion.start, std::vector<double>{1});
+  EXPECT_EQ(motions.at("kick_left").motion.name, "kick") << "one of the program's";
+}
+
+TEST(RobotConfig, NamesMistakesInMotions) {
+  EXPECT_EQ(complaint("[motions]\nkick = 'kik'\n"), ":2:8: unknown motion 'kik'; did you mean 'kick'?");
+  EXPECT_EQ(complaint("[motions]\nkick = 3\n"), ":2:8: 'kick' must be a name in quotes");
+  const std::string bad = motion_file("bad_motion", "columns = []\n");
+  const std::string file = (fixtures::temp_folder() / bad).string();
+  EXPECT_TRUE(
+      complaint("[motions]\nkick = '" + bad + "'\n").starts_with(":2:8: " + file + ":1:11: 'columns' must list"));
+}
+
+TEST(RobotConfig, GivesMotionsToTheModelAsItPlaysThem) {
+  const auto kid21 = std::filesystem::path(MUROSIMF_SOURCE_DIR) / "models/kid21.xml";
+  const auto copy = fixtures::temp_folder() / "with_motions.xml";
+  std::filesystem::copy_file(kid21, copy, std::filesystem::copy_options::overwrite_existing);
+  const std::string left = motion_file("of_left", "mirror_of = 'kick'\n");
+  motion_file("with_motions", "[motions]\nkick_right = 'kick'\nkick_left = '" + left + "'\n");
+  const ModelPtr model = read_robot(copy).model;
+  const locomotion::NamedMotions* motions = model->find(properties::given_motions, 0);
+  ASSERT_NE(motions, nullptr);
+  ASSERT_EQ(motions->size(), 2U);
+  EXPECT_EQ((*motions)[0].name, "kick_left") << "in the order of names";
+  const auto* kick_left = locomotion::motion_named(*motions, "kick_left");
+  const auto* kick_right = locomotion::motion_named(*motions, "kick_right");
+  ASSERT_TRUE(kick_left && kick_right);
+  EXPECT_EQ(locomotion::motion_named(*motions, "dance"), nullptr);
+  EXPECT_EQ(kick_right->columns[2][0].name, "right_foot.x");
+  EXPECT_EQ(kick_left->columns[2][0].name, "left_foot.x");
+  EXPECT_FALSE(kick_left->other_side) << "nothing is left to be mirrored";
 }
 
 TEST(RobotConfig, MayBeEmptyOrMissing) {

@@ -1,4 +1,4 @@
-#include "murosimf/scene_file/motion_file.h"
+#include "murosimf/robot/motion_file.h"
 
 #include <cmath>
 #include <set>
@@ -9,7 +9,7 @@
 #include "murosimf/files/toml_reader.h"
 #include "murosimf/model/error.h"
 
-namespace murosimf::scene_file {
+namespace murosimf::robot {
 namespace {
 
 using locomotion::Channel;
@@ -55,6 +55,28 @@ std::vector<double> read_values(const files::TomlTable& table, std::string_view 
   return *numbers;
 }
 
+std::filesystem::path beside_or_named(const std::string& name, const std::filesystem::path& file) {
+  const auto beside = files::look_for_data_file((file.parent_path() / name).string(), "motions", ".toml");
+  return beside ? *beside : find_motion(name, file.parent_path());
+}
+
+/// A file that has nothing else than `mirror_of`.
+KeyframeMotion read_mirrored(const toml::table& document, const std::filesystem::path& file) {
+  const files::TomlTable table(document, {"mirror_of"});
+  std::string name;
+  table.read("mirror_of", name);
+  const std::string where = table.where("mirror_of");
+  if (name.empty()) throw SetupError(where + ": 'mirror_of' must name a motion");
+  const auto original = with_context(where, [&] { return beside_or_named(name, file); });
+  if (files::parse_toml_file(original).contains("mirror_of")) {
+    throw SetupError(fmt::format("{}: '{}' is a mirror image itself; name what it is an image of", where, name));
+  }
+  KeyframeMotion motion = with_context(where, [&] { return read_motion(original); });
+  motion.name = file.stem().string();
+  motion.other_side = true;
+  return motion;
+}
+
 }  // namespace
 
 std::filesystem::path find_motion(std::string_view name, const std::filesystem::path& beside) {
@@ -67,6 +89,7 @@ std::filesystem::path find_motion(std::string_view name, const std::filesystem::
 
 KeyframeMotion read_motion(const std::filesystem::path& file) {
   const toml::table document = files::parse_toml_file(file);
+  if (document.contains("mirror_of")) return read_mirrored(document, file);
   const files::TomlTable table(document, {"columns", "start", "frames"});
   KeyframeMotion motion;
   motion.name = file.stem().string();
@@ -84,4 +107,4 @@ KeyframeMotion read_motion(const std::filesystem::path& file) {
   return motion;
 }
 
-}  // namespace murosimf::scene_file
+}  // namespace murosimf::robot

@@ -1,4 +1,4 @@
-/// motion_file.h - reads key-frame motions (docs/scenes.md, "Motions").
+/// motion_file.h - reads key-frame motions (docs/motions.md).
 #pragma once
 
 #include <filesystem>
@@ -6,14 +6,16 @@
 
 #include "murosimf/locomotion/keyframe_motion.h"
 
-namespace murosimf::scene_file {
+namespace murosimf::robot {
 
 /// The file that `name` means: a file NAME.toml here or in `beside`, else the motion of that name in a folder `motions` here,
 /// in `beside` or among those that come with the program. Throws SetupError with the nearest name.
 [[nodiscard]] std::filesystem::path find_motion(std::string_view name, const std::filesystem::path& beside = {});
 
+/// Of a file with `mirror_of` the motion that it names, beside it or found as above, which is for the `other_side` then.
 /// Throws SetupError with file:line:column if the file is missing, is not TOML, or has a mistake: columns and values that do
-/// not match, a channel that is set twice, numbers that are not finite, durations that are not positive.
+/// not match, a channel that is set twice, numbers that are not finite, durations that are not positive, a mirror image of a
+/// mirror image.
 [[nodiscard]] locomotion::KeyframeMotion read_motion(const std::filesystem::path& file);
 
-}  // namespace murosimf::scene_file
+}  // namespace murosimf::robot

@@ -1,5 +1,5 @@
 // Files of key-frame motions: those that come with the program, and one clear line for every mistake.
-#include "murosimf/scene_file/motion_file.h"
+#include "murosimf/robot/motion_file.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -11,7 +11,7 @@
 #include "murosimf/scene/scene.h"
 #include "tests/temp_folder.h"
 
-namespace murosimf::scene_file {
+namespace murosimf::robot {
 namespace {
 
 namespace fs = std::filesystem;
@@ -72,6 +72,50 @@ TEST(MotionFile, SaysWhereAMistakeIs) {
   expect_refusal(head + "[[frames]]\nduration = 1\nvalue = [0]\n", {":5:1: unknown key 'value'", "'values'"});
 }
 
+/// In a folder of its own.
+fs::path write_beside(const std::string& name, const std::string& text) {
+  const fs::path folder = fixtures::temp_folder() / ("mirrors." + std::to_string(::getpid()));
+  fs::create_directories(folder);
+  std::ofstream(folder / name) << text;
+  return folder / name;
+}
+
+std::string refusal_of(const fs::path& file) {
+  try {
+    static_cast<void>(read_motion(file));
+  } catch (const SetupError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(MotionFile, IsTheMirrorImageOfAnother) {
+  const fs::path right =
+      write_beside("right.toml", "columns = ['a']\nstart = [1]\n[[frames]]\nduration = 1\nvalues = [2]\n");
+  const locomotion::KeyframeMotion motion = read_motion(write_beside("left.toml", "mirror_of = 'right'\n"));
+  EXPECT_EQ(motion.name, "left");
+  EXPECT_TRUE(motion.other_side);
+  EXPECT_EQ(motion.start, read_motion(right).start);
+  EXPECT_FALSE(read_motion(right).other_side);
+  EXPECT_TRUE(read_motion(write_beside("shipped.toml", "mirror_of = 'kick'\n")).other_side)
+      << "of those of the program";
+}
+
+TEST(MotionFile, SaysWhyItIsNoMirrorImage) {
+  write_beside("left.toml", "mirror_of = 'right'\n");
+  const auto why = [](const std::string& text) { return refusal_of(write_beside("bad.toml", text)); };
+  const auto expect = [&](const std::string& text, const std::string& part) {
+    EXPECT_NE(why(text).find(part), std::string::npos) << text << " said: " << why(text);
+    EXPECT_EQ(why(text).find('\n'), std::string::npos);
+  };
+  expect("mirror_of = 'kik'\n", "bad.toml:1:13: unknown motion 'kik'; did you mean 'kick'?");
+  expect("mirror_of = 'left'\n", "'left' is a mirror image itself");
+  expect("mirror_of = 'bad'\n", "'bad' is a mirror image itself");
+  expect("mirror_of = ''\n", "'mirror_of' must name a motion");
+  expect("mirror_of = 3\n", ":1:13:");
+  expect("mirror_of = 'kick'\nstart = [1]\n", "unknown key 'start'");
+}
+
 TEST(MotionFile, UnknownMotionsNameTheNearest) {
   try {
     static_cast<void>(find_motion("kik"));
@@ -102,4 +146,4 @@ TEST(MotionFile, AKeyframePlayerNeedsAMotion) {
 }
 
 }  // namespace
-}  // namespace murosimf::scene_file
+}  // namespace murosimf::robot
