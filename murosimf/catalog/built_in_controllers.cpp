@@ -44,15 +44,6 @@ Vec3d clipped_command(const Vec3d& v, const Vec3d& fastest) {
 
 void attach_none(Simulation&, Entity&, const ControllerOptions&) {}
 
-locomotion::WalkParameters walk_of(const Model& model, const OptionValues& options) {
-  return options.empty() ? locomotion::seeded_parameters(model) : locomotion::walk_parameters(model, options);
-}
-
-void attach_walk(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
-  simulation.attach<locomotion::WalkEngine>("walk_engine", robot, rate_of<locomotion::WalkEngine>(options),
-                                            options.command, walk_of(robot.model(), options.own));
-}
-
 /// A robot without inertial sensor or encoders gets ones without errors.
 void attach_missing_senses(Simulation& simulation, Entity& robot) {
   constexpr double rate = 200;  // [Hz]
@@ -66,6 +57,21 @@ void attach_missing_senses(Simulation& simulation, Entity& robot) {
   }
 }
 
+void attach_motion_engine(Simulation& simulation, Entity& robot, double rate, const Vec3d& command,
+                          const locomotion::MotionEngineOptions& options) {
+  attach_missing_senses(simulation, robot);
+  simulation.attach<locomotion::MotionEngine>("motion_engine", robot, rate, command, options);
+}
+
+locomotion::WalkParameters walk_of(const Model& model, const OptionValues& options) {
+  return options.empty() ? locomotion::seeded_parameters(model) : locomotion::walk_parameters(model, options);
+}
+
+void attach_walk(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
+  simulation.attach<locomotion::WalkEngine>("walk_engine", robot, rate_of<locomotion::WalkEngine>(options),
+                                            options.command, walk_of(robot.model(), options.own));
+}
+
 std::vector<OptionInfo> motions_options() {
   std::vector<OptionInfo> options = locomotion::balanced_walk_options();
   options.push_back(
@@ -74,7 +80,6 @@ std::vector<OptionInfo> motions_options() {
 }
 
 void attach_motions(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
-  attach_missing_senses(simulation, robot);
   locomotion::MotionEngineOptions engine = locomotion::motion_engine_options(robot.model(), options.own);
   if (const auto steps = options.own.find("steps"); steps != options.own.end()) {
     const std::string& file = std::get<std::string>(steps->second);
@@ -82,8 +87,7 @@ void attach_motions(Simulation& simulation, Entity& robot, const ControllerOptio
                        ? nullptr
                        : robot::read_step_table(files::find_data_file(file, "models", ".csv", options.folder));
   }
-  simulation.attach<locomotion::MotionEngine>("motion_engine", robot, rate_of<locomotion::MotionEngine>(options),
-                                              options.command, engine);
+  attach_motion_engine(simulation, robot, rate_of<locomotion::MotionEngine>(options), options.command, engine);
 }
 
 Vec3d engine_walks_at(const Model& model, const OptionValues& options, const Vec3d& command) {
@@ -125,7 +129,7 @@ double usual_rate(double of_scene, double wanted) {
   return wanted > 0 ? wanted : otherwise;
 }
 
-/// The walk engine moves the legs if the software has asked for it.
+/// The walk engine moves the legs, or the motion engine all joints, if the software has asked for it.
 void attach_software(Simulation& simulation, Entity& robot, double rate, const connect::SoftwareMaker& make,
                      connect::ControllerTaskOptions options, const ControllerOptions& given) {
   options.link = given.link;
@@ -135,6 +139,10 @@ void attach_software(Simulation& simulation, Entity& robot, double rate, const c
   if (task.port().command_link()) {
     const double every_tick = 1 / seconds(simulation.tick());  // [Hz]
     simulation.attach<connect::CommandArrival>("control_link", robot, every_tick, task.port());
+  }
+  if (task.port().uses_motions()) {
+    attach_motion_engine(simulation, robot, locomotion::MotionEngine::rate_hz, {},
+                         locomotion::motion_engine_options(robot.model(), {}));
   }
   if (!task.port().walks()) return;
   simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz);

@@ -24,12 +24,23 @@ constexpr double any_velocity = 100;  // [m/s, rad/s] nobody walks as fast
 
 constexpr std::string_view joint_target = "joint.target", joint_velocity_target = "joint.velocity_target",
                            joint_torque_enabled = "joint.torque_enabled", walk_velocity = "walk.velocity",
-                           walk_other_joints = "walk.other_joints", game_answer_name = "game.answer",
+                           walk_other_joints = "walk.other_joints", motion_velocity = "motion.velocity",
+                           motion_play = "motion.play", game_answer_name = "game.answer",
                            position_gain = "joint.position_gain", velocity_gain = "joint.velocity_gain",
                            torque_limit = "joint.torque_limit", joint_led = "joint.led", robot_led = "robot.led";
-constexpr std::array command_names{
-    joint_target, joint_velocity_target, joint_torque_enabled, position_gain,   velocity_gain, torque_limit, joint_led,
-    robot_led,    walk_velocity,         walk_other_joints,    game_answer_name};
+constexpr std::array command_names{joint_target,
+                                   joint_velocity_target,
+                                   joint_torque_enabled,
+                                   position_gain,
+                                   velocity_gain,
+                                   torque_limit,
+                                   joint_led,
+                                   robot_led,
+                                   walk_velocity,
+                                   walk_other_joints,
+                                   motion_velocity,
+                                   motion_play,
+                                   game_answer_name};
 
 /// What a servo has at the start, and the most that it may be given.
 std::pair<double, double> start_and_most(const Servo& servo, std::string_view command) {
@@ -41,7 +52,13 @@ std::pair<double, double> start_and_most(const Servo& servo, std::string_view co
   return {most, most};
 }
 
-bool is_of_walk(std::string_view name) { return name == walk_velocity || name == walk_other_joints; }
+/// Who moves the joints. [0]: the software itself, [1]: the walk engine, [2]: the motion engine; nothing: no matter.
+std::optional<int> mover_of(std::string_view name) {
+  if (name == joint_target) return 0;
+  if (name == walk_velocity || name == walk_other_joints) return 1;
+  if (name == motion_velocity || name == motion_play) return 2;
+  return std::nullopt;
+}
 
 std::vector<int> joints_of_legs(const Model& model) {
   std::vector<int> joints;
@@ -69,15 +86,20 @@ bool PortCommands::has(std::string_view command) const {
 
 bool PortCommands::walks() const { return has(walk_velocity) || has(walk_other_joints); }
 
+bool PortCommands::uses_motions() const { return has(motion_velocity) || has(motion_play); }
+
 PortCommands::Command& PortCommands::make(std::string_view name) {
   if (!setup_) {
     throw SetupError(
         fmt::format("the command '{}' was not asked for when the robot was set up, so it cannot be now", name));
   }
-  if ((name == joint_target && walks()) || (is_of_walk(name) && has(joint_target))) {
+  for (const Command& other : commands_) {
+    const auto wanted = mover_of(name), taken = mover_of(other.name);
+    if (!wanted || !taken || *wanted == *taken) continue;
     throw SetupError(
-        fmt::format("'{}' and '{}' exclude each other: the walk engine moves the legs (other joints: '{}')",
-                    joint_target, is_of_walk(name) ? name : walk_velocity, walk_other_joints));
+        fmt::format("'{}' and '{}' exclude each other: joints follow joint.target, the walk engine (walk.velocity; "
+                    "other joints: walk.other_joints) or the motion engine (motion.velocity)",
+                    other.name, name));
   }
   Command command{.name = std::string(name)};
   connect(command);
@@ -102,7 +124,8 @@ void PortCommands::connect(Command& command) {
   if (name == velocity_gain) return connect_servos(command, properties::servo_velocity_gain);
   if (name == torque_limit) return connect_servos(command, properties::servo_torque_limit);
   if (name == robot_led) return connect_led(command);
-  if (name == walk_velocity) return connect_walk(command);
+  if (name == walk_velocity || name == motion_velocity) return connect_walk(command);
+  if (name == motion_play) return connect_motions(command);
   if (name == game_answer_name) return connect_answer(command);
   const bool enables = name == joint_torque_enabled;
   if (!enables && name != joint_led)
@@ -155,6 +178,20 @@ void PortCommands::connect_walk(Command& command) {
   command.places = {&velocity.x, &velocity.y, &velocity.z};
   command.lowest.assign(3, -any_velocity);
   command.highest.assign(3, any_velocity);
+}
+
+void PortCommands::connect_motions(Command& command) {
+  constexpr double any_request = 1e6;
+  const locomotion::NamedMotions* motions = model_->find(properties::given_motions, 0);
+  if (!motions || motions->empty()) throw SetupError("the robot's file names no motions ([motions], docs/motions.md)");
+  locomotion::MotionRequests& requests = setup_->write(properties::motion_request)[0];
+  command.declare = [](Setup& setup) { (void)setup.write(properties::motion_request); };
+  for (std::size_t i = 0; i < std::min(motions->size(), locomotion::most_motions); ++i) {
+    command.labels.push_back((*motions)[i].name);
+    command.places.push_back(&requests.number[i]);
+  }
+  command.lowest.assign(command.places.size(), 0.0);
+  command.highest.assign(command.places.size(), any_request);
 }
 
 void PortCommands::connect_answer(Command& command) {

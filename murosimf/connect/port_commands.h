@@ -29,6 +29,7 @@ class PortCommands {
   [[nodiscard]] const std::vector<std::string>* labels(std::string_view name) const;
   void close() { setup_ = nullptr; }
   [[nodiscard]] bool walks() const;
+  [[nodiscard]] bool uses_motions() const;
   void restart() noexcept;
   std::size_t accept(Duration now) noexcept;
   /// From now on what is accepted goes over a link, and holds when it has arrived (deliver()). Before close().
@@ -72,6 +73,7 @@ class PortCommands {
   void connect_servos(Command& command, const Property<double>& property);
   void connect_led(Command& command);
   void connect_walk(Command& command);
+  void connect_motions(Command& command);
   void connect_answer(Command& command);
   [[nodiscard]] bool has(std::string_view command) const;
   void send(Duration now);

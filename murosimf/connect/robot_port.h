@@ -18,8 +18,10 @@
 ///     robot.led            [1] red, green, blue of the robot's LED, 0 to 1
 ///     walk.velocity        [m/s, m/s, rad/s] what the walk engine of the library does then; it moves the legs
 ///     walk.other_joints    [rad | m] targets of the joints that are no leg's
+///     motion.velocity      [m/s, m/s, rad/s] the motion engine walks so, with feedback, and gets up when it has fallen; it moves all joints
+///     motion.play          [1] of each motion of the robot's file, by its name: a change to another number than 0 has it played once
 ///     game.answer          [1] what the referee is answered, 0 to 4 (2, alive)
-/// The simulator's walk engine and joint.target exclude each other.
+/// The simulator's walk engine, its motion engine and joint.target exclude each other.
 #pragma once
 
 #include <cstdint>
@@ -94,6 +96,8 @@ class RobotPort {
   }
   /// Whether the walk engine must be attached, after the algorithm that has this port.
   [[nodiscard]] bool walks() const { return commands_.walks(); }
+  /// The same of the motion engine.
+  [[nodiscard]] bool uses_motions() const { return commands_.uses_motions(); }
 
   /// All that software has pointers to.
   [[nodiscard]] GuardedRows& rows() { return rows_; }

@@ -34,7 +34,7 @@ inline constexpr Property<Vec3d>  balance_bias       {{"balance_bias", "rad/s", 
 inline constexpr Property<double> balance_capture    {{"balance_capture", "rad", "-", "lean forward at which the robot would come to rest, smoothed", Scope::base}};
 
 inline constexpr Property<locomotion::GaitState> gait_state {{"gait_state", "-", "-", "what a walk with feedback remembers: attitude, center of mass, offsets of feet", Scope::base}};
-inline constexpr Property<double> motion_request     {{"motion_request", "1", "-", "number of a motion of the robot, from 1, that shall be played; 0: none", Scope::base}};
+inline constexpr Property<locomotion::MotionRequests> motion_request {{"motion_request", "1", "-", "one number for each motion of the robot, by their names; a change to another than 0 asks for it", Scope::base}};
 inline constexpr Property<locomotion::MotionState> motion_state {{"motion_state", "-", "-", "what the motion engine does, and since when", Scope::base}};
 inline constexpr Property<double> motion_start       {{"motion_start", "rad | m", "joint", "targets from which the present motion began"}};
 inline constexpr Property<Vec3d>  odometry           {{"odometry", "m, m, rad", "where the robot started", "how far the robot thinks that it has walked, and turned", Scope::base}};

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
+
+#include <fmt/format.h>
 
 #include "murosimf/collision/contact_properties.h"
 #include "murosimf/model/error.h"
@@ -60,7 +63,7 @@ MotionEngine::MotionEngine(Setup& setup, const Vec3d& command, const MotionEngin
       rates_(static_cast<std::size_t>(setup.model().size())),
       next_(rates_.size()),
       dynamic_(setup.input(properties::dynamic, 1.0)[0]),
-      request_(setup.input(properties::motion_request, 0.0)[0]),
+      requests_(setup.input(properties::motion_request, {})[0]),
       gait_state_(setup.write(properties::gait_state)[0]),
       state_(setup.write(properties::motion_state)[0]),
       start_(setup.write(properties::motion_start)),
@@ -69,6 +72,8 @@ MotionEngine::MotionEngine(Setup& setup, const Vec3d& command, const MotionEngin
     joints_.push_back(joint);
     rates_[joint] = motion::joint_rate_limit(setup.model(), joint);
   }
+  if (options.motions.size() > most_motions)
+    throw SetupError(fmt::format("a robot has at most {} motions, not {}", most_motions, options.motions.size()));
   for (const auto& [name, motion] : options.motions) {
     with_context(name, [&] {
       motions_.push_back({name, motion, duration(motion), KeyframeTargets(setup.model(), motion), motion.start,
@@ -90,7 +95,7 @@ void MotionEngine::initialize() {
 void MotionEngine::step(const Instant& instant) noexcept {
   const double dt = seconds(instant.period);
   gait_.feel(dt, clock_, target_, senses_, gait_state_);
-  read_request();
+  read_requests();
   choose(dt);
   state_.time += dt;
   if (mode() == MotionMode::walk) {
@@ -101,13 +106,16 @@ void MotionEngine::step(const Instant& instant) noexcept {
   limit_rates(dt);
 }
 
-/// A new request waits in `motion` until the robot has stopped.
-void MotionEngine::read_request() noexcept {
-  const double asked = std::round(request_);
-  const bool is_new = asked != state_.asked;
-  state_.asked = asked;
-  if (!is_new || !(asked >= 1) || asked > static_cast<double>(motions_.size())) return;
-  const int motion = static_cast<int>(asked) - 1;
+void MotionEngine::read_requests() noexcept {
+  for (std::size_t i = 0; i < motions_.size(); ++i) {
+    const double number = requests_.number[i];
+    if (std::exchange(state_.seen.number[i], number) == number || number == 0) continue;
+    ask(static_cast<int>(i));
+  }
+}
+
+/// A request waits in `motion` until the robot has stopped. Where it falls or plays already, it is over.
+void MotionEngine::ask(int motion) noexcept {
   if (mode() != MotionMode::walk) return;
   if (motions_[motion].lies) return begin(MotionMode::play, motion);
   state_.motion = motion;

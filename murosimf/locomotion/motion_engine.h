@@ -2,8 +2,7 @@
 ///
 /// Modes (motion_state.h), the later ones go before the earlier ones:
 ///     walk      stands or walks with the velocity in `walk_command` (balanced_gait.h); without a command and undisturbed it stands
-///     play      a key-frame motion that `motion_request` asked for: number n of the robot's motions, from 1, in the order of their
-///               names. It begins when the robot has stopped, a dive at once. A request plays once; it must be 0 in between.
+///     play      a key-frame motion that `motion_request` asked for (motion_state.h). It begins when the robot has stopped, a dive at once
 ///     protect   it falls (leans over 35 degrees): plays protect_front, _back, _left or _right, if the robot has it
 ///     lie       it has fallen (60 degrees): waits until it lies still
 ///     get_up    plays get_up_front, _back, _left or _right by the side that it lies on, and again if it does not stand then
@@ -60,7 +59,8 @@ class MotionEngine final : public Algorithm {
     bool lies = false;           ///< the robot is meant to go down, or to come from there
   };
 
-  void read_request() noexcept;
+  void read_requests() noexcept;
+  void ask(int motion) noexcept;
   void choose(double dt) noexcept;
   void begin(MotionMode mode, int motion) noexcept;
   void lie_down() noexcept;
@@ -83,7 +83,7 @@ class MotionEngine final : public Algorithm {
   std::vector<double> rates_;  // [rad/s | m/s] by object
   std::vector<double> next_;   // [rad | m] targets of this cycle, by object
   const double& dynamic_;      // 0: at kinematic_walking, which cannot fall, nothing that the sensors say is answered
-  const double& request_;
+  const MotionRequests& requests_;
   GaitState& gait_state_;
   MotionState& state_;
   std::span<double> start_;   // [rad | m] by object
