@@ -19,7 +19,7 @@ namespace murosimf::locomotion {
 
 struct AttitudeTrust {
   double accelerometer = 3;  ///< [s] T
-  double bias = 20;          ///< [s] T_b
+  double bias = 10;          ///< [s] T_b
   double still = 0.5;        ///< [s]
 };
 

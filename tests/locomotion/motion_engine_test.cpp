@@ -1,0 +1,235 @@
+// The motion engine on kid21: pushes, falls, motions on request, odometry, limits of rates; from its own sensors with their errors.
+#include "murosimf/locomotion/motion_engine.h"
+
+#include <gtest/gtest.h>
+
+#include "murosimf/collision/contact_properties.h"
+#include "murosimf/motion/motion_properties.h"
+#include "murosimf/motion/rate_limit.h"
+#include "murosimf/scene/scene.h"
+#include "tests/fixtures.h"
+
+namespace murosimf::locomotion {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr const char* articulated = "articulated_dynamics";
+
+/// kid21 on the plane of scene `walk`.
+struct Walker {
+  explicit Walker(const std::string& level, const std::string& command = "[0,0,0]", std::vector<std::string> more = {},
+                  const std::string& controller = "motions")
+      : scene("walk", options(level, command, std::move(more), controller)) {}
+
+  static scene::SceneOptions options(const std::string& level, const std::string& command,
+                                     std::vector<std::string> more, const std::string& controller) {
+    for (const std::string& text :
+         {"level=" + level, "command=" + command, "controller=" + controller, std::string("position=[-2,0]")})
+      more.push_back("walker." + text);
+    return {.overrides = std::move(more), .cameras = false};
+  }
+
+  void run(Duration time) { scene.simulation().run(time); }
+  /// [N s] at the trunk's center of mass, in 0.1 s.
+  void push(const Vec3d& impulse) {
+    robot.object("torso").set(properties::applied_force, {{}, 10.0 * impulse});
+    run(100ms);
+    robot.object("torso").set(properties::applied_force, {});
+  }
+  [[nodiscard]] double upright() const { return robot.base().get(properties::orientation).z.z; }
+  [[nodiscard]] MotionMode mode() const {
+    return static_cast<MotionMode>(robot.base().get(properties::motion_state).mode);
+  }
+  void ask(std::string_view motion) {
+    const NamedMotions& motions = *robot.model().find(properties::given_motions, 0);
+    MotionRequests requests = robot.base().get(properties::motion_request);
+    for (std::size_t i = 0; i < motions.size(); ++i) requests.number[i] += motions[i].name == motion ? 1 : 0;
+    robot.base().set(properties::motion_request, requests);
+  }
+
+  scene::Scene scene;
+  Entity& robot = scene.simulation().world().entity("walker");
+};
+
+const std::vector<Vec3d> directions{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}};
+
+TEST(MotionEngine, StepsAgainstPushesThatTheOpenLoopFallsBy) {
+  for (const char* command : {"[0,0,0]", "[0.15,0,0]"}) {
+    for (const Vec3d& direction : directions) {
+      Walker walker(articulated, command);
+      walker.run(3s);
+      walker.push(2.0 * direction);
+      walker.run(3s);
+      EXPECT_GT(walker.upright(), 0.9) << command << ", " << direction.x << ", " << direction.y;
+      EXPECT_EQ(walker.robot.base().get(properties::motion_state).falls, 0);
+    }
+  }
+  int fell = 0;
+  for (const Vec3d& direction : directions) {
+    Walker walker(articulated, "[0.15,0,0]", {}, "walk");
+    walker.run(3s);
+    walker.push(2.0 * direction);
+    walker.run(3s);
+    if (walker.upright() < 0.9) ++fell;
+  }
+  EXPECT_GE(fell, 3) << "without feedback";
+}
+
+TEST(MotionEngine, StandsAgainWhereItWasPushed) {
+  Walker walker(articulated);
+  walker.run(2s);
+  walker.push({2, 0, 0});
+  walker.run(5s);
+  EXPECT_EQ(walker.robot.base().get(properties::gait_amplitude), 0);
+  const Vec3d place = walker.robot.base().get(properties::position);
+  walker.run(2s);
+  EXPECT_LT(norm(walker.robot.base().get(properties::position) - place), 1e-3);
+}
+
+TEST(MotionEngine, WalksTurnsAndGoesSidewaysAtEveryLevel) {
+  struct Case {
+    const char* command;
+    double forward, sideways, turned;  // [m, m, rad] after 8 s, about
+  };
+  for (const char* level : {"kinematic_walking", "simplified_dynamics", "full_dynamics", articulated}) {
+    for (const Case& c : {Case{"[0.2,0,0]", 1.45, 0, 0}, Case{"[0,0.1,0]", 0, 0.75, 0}}) {
+      Walker walker(level, c.command);
+      walker.run(8s);
+      const Vec3d place = walker.robot.base().get(properties::position);
+      EXPECT_NEAR(place.x + 2, c.forward, 0.35) << level << c.command;
+      EXPECT_NEAR(place.y, c.sideways, 0.35) << level << c.command;
+      EXPECT_EQ(walker.robot.base().get(properties::motion_state).falls, 0) << level << c.command;
+    }
+    Walker turning(level, "[0,0,0.5]");
+    turning.run(4s);
+    EXPECT_NEAR(heading(turning.robot.base().get(properties::orientation)), 1.9, 0.4) << level;
+  }
+}
+
+TEST(MotionEngine, KnowsHowFarItHasWalked) {
+  for (const char* level : {"full_dynamics", articulated}) {
+    Walker walker(level, "[0.2,0,0.2]");
+    walker.run(6s);
+    const Vec3d place = walker.robot.base().get(properties::position),
+                odometry = walker.robot.base().get(properties::odometry);
+    // slip of the feet and bias of the gyroscope, which is not known before the robot has stood still
+    EXPECT_NEAR(odometry.x, place.x + 2, 0.15) << level;
+    EXPECT_NEAR(odometry.y, place.y, 0.15) << level;
+    EXPECT_NEAR(odometry.z, heading(walker.robot.base().get(properties::orientation)), 0.1) << level;
+  }
+}
+
+TEST(MotionEngine, GetsUpFromEverySideAndWalksOn) {
+  for (const char* lies : {"pitch_deg=90", "pitch_deg=-90", "roll_deg=90", "roll_deg=-90"}) {
+    Walker walker(articulated, "[0.2,0,0]", {std::string("walker.") + lies});
+    walker.run(9s);
+    EXPECT_GT(walker.upright(), 0.9) << lies;
+    EXPECT_EQ(walker.mode(), MotionMode::walk) << lies;
+    const double before = walker.robot.base().get(properties::odometry).x;
+    walker.run(3s);
+    EXPECT_GT(walker.robot.base().get(properties::odometry).x - before, 0.3) << lies;
+  }
+}
+
+TEST(MotionEngine, FallsGetsUpAndGoesOnAfterAPushThatNothingHelpsAgainst) {
+  Walker walker(articulated, "[0.15,0,0]");
+  walker.run(3s);
+  walker.push({8, 0, 0});
+  walker.run(8s);
+  EXPECT_GE(walker.robot.base().get(properties::motion_state).falls, 1);
+  EXPECT_GT(walker.upright(), 0.9);
+  EXPECT_EQ(walker.mode(), MotionMode::walk);
+}
+
+TEST(MotionEngine, PlaysAMotionOnceForEachRequest) {
+  Walker walker("full_dynamics");
+  walker.run(1s);
+  for (int i = 0; i < 2; ++i) {
+    walker.ask("kick_right");
+    walker.run(100ms);
+    EXPECT_EQ(walker.mode(), MotionMode::play);
+    walker.run(5s);
+    EXPECT_EQ(walker.mode(), MotionMode::walk);
+  }
+}
+
+TEST(MotionEngine, StopsBeforeItKicks) {
+  Walker walker(articulated, "[0.2,0,0]");
+  walker.run(3s);
+  walker.ask("kick_left");
+  walker.run(100ms);
+  EXPECT_EQ(walker.mode(), MotionMode::walk) << "it is still walking";
+  walker.run(1500ms);
+  EXPECT_EQ(walker.mode(), MotionMode::play);
+  walker.run(6s);
+  EXPECT_EQ(walker.mode(), MotionMode::walk);
+  EXPECT_GT(walker.robot.base().get(properties::gait_amplitude), 0) << "and walks on";
+  EXPECT_EQ(walker.robot.base().get(properties::motion_state).falls, 0);
+}
+
+TEST(MotionEngine, DivesAtOnceAndStandsUpAgain) {
+  Walker walker(articulated);
+  walker.run(1s);
+  walker.ask("dive_left");
+  walker.run(10ms);
+  EXPECT_EQ(walker.mode(), MotionMode::play);
+  walker.run(1500ms);
+  EXPECT_LT(walker.upright(), 0.5);
+  walker.run(12s);
+  EXPECT_GT(walker.upright(), 0.9);
+  EXPECT_EQ(walker.mode(), MotionMode::walk);
+}
+
+TEST(MotionEngine, NeverAsksAJointForMoreThanItsLargestRate) {
+  Walker walker(articulated, "[0.35,0,0]");
+  const Model& model = walker.robot.model();
+  const auto targets = [&] {
+    std::vector<double> values;
+    for (const int joint : model.joints())
+      values.push_back(walker.robot.object(model.objects()[joint].name).get(properties::joint_target));
+    return values;
+  };
+  std::vector<double> before = targets();
+  for (int i = 0; i < 800; ++i) {
+    if (i == 200) walker.push({6, 0, 0});  // falls, and gets up
+    if (i == 200) before = targets();
+    walker.run(10ms);
+    const std::vector<double> now = targets();
+    for (std::size_t k = 0; k < now.size(); ++k) {
+      const double most = motion::joint_rate_limit(model, model.joints()[k]) * 0.01;
+      EXPECT_LE(std::abs(now[k] - before[k]), most * (1 + 1e-9))
+          << i << ", " << model.objects()[model.joints()[k]].name;
+    }
+    before = now;
+  }
+}
+
+TEST(MotionEngine, AnswersNothingWhereItCannotFall) {
+  Walker walker("kinematic_walking", "[0.2,0,0]");
+  Walker open_loop("kinematic_walking", "[0.2,0,0]", {"walker.options.steps=none"});
+  walker.run(5s);
+  open_loop.run(5s);
+  EXPECT_EQ(walker.robot.base().get(properties::position).x, open_loop.robot.base().get(properties::position).x);
+}
+
+TEST(MotionEngine, GoesOnFromASavedState) {
+  Walker first(articulated, "[0.2,0,0.3]");
+  first.run(2s);
+  first.push({1, 1, 0});
+  const std::vector<std::byte> state = first.scene.save();
+  first.run(2s);
+  Walker second(articulated, "[0.2,0,0.3]");
+  second.scene.load(state);
+  second.run(2s);
+  EXPECT_EQ(first.scene.simulation().state_hash(), second.scene.simulation().state_hash());
+}
+
+TEST(MotionEngine, RefusesARobotWithoutLegs) {
+  const std::string error = fixtures::error_of(
+      [] { const scene::Scene scene("car_crash", {.overrides = {"car.controller=motions"}, .cameras = false}); });
+  EXPECT_NE(error.find("soles"), std::string::npos) << error;
+}
+
+}  // namespace
+}  // namespace murosimf::locomotion
