@@ -7,23 +7,8 @@
 #include "murosimf/locomotion/gait_properties.h"
 
 namespace murosimf::behavior {
-namespace {
-
-// All lengths in meters, on the ground plane.
-constexpr double in_front = 0.30;     // the ball is at the feet
-constexpr double beside_feet = 0.09;  // ... and not beside them
-constexpr double arrived = 0.10;
-constexpr double closest = 0.40;  // to another robot: who does not go for the ball walks no nearer
 
 using sensors::Sighting;
-
-Vec3d flat(const Vec3d& v) { return {v.x, v.y, 0}; }
-Vec3d left_of(const Vec3d& v) { return {-v.y, v.x, 0}; }
-Vec3d unit(const Vec3d& v) {
-  const double length = norm(v);
-  return length > 1e-9 ? (1.0 / length) * v : Vec3d{1, 0, 0};
-}
-double wrapped(double angle) { return std::remainder(angle, 2 * pi); }
 
 /// What a player knows, on the ground plane.
 struct Situation {
@@ -35,6 +20,22 @@ struct Situation {
   Vec3d toward;                                          ///< unit, to the nearest of these
   double gap = std::numeric_limits<double>::infinity();  ///< to it
 };
+
+namespace {
+
+// All lengths in meters, on the ground plane.
+constexpr double in_front = 0.30;     // the ball is at the feet
+constexpr double beside_feet = 0.09;  // ... and not beside them
+constexpr double arrived = 0.10;
+constexpr double closest = 0.40;  // to another robot: who does not go for the ball walks no nearer
+
+Vec3d flat(const Vec3d& v) { return {v.x, v.y, 0}; }
+Vec3d left_of(const Vec3d& v) { return {-v.y, v.x, 0}; }
+Vec3d unit(const Vec3d& v) {
+  const double length = norm(v);
+  return length > 1e-9 ? (1.0 / length) * v : Vec3d{1, 0, 0};
+}
+double wrapped(double angle) { return std::remainder(angle, 2 * pi); }
 
 Situation assess(const std::vector<Sighting>& sightings, const BallChaserOptions& options) {
   Situation s;
@@ -95,6 +96,28 @@ Vec3d attack(const Situation& s, const BallChaserOptions& options) {
   return walk_to(s, ball - options.behind_ball * s.to_goal, s.to_goal, options.speed);
 }
 
+/// Where it stands to kick, and with which foot. [0]: left.
+struct KickPlan {
+  Vec3d place;  // [m]
+  std::size_t foot = 0;
+  bool there = false;
+};
+
+/// With the foot that is nearer to its place; robots stop there and kick, where the ball is within the reach of that foot.
+KickPlan plan_kick(const Situation& s, const BallChaserOptions& options) {
+  constexpr double aside = 0.035, before = 0.05, aim = 0.2, slow = 0.05;  // [m], [m], [rad], [m/s]
+  const Vec3d ball = flat(s.ball->position);
+  const double heading = std::atan2(s.to_goal.y, s.to_goal.x), aim_error = wrapped(heading - s.self->heading);
+  KickPlan plan{.foot = dot(ball - flat(s.self->position), left_of(s.to_goal)) >= 0 ? std::size_t{0} : std::size_t{1}};
+  const double side = plan.foot == 0 ? 1 : -1;
+  plan.place = ball - options.kick_place.x * s.to_goal - side * options.kick_place.y * left_of(s.to_goal);
+  const Vec3d seen = to_robot_frame(ball - flat(s.self->position), s.self->heading);
+  plan.there = std::abs(seen.x - options.kick_place.x) < before &&
+               std::abs(seen.y - side * options.kick_place.y) < aside && std::abs(aim_error) < aim &&
+               norm(flat(s.ball->velocity)) < slow;
+  return plan;
+}
+
 Vec3d support(const Situation& s, const BallChaserOptions& options) {
   const double side = s.rank % 2 == 1 ? 1 : -1;
   const Vec3d ball = flat(s.ball->position);
@@ -119,9 +142,36 @@ Vec3d without_pushing(const Vec3d& command, const Situation& s) {
 }  // namespace
 
 BallChaser::BallChaser(Setup& setup, const BallChaserOptions& options)
-    : options_(options), seen_(setup), command_(setup.write(properties::walk_command)[0]) {}
+    : options_(options), seen_(setup), command_(setup.write(properties::walk_command)[0]) {
+  if (options.kicks) find_kicks(setup);
+}
 
-void BallChaser::initialize() { command_ = {}; }
+void BallChaser::find_kicks(Setup& setup) {
+  const locomotion::NamedMotions* motions = setup.model().find(properties::given_motions, 0);
+  locomotion::MotionRequests& requests = setup.write(properties::motion_request)[0];
+  for (std::size_t i = 0; motions && i < motions->size(); ++i) {
+    if ((*motions)[i].name == "kick_left") kick_[0] = &requests.number[i];
+    if ((*motions)[i].name == "kick_right") kick_[1] = &requests.number[i];
+  }
+}
+
+void BallChaser::initialize() {
+  command_ = {};
+  for (double* request : kick_) {
+    if (request) *request = 0;
+  }
+}
+
+/// Walks to where it can kick the ball, and kicks it.
+Vec3d BallChaser::attack_with_kicks(const Situation& s) noexcept {
+  const KickPlan plan = plan_kick(s, options_);
+  const Vec3d from_ball = flat(s.self->position) - flat(s.ball->position);
+  const bool behind = dot(from_ball, s.to_goal) < -0.5 * options_.kick_place.x;
+  if (!behind || !kick_[plan.foot]) return attack(s, options_);
+  if (!plan.there) return walk_to(s, plan.place, s.to_goal, options_.speed);
+  *kick_[plan.foot] += 1;
+  return {};
+}
 
 void BallChaser::step(const Instant&) noexcept {
   const Situation s = assess(seen_.look(), options_);
@@ -129,7 +179,7 @@ void BallChaser::step(const Instant&) noexcept {
     command_ = {};
     return;
   }
-  command_ = s.rank == 0 ? attack(s, options_) : support(s, options_);
+  command_ = s.rank != 0 ? support(s, options_) : options_.kicks ? attack_with_kicks(s) : attack(s, options_);
   const Vec3d avoid = to_robot_frame(s.avoidance, s.self->heading);
   command_ = without_pushing(command_, s) + Vec3d{0.15 * avoid.x, 0.10 * avoid.y, 0};
 }

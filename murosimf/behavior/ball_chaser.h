@@ -2,8 +2,11 @@
 ///
 /// Decides from the sensor `ground_truth` (sensors/ground_truth.h) and writes `walk_command`. The robot of a team that is nearest to
 /// the ball goes for it; the others follow it at a distance. Robots steer around each other, and push
-/// each other only where they fight for the ball.
+/// each other only where they fight for the ball. With a motion engine (`kicks`) it stops behind the ball and kicks it with the nearer foot,
+/// and waits for nothing: a robot that has fallen gets up by itself.
 #pragma once
+
+#include <array>
 
 #include "murosimf/model/algorithm.h"
 #include "murosimf/model/properties.h"
@@ -11,6 +14,8 @@
 #include "murosimf/sensors/ground_truth.h"
 
 namespace murosimf::behavior {
+
+struct Situation;  // ball_chaser.cpp
 
 struct BallChaserOptions {
   std::string ball = "ball";  ///< name of the entity to chase
@@ -23,6 +28,8 @@ struct BallChaserOptions {
   double support_behind = 0.8;  ///< the others' distance to the ball
   double support_aside = 0.7;   ///< the same sideways
   double keep_clear = 0.55;     ///< of other robots
+  bool kicks = false;  ///< the motion engine moves it: it kicks with kick_left and kick_right of the robot's file
+  Vec3d kick_place{0.20, 0.056, 0};  ///< where the left foot kicks a ball, from the robot
 };
 
 class BallChaser final : public Algorithm {
@@ -36,9 +43,13 @@ class BallChaser final : public Algorithm {
   static constexpr double rate_hz = 20;
 
  private:
+  void find_kicks(Setup& setup);
+  [[nodiscard]] Vec3d attack_with_kicks(const Situation& situation) noexcept;
+
   BallChaserOptions options_;
   sensors::Sightings seen_;
-  Vec3d& command_;  // [m/s, m/s, rad/s]
+  Vec3d& command_;                 // [m/s, m/s, rad/s]
+  std::array<double*, 2> kick_{};  // requests of kick_left and kick_right; null: none
 };
 
 }  // namespace murosimf::behavior

@@ -247,6 +247,10 @@ void attach_ball_chaser(Simulation& simulation, Entity& robot, const ControllerO
                                             sensors::SensorSurroundings{.moving_entities = options.everybody});
   }
   simulation.attach<BallChaser>("ball_chaser", robot, rate_of<BallChaser>(options), chaser);
+  if (chaser.kicks) {
+    return attach_motion_engine(simulation, robot, locomotion::MotionEngine::rate_hz, {},
+                                locomotion::motion_engine_options(robot.model(), {}));
+  }
   simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz);
 }
 

@@ -91,6 +91,8 @@ const OptionTable<behavior::BallChaserOptions>& ball_chaser_options() {
       {"support_behind", &Options::support_behind, "m", "from the ball to where the others wait", 0, longest_length},
       {"support_aside", &Options::support_aside, "m", "the same sideways", 0, longest_length},
       {"keep_clear", &Options::keep_clear, "m", "of other robots", 0.01, longest_length},
+      {"kicks", &Options::kicks, "",
+       "with kick_left and kick_right of the robot, whose motion engine keeps its balance and gets up"},
   };
   return table;
 }

@@ -64,6 +64,31 @@ void put(SceneParts& parts, const Placement& placement, const std::string& entit
       fmt::format("{}: placed at {:g}, {:g}, {:g} m, heading {:g} rad", entity, r.x, r.y, r.z, placement.heading));
 }
 
+/// Of the robot's file. Throws SetupError for an unknown name, and for robots without a motion engine.
+std::size_t motion_number(const Entity& robot, std::string_view motion) {
+  const locomotion::NamedMotions* motions = robot.model().find(properties::given_motions, 0);
+  if (!robot.find(properties::motion_request)) {
+    throw SetupError(
+        fmt::format("'{}' has no motion engine that could play '{}'; its controller would have to be \"motions\"",
+                    robot.name(), motion));
+  }
+  std::vector<std::string_view> names;
+  for (std::size_t i = 0; motions && i < motions->size(); ++i) {
+    if ((*motions)[i].name == motion) return i;
+    names.emplace_back((*motions)[i].name);
+  }
+  throw SetupError(fmt::format("'{}': {}", robot.name(), unknown_name("motion", motion, names)));
+}
+
+/// It plays when it can (locomotion/motion_engine.h).
+void play_motion(SceneParts& parts, const std::string& robot, std::string_view motion) {
+  Entity& entity = parts.simulation->world().entity(robot);
+  locomotion::MotionRequests requests = entity.base().get(properties::motion_request);
+  requests.number[motion_number(entity, motion)] += 1;
+  entity.base().set(properties::motion_request, requests);
+  parts.simulation->record(fmt::format("{}: is asked for {}", robot, motion));
+}
+
 void apply(SceneParts& parts, const scene_file::SceneEvent& event, const std::string& entity) {
   with_context(event.where, [&] {
     if (event.setting) return apply(parts, *event.setting, entity);
@@ -71,6 +96,7 @@ void apply(SceneParts& parts, const scene_file::SceneEvent& event, const std::st
     if (event.place) return put(parts, *event.place, entity);
     if (event.key == "level") return exchange_level(parts, entity, event.value);
     if (event.key == "contact") return exchange_contact(parts, entity, event.value);
+    if (event.key == "play") return play_motion(parts, entity, event.value);
     if (event.key == "present") return event.value == "true" ? enter(parts, entity) : leave(parts, entity);
     exchange_servo_law(parts, entity, event.value);
   });
@@ -165,6 +191,10 @@ void check_change(const SceneParts& parts, const scene_file::SceneEvent& change)
     for (const std::string& entity : change.entities) {
       with_context(change.where, [&] { check_push(parts, *change.push, entity); });
     }
+  }
+  if (change.key == "play") {
+    for (const std::string& entity : change.entities)
+      with_context(change.where, [&] { (void)motion_number(parts.simulation->world().entity(entity), change.value); });
   }
   if (!change.setting) return;
   for (const std::string& entity : change.entities) {

@@ -121,7 +121,39 @@ TEST(RobotPort, KnowsNamesAndSaysTheNearest) {
                                (void)port.command("walk.other_joints");
                                return (void)port.command("joint.target"), nothing_to_do();
                              }),
-                             {"'joint.target' and", "exclude each other"}));
+                             {"'walk.other_joints' and 'joint.target' exclude each other"}));
+  EXPECT_TRUE(fixtures::says(refusal([](RobotPort& port) {
+                               (void)port.command("walk.velocity");
+                               return (void)port.command("motion.play"), nothing_to_do();
+                             }),
+                             {"'walk.velocity' and 'motion.play' exclude each other"}));
+}
+
+TEST(RobotPort, AsksTheMotionEngineForMotionsByName) {
+  std::vector<std::string> names;
+  ProgrammedRobot robot([&](RobotPort& port) {
+    murosimf_command* play = port.command("motion.play");
+    murosimf_command* velocity = port.command("motion.velocity");
+    names = *port.labels("motion.play");
+    return std::make_unique<Program>(nullptr, [play, velocity](Duration) {
+      play->values[1] = 3;
+      velocity->values[0] = 0.1;
+    });
+  });
+  EXPECT_TRUE(robot.task->port().uses_motions());
+  EXPECT_FALSE(robot.task->port().walks());
+  const auto& motions = *robot.robot.model().find(properties::given_motions, 0);
+  ASSERT_EQ(names.size(), motions.size());
+  for (std::size_t i = 0; i < names.size(); ++i) EXPECT_EQ(names[i], motions[i].name);
+  robot.rig.run(0.1);
+  EXPECT_EQ(robot.robot.base().get(properties::motion_request).number[1], 3);
+  EXPECT_EQ(robot.robot.base().get(properties::walk_command).x, 0.1);
+}
+
+TEST(RobotPort, RefusesMotionsOfARobotThatHasNone) {
+  const auto ask = [](RobotPort& port) { return (void)port.command("motion.play"), nothing_to_do(); };
+  EXPECT_TRUE(fixtures::says(fixtures::error_of([&] { ProgrammedRobot robot(ask, two_arms()); }),
+                             {"the robot's file names no motions"}));
 }
 
 TEST(RobotPort, TakesNoNewCommandsOnceItRuns) {

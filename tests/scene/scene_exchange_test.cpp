@@ -83,6 +83,19 @@ TEST(Timeline, ARefusalIsAWarningAndTheOthersChange) {
   EXPECT_TRUE(says(warnings[0], {"at 0.100 s", "'blue3' stays at simplified_dynamics", "leans 9"}));
 }
 
+TEST(Timeline, HasRobotsPlayMotions) {
+  Scene scene("kick",
+              {.overrides = {"robot.controller=motions"}, .events = {"0.5:robot.play=kick_right"}, .cameras = false});
+  scene.simulation().run(4s);
+  EXPECT_GT(scene.simulation().world().entity("ball").base().get(properties::position).x, 1.0);
+  EXPECT_TRUE(says(error_of([] {
+                     const Scene wrong("kick", {.overrides = {"robot.controller=motions"},
+                                                .events = {"0.5:robot.play=kick_rigt"},
+                                                .cameras = false});
+                   }),
+                   {"--at", "unknown motion 'kick_rigt'", "'kick_right'"}));
+}
+
 TEST(Timeline, RefusesMistakesBeforeTheRun) {
   const auto mistake = [](const std::string& option) {
     return error_of([&] { Scene scene(fixtures::write_scene(game), {.events = {option}}); });
@@ -98,6 +111,7 @@ TEST(Timeline, RefusesMistakesBeforeTheRun) {
   EXPECT_TRUE(says(mistake("-1:blue1.level=full_dynamics"), {"the time must be"}));
   EXPECT_TRUE(says(mistake("1:blue1.pelvs.applied_force=[0,0,1,0,0,0]"), {"unknown object 'pelvs'", "pelvis"}));
   EXPECT_TRUE(says(mistake("1:blue1.command=fast"), {"must be a number"}));
+  EXPECT_TRUE(says(mistake("1:blue1.play=kick_left"), {"'blue1' has no motion engine", "\"motions\""}));
 
   const auto event = [](const std::string& text) {
     return error_of([&] { Scene scene(fixtures::write_scene(game + "[[events]]\n" + text)); });

@@ -1,0 +1,51 @@
+// A player that kicks: the ball flies towards the goal, and whoever falls gets up again.
+#include "murosimf/behavior/ball_chaser.h"
+
+#include <cmath>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "murosimf/locomotion/gait_properties.h"
+#include "murosimf/scene/scene.h"
+
+namespace murosimf::behavior {
+namespace {
+
+constexpr double half_length = 3;  // [m] of the field of scene `duel`
+
+struct Played {
+  Vec3d ball;       // [m] where it is at the end
+  int motions = 0;  // that the robot has begun
+};
+
+Played play(std::uint64_t seed) {
+  scene::Scene scene("duel",
+                     {.seed = seed,
+                      .overrides = {"*.options.kicks=true", "*.level=articulated_dynamics", "red1.present=false"},
+                      .cameras = false});
+  Entity& ball = scene.simulation().world().entity("ball");
+  Entity& robot = scene.simulation().world().entity("blue1");
+  double mode = 0;
+  Played played;
+  for (int i = 0; i < 400; ++i) {
+    scene.simulation().run(std::chrono::milliseconds(100));
+    const double before = std::exchange(mode, robot.base().get(properties::motion_state).mode);
+    if (mode != before && mode != 0) ++played.motions;
+    played.ball = ball.base().get(properties::position);
+    if (played.ball.x > half_length) break;
+  }
+  return played;
+}
+
+TEST(BallChaser, KicksTheBallIntoTheGoal) {
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    const Played played = play(seed);
+    EXPECT_GE(played.motions, 1) << seed;
+    EXPECT_GT(played.ball.x, half_length) << seed;
+    EXPECT_LT(std::abs(played.ball.y), 0.75) << seed;
+  }
+}
+
+}  // namespace
+}  // namespace murosimf::behavior

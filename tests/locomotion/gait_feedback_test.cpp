@@ -1,0 +1,79 @@
+// Numbers of a walk with feedback: scaled by the legs' length, replaced by name, and every one of them acts.
+#include "murosimf/locomotion/gait_feedback.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include <fmt/format.h>
+
+#include "murosimf/collision/contact_properties.h"
+#include "murosimf/locomotion/gait_properties.h"
+#include "murosimf/model/error.h"
+#include "murosimf/scene/scene.h"
+#include "tests/fixtures.h"
+#include "tests/physics/rig.h"
+
+namespace murosimf::locomotion {
+namespace {
+
+TEST(GaitFeedback, OfKid21IsAsItStands) {
+  const GaitFeedback numbers = gait_feedback(*test::kid21(), {});
+  EXPECT_DOUBLE_EQ(numbers.ankle_forward, GaitFeedback{}.ankle_forward);
+  EXPECT_DOUBLE_EQ(numbers.omega, GaitFeedback{}.omega);
+}
+
+TEST(GaitFeedback, OfALongerRobotIsScaled) {
+  const ModelPtr nao = scene::Scene("walk", {.overrides = {"walker.model=spark_nao0"}, .cameras = false})
+                           .simulation()
+                           .world()
+                           .entity("walker")
+                           .model_ptr();
+  const Leg& leg = legs_of(*nao)[0];
+  const double scale = (leg.thigh + leg.shin) / 0.24;
+  const GaitFeedback numbers = gait_feedback(*nao, {}), kid21;
+  EXPECT_NEAR(numbers.most_forward, scale * kid21.most_forward, 1e-12) << "a length";
+  EXPECT_NEAR(numbers.step_decay, std::sqrt(scale) * kid21.step_decay, 1e-12) << "a time";
+  EXPECT_NEAR(numbers.omega, kid21.omega / std::sqrt(scale), 1e-12) << "a rate";
+  EXPECT_NEAR(numbers.ankle_forward, kid21.ankle_forward / scale, 1e-12) << "an angle over a length";
+  EXPECT_NEAR(numbers.ankle_pitch, kid21.ankle_pitch, 1e-15) << "a ratio";
+}
+
+TEST(GaitFeedback, TakesNumbersByName) {
+  const ModelPtr model = test::kid21();
+  EXPECT_EQ(gait_feedback(*model, {{"dead_zone", 0.01}}).dead_zone, 0.01);
+  EXPECT_EQ(balanced_walk(*model, {{"period", 0.5}}).period, 0.5);
+  EXPECT_TRUE(fixtures::says(fixtures::error_of([&] {
+                               (void)gait_feedback(*model, {{"dead_zone", -1.0}});
+                             }),
+                             {"dead_zone"}));
+}
+
+/// kid21 is pushed while it stands, and again while it walks.
+std::uint64_t hash_with(const std::string& option) {
+  std::vector<std::string> overrides{"walker.controller=motions", "walker.level=full_dynamics"};
+  if (!option.empty()) overrides.push_back("walker.options." + option);
+  scene::Scene scene("walk", {.overrides = overrides,
+                              .events = {"0:walker.command=[0,0,0]", "3:walker.command=[0.2,0.05,0.2]"},
+                              .pushes = {"walker.torso=[20,15,0]@1..1.1", "walker.torso=[-15,-15,0]@5..5.1"},
+                              .cameras = false});
+  scene.simulation().run(std::chrono::seconds(6));
+  return scene.simulation().state_hash();
+}
+
+TEST(GaitFeedback, EveryNumberActs) {
+  const std::uint64_t plain = hash_with("");
+  const GaitFeedback usual;
+  for (const OptionInfo& option : feedback_options()) {
+    const double other = option.name == "quickest" ? 1.01 : option.name == "slowest" ? 0.99 : 0.5;
+    GaitFeedback changed = gait_feedback(*test::kid21(), {{option.name, other}});
+    ASSERT_NE(std::memcmp(&changed, &usual, sizeof(usual)), 0) << option.name;
+    double value = std::max(option.lowest.value, std::min(option.highest, other));
+    if (option.unit == "m") value = 0.002;
+    EXPECT_NE(hash_with(fmt::format("{}={}", option.name, value)), plain) << option.name;
+  }
+}
+
+}  // namespace
+}  // namespace murosimf::locomotion
