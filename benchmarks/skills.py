@@ -67,6 +67,8 @@ class Robot:
         self.torso = max(self.masses, key=self.masses.get)
         self.head = next((body for body in self.masses if "head" in body.lower()), self.torso)
         self.motions = motions_of(model)
+        beside = Path(model).resolve().parent
+        self.folders = [beside, beside / "motions", Path(__file__).resolve().parent.parent / "motions"]
         self.standing_m = None
 
     def perturbation(self, run, runs):
@@ -132,12 +134,15 @@ def motions_of(model):
     return {}
 
 
-def motion_duration(motion):
-    """[s]"""
-    file = Path(__file__).resolve().parent.parent / "motions" / f"{motion}.toml"
-    table = tomllib.loads((file if file.is_file() else Path(motion)).read_text(encoding="utf-8"))
+def motion_duration(motion, folders):
+    """[s] `folders`: where motions stand, the first before the others."""
+    name = motion if motion.endswith(".toml") else f"{motion}.toml"
+    file = next((folder / name for folder in folders if (folder / name).is_file()), None)
+    if file is None:
+        sys.exit(f"skills: no motion '{motion}' in {', '.join(map(str, folders))}")
+    table = tomllib.loads(file.read_text(encoding="utf-8"))
     if "mirror_of" in table:
-        return motion_duration(table["mirror_of"])
+        return motion_duration(table["mirror_of"], [file.parent, *folders])
     return sum(frame["duration"] for frame in table["frames"])
 
 
@@ -153,6 +158,9 @@ class Bench:
     def engine(self):
         return self.arguments.controller == "motions"
 
+    def duration(self, motion):
+        return motion_duration(motion, self.robot.folders)
+
     def run(self, level, controller, duration, perturbed, changes=(), **more):
         scene = Path(self.folder) / f"{level}.{controller}.toml"
         if not scene.is_file():
@@ -163,11 +171,11 @@ class Bench:
         """A motion from the beginning by `keyframes`, or asked of the engine after a second; returns the run and the start [s]."""
         motion = self.robot.motions[name]
         if not self.engine():
-            return self.run(level, "keyframes", motion_duration(motion) + afterwards, perturbed,
+            return self.run(level, "keyframes", self.duration(motion) + afterwards, perturbed,
                             [f"robot.motion={motion}", *changes], logs=logs), 0.0
         number = list(self.robot.motions).index(name) + 1
         asked = [f"1:robot.{self.robot.base}.motion_request={number}", f"2:robot.{self.robot.base}.motion_request=0"]
-        return self.run(level, "motions", motion_duration(motion) + afterwards + 3, perturbed, changes, at=asked, logs=logs), 1.0
+        return self.run(level, "motions", self.duration(motion) + afterwards + 3, perturbed, changes, at=asked, logs=logs), 1.0
 
     def table(self, experiment, case, one, figure=None):
         """A row for each level: `one(level, perturbation)` says whether a run is good, and a number or None."""
