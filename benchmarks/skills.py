@@ -12,6 +12,8 @@ all masses and gains of servos (0.9 to 1.1). Sensors have their noise.
     get_up   from front, back, left, right: runs that end standing
     kick     every motion `*kick_*`, with a ball where its foot is: standing after a ball of more than 1.5 m/s; mean speed of the ball
     dive     to both sides: torso down within 0.8 s; with `motions` also up again 15 s later
+    protect  from a lean of 35 degrees to front and back: the head's largest deceleration (4 ms) is less than half of that of a robot that
+             keeps its stance (`keyframes` only); mean deceleration
     push     0.1 s at the torso's center of mass, standing and at 0.15 m/s: the largest impulse, of a ladder of 0.25 N s, that is
              survived in all of 8 phases; unperturbed, at the last of --levels only, or at each with --all-pushes
 
@@ -63,7 +65,10 @@ class Robot:
         self.masses = {row["body"]: row["mass_kg"] for row in rows if row.get("body") and row["mass_kg"] > 0}
         self.gains = {row["joint"]: row["position_gain"] for row in rows if row.get("position_gain", 0) > 0}
         self.torso = max(self.masses, key=self.masses.get)
+        self.head = next((body for body in self.masses if "head" in body.lower()), self.torso)
         self.motions = motions_of(model)
+        beside = Path(model).resolve().parent
+        self.folders = [beside, beside / "motions", Path(__file__).resolve().parent.parent / "motions"]
         self.standing_m = None
 
     def perturbation(self, run, runs):
@@ -79,11 +84,11 @@ class Robot:
 class Run:
     """One run: how it ended, and the base over time."""
 
-    def __init__(self, robot, folder, scene, duration, changes=(), pushes=(), at=(), logs=()):
+    def __init__(self, robot, folder, scene, duration, changes=(), pushes=(), at=(), logs=(), rate=100):
         command = [robot.program, "run", str(scene), "--duration", f"{duration:g}", "--no-cameras", "--json", "-"]
         with tempfile.TemporaryDirectory(dir=folder) as own:
             table = Path(own) / "log.csv"
-            command += ["--out", str(table), "--log-rate", "100"]
+            command += ["--out", str(table), "--log-rate", f"{rate}"]
             for log in [f"robot.{robot.base}.position", f"robot.{robot.base}.orientation", *logs]:
                 command += ["--log", log]
             for option, values in (("--set", changes), ("--push", pushes), ("--at", at)):
@@ -129,12 +134,15 @@ def motions_of(model):
     return {}
 
 
-def motion_duration(motion):
-    """[s]"""
-    file = Path(__file__).resolve().parent.parent / "motions" / f"{motion}.toml"
-    table = tomllib.loads((file if file.is_file() else Path(motion)).read_text(encoding="utf-8"))
+def motion_duration(motion, folders):
+    """[s] `folders`: where motions stand, the first before the others."""
+    name = motion if motion.endswith(".toml") else f"{motion}.toml"
+    file = next((folder / name for folder in folders if (folder / name).is_file()), None)
+    if file is None:
+        sys.exit(f"skills: no motion '{motion}' in {', '.join(map(str, folders))}")
+    table = tomllib.loads(file.read_text(encoding="utf-8"))
     if "mirror_of" in table:
-        return motion_duration(table["mirror_of"])
+        return motion_duration(table["mirror_of"], [file.parent, *folders])
     return sum(frame["duration"] for frame in table["frames"])
 
 
@@ -150,6 +158,9 @@ class Bench:
     def engine(self):
         return self.arguments.controller == "motions"
 
+    def duration(self, motion):
+        return motion_duration(motion, self.robot.folders)
+
     def run(self, level, controller, duration, perturbed, changes=(), **more):
         scene = Path(self.folder) / f"{level}.{controller}.toml"
         if not scene.is_file():
@@ -160,11 +171,11 @@ class Bench:
         """A motion from the beginning by `keyframes`, or asked of the engine after a second; returns the run and the start [s]."""
         motion = self.robot.motions[name]
         if not self.engine():
-            return self.run(level, "keyframes", motion_duration(motion) + afterwards, perturbed,
+            return self.run(level, "keyframes", self.duration(motion) + afterwards, perturbed,
                             [f"robot.motion={motion}", *changes], logs=logs), 0.0
         number = list(self.robot.motions).index(name) + 1
         asked = [f"1:robot.{self.robot.base}.motion_request={number}", f"2:robot.{self.robot.base}.motion_request=0"]
-        return self.run(level, "motions", motion_duration(motion) + afterwards + 3, perturbed, changes, at=asked, logs=logs), 1.0
+        return self.run(level, "motions", self.duration(motion) + afterwards + 3, perturbed, changes, at=asked, logs=logs), 1.0
 
     def table(self, experiment, case, one, figure=None):
         """A row for each level: `one(level, perturbation)` says whether a run is good, and a number or None."""
@@ -227,6 +238,24 @@ class Bench:
                 return good, down
             self.table("dive", name, one, "s until the torso is down")
 
+    def protect(self):
+        for side, pitch in (("front", 35), ("back", -35)):
+            if f"protect_{side}" not in self.robot.motions:
+                continue
+
+            def peak(level, perturbed, controller, changes, lean=pitch):
+                """[g] of the head, over 4 ms."""
+                head = f"robot.{self.robot.head}.linear_velocity"
+                run = self.run(level, controller, 1.5, perturbed, [f"robot.pitch_deg={lean}", *changes], logs=[head], rate=1000)
+                v = list(zip(*(run.column(f"{head}.{axis}") for axis in "xyz"), strict=True))
+                return max(math.dist(a, b) for a, b in zip(v[10:], v[14:], strict=False)) / 0.004 / 9.81
+
+            def one(level, perturbed, side=side, peak=peak):
+                stiff = peak(level, perturbed, "walk", ["robot.command=[0, 0, 0]"])
+                soft = peak(level, perturbed, "keyframes", [f"robot.motion={self.robot.motions[f'protect_{side}']}"])
+                return soft < 0.5 * stiff, soft
+            self.table("protect", side, one, "g at the head")
+
     def push(self):
         for level in self.arguments.levels if self.arguments.all_pushes else self.arguments.levels[-1:]:
             for speed in (0.0, 0.15):
@@ -249,8 +278,9 @@ class Bench:
         return self.arguments.largest
 
 
-EXPERIMENTS = ["walk", "get_up", "kick", "dive", "push"]
-OF_CONTROLLER = {"": EXPERIMENTS, "walk": ["walk", "push"], "keyframes": ["get_up", "kick", "dive"], "motions": EXPERIMENTS}
+PLAYED = ["get_up", "kick", "dive", "protect"]
+EXPERIMENTS = ["walk", *PLAYED, "push"]
+OF_CONTROLLER = {"": EXPERIMENTS, "walk": ["walk", "push"], "keyframes": PLAYED, "motions": [e for e in EXPERIMENTS if e != "protect"]}
 
 
 def arguments_of():

@@ -7,7 +7,11 @@
 #include <fstream>
 
 #include "murosimf/files/data_path.h"
+#include "murosimf/locomotion/gait_properties.h"
+#include "murosimf/locomotion/keyframe_player.h"
 #include "murosimf/model/error.h"
+#include "murosimf/robot/robot_reader.h"
+#include "murosimf/runtime/simulation.h"
 #include "murosimf/scene/scene.h"
 #include "tests/temp_folder.h"
 
@@ -137,6 +141,25 @@ TEST(MotionFile, EveryMotionOfTheProgramFitsItsRobot) {
     EXPECT_FALSE(scene.simulation().world().entity("r").frozen()) << name;
     fs::remove(file);
   }
+}
+
+TEST(MotionFile, EveryMotionThatARobotNamesFitsIt) {
+  int motions = 0;
+  for (const std::string& name : files::data_file_names("models", ".xml")) {
+    const ModelPtr model = read_robot(files::find_data_file(name, "models", ".xml")).model;
+    const locomotion::NamedMotions* all = model->find(properties::given_motions, 0);
+    if (!all) continue;
+    for (const auto& [purpose, motion] : *all) {
+      ++motions;
+      Simulation simulation;
+      Entity& robot = simulation.world().add("robot", model);
+      simulation.attach<locomotion::KeyframePlayer>("keyframe_player", robot, locomotion::KeyframePlayer::rate_hz,
+                                                    motion);
+      simulation.run(from_seconds(duration(motion)));
+      EXPECT_NEAR(robot.base().get(properties::motion_time), duration(motion), 0.01) << name << ": " << purpose;
+    }
+  }
+  EXPECT_GE(motions, 12);
 }
 
 TEST(MotionFile, AKeyframePlayerNeedsAMotion) {
