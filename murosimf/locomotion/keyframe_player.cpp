@@ -1,63 +1,24 @@
 #include "murosimf/locomotion/keyframe_player.h"
 
 #include <algorithm>
-#include <optional>
-
-#include <fmt/format.h>
+#include <cassert>
 
 #include "murosimf/locomotion/gait_properties.h"
-#include "murosimf/model/error.h"
 
 namespace murosimf::locomotion {
-namespace {
-
-constexpr std::array<std::string_view, 2> sides{"left_foot.", "right_foot."};
-constexpr std::array<std::string_view, 4> axes{"x", "y", "z", "pitch"};
-
-struct FootAxis {
-  std::size_t side, axis;
-};
-
-std::optional<FootAxis> foot_axis(std::string_view channel) {
-  for (std::size_t side = 0; side < sides.size(); ++side) {
-    if (!channel.starts_with(sides[side])) continue;
-    const auto* found = std::find(axes.begin(), axes.end(), channel.substr(sides[side].size()));
-    if (found != axes.end()) return FootAxis{side, static_cast<std::size_t>(found - axes.begin())};
-  }
-  return std::nullopt;
-}
-
-int joint_named(const Model& model, std::string_view name) {
-  std::vector<std::string_view> known;
-  for (const int joint : model.joints()) {
-    if (model.objects()[joint].name == name) return joint;
-    known.emplace_back(model.objects()[joint].name);
-  }
-  throw SetupError(fmt::format("model '{}': {}", model.name(), unknown_name("joint or foot", name, known)));
-}
-
-}  // namespace
 
 KeyframePlayer::KeyframePlayer(Setup& setup, const KeyframeMotion& motion)
     : motion_(motion),
       duration_(duration(motion)),
+      targets_(setup.model(), motion),
       values_(motion.start),
       time_(setup.write(properties::motion_time)[0]),
-      target_(setup.write(properties::joint_target)) {
-  for (std::size_t column = 0; column < motion.columns.size(); ++column) {
-    for (const Channel& channel : motion.columns[column]) connect(setup.model(), channel, column);
-  }
-  if (foot_sinks_.empty()) return;
-  legs_ = find_legs(setup.model());
-  stance_ = seeded_parameters(setup.model());
-}
+      target_(setup.write(properties::joint_target)) {}
 
-void KeyframePlayer::connect(const Model& model, const Channel& channel, std::size_t column) {
-  if (const auto foot = foot_axis(channel.name)) {
-    foot_sinks_.push_back({column, channel.sign, foot->side, foot->axis});
-  } else {
-    joint_sinks_.push_back({column, channel.sign, joint_named(model, channel.name)});
-  }
+void KeyframePlayer::play(const KeyframeMotion& motion) {
+  assert(motion.columns.size() == motion_.columns.size());
+  motion_ = motion;
+  duration_ = duration(motion);
 }
 
 void KeyframePlayer::initialize() {
@@ -72,26 +33,7 @@ void KeyframePlayer::step(const Instant& instant) noexcept {
 
 void KeyframePlayer::write_targets() noexcept {
   sample(motion_, time_, values_);
-  std::fill(target_.begin(), target_.end(), 0.0);
-  if (!foot_sinks_.empty()) place_feet();
-  for (const JointSink& sink : joint_sinks_) target_[sink.object] += sink.sign * values_[sink.column];
-}
-
-void KeyframePlayer::place_feet() noexcept {
-  std::array<FootPlace, 2> places{};
-  for (const FootSink& sink : foot_sinks_) places[sink.side][sink.axis] += sink.sign * values_[sink.column];
-  const Mat3d level_to_pelvis = rotation_y(-stance_.pitch);
-  GaitPose pose = home_pose(legs_);
-  for (std::size_t side = 0; side < 2; ++side) {
-    const Leg& leg = legs_[side];
-    const auto& [x, y, z, pitch] = places[side];
-    const double outward = side == 0 ? 1 : -1;
-    const Vec3d ankle{x - stance_.setback, outward * stance_.half_width - leg.hip.y + y,
-                      z - stance_.hip_height + leg.ankle_height};
-    const FootTarget target{.ankle = level_to_pelvis * ankle, .sole = level_to_pelvis * rotation_y(pitch)};
-    bend(leg, target, std::span(pose.q[side]).first(leg.joints.size()));
-    for (std::size_t i = 0; i < leg.joints.size(); ++i) target_[leg.joints[i]] = pose.q[side][i];
-  }
+  targets_.write(values_, target_);
 }
 
 }  // namespace murosimf::locomotion
