@@ -19,6 +19,11 @@ std::shared_ptr<const RobotKind> Assets::robot(const std::filesystem::path& file
   return known;
 }
 
+void Assets::put(const std::filesystem::path& file, bool lenient, RobotKind kind) {
+  const std::lock_guard lock(mutex_);
+  robots_[{std::filesystem::absolute(file), lenient}] = std::make_shared<const RobotKind>(std::move(kind));
+}
+
 ModelPtr Assets::model(const std::string& key, const std::function<ModelPtr()>& make) {
   const std::lock_guard lock(mutex_);
   ModelPtr& known = models_[key];

@@ -34,6 +34,9 @@ class Assets {
   /// `lenient`: unknown elements are warnings. Throws SetupError: no such file, a mistake in it; nothing is kept then.
   [[nodiscard]] std::shared_ptr<const RobotKind> robot(const std::filesystem::path& file, bool lenient);
 
+  /// What robot() returns for this file from now on, whatever stands in it: a robot that is not quite as its file says.
+  void put(const std::filesystem::path& file, bool lenient, RobotKind kind);
+
   /// What `make` returns for the first who asks with this key, from which it must follow. Throws what make() throws.
   [[nodiscard]] ModelPtr model(const std::string& key, const std::function<ModelPtr()>& make);
 

@@ -5,14 +5,14 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
-#include "murosimf/files/data_path.h"
+#include "murosimf/files/files_read.h"
 #include "murosimf/locomotion/gait_seed.h"
+#include "murosimf/locomotion/walk_options.h"
 #include "murosimf/model/error.h"
-#include "murosimf/robot/robot_reader.h"
-#include "murosimf/series/sweep.h"
-#include "murosimf/series/text_table.h"
+#include "murosimf/recording/attached_files.h"
+#include "murosimf/series/walk_trials.h"
 
 namespace murosimf::series {
 namespace {
@@ -20,95 +20,179 @@ namespace {
 constexpr std::array around{0.7, 1.0, 1.5};      // [1] of the lift
 constexpr std::array quickness{0.8, 1.0, 1.25};  // [1] of the period
 constexpr std::array rolls{0.0, 0.025, 0.05};    // [rad]
-constexpr std::size_t shown = 10;
+constexpr std::size_t walks_of_a_level = 8, checked_walks = 20;
+constexpr double walk_sigma = 0.1;  // [1] of the width of each number's bounds
 
-ModelPtr read_model(const WalkTuningOptions& options) {
-  const auto file = files::find_data_file(options.model, "models", ".xml");
-  return robot::read_robot(file, {.lenient = options.common.lenient}).model;
+/// One number of the walk and its bounds: in units of the leg's length, of the number itself, or absolute.
+struct WalkNumber {
+  std::string name;
+  double value = 0, low = 0, high = 0;
+};
+
+double number(const OptionValues& values, const std::string& name) { return std::get<double>(values.at(name)); }
+
+/// From half to twice of what is worked out, or as far to either side of it as kid21 and others have been seen to walk.
+std::vector<WalkNumber> walk_numbers(const Model& model) {
+  const auto& leg = locomotion::legs_of(model)[0];
+  const double length = leg.thigh + leg.shin;
+  const OptionValues seed = locomotion::walk_option_values(locomotion::seeded_parameters(model));
+  std::vector<WalkNumber> all;
+  const auto times = [&](const char* name, double low, double high) {
+    const double value = number(seed, name);
+    all.push_back({name, value, low * value, high * value});
+  };
+  const auto about = [&](const char* name, double down, double up) {
+    const double value = number(seed, name);
+    all.push_back({name, value, value - down, value + up});
+  };
+  const auto within = [&](const char* name, double low, double high) {
+    all.push_back({name, std::clamp(number(seed, name), low, high), low, high});
+  };
+  times("period", 0.6, 1.8);
+  times("lift", 0.4, 2.5);
+  within("lean", -0.25, 0.25);
+  within("hip_roll", 0, 0.15);
+  within("sway", 0, 0.3 * length);
+  within("lead", -0.8, 0.8);
+  about("setback", 0.12 * length, 0.12 * length);
+  const double hips = number(seed, "hip_height");
+  all.push_back({"hip_height", hips, hips - 0.12 * length, hips + 0.04 * length});
+  times("half_width", 0.7, 1.5);
+  within("double_support", 0, 0.3);
+  return all;
 }
 
-std::vector<std::string> texts(const auto& factors, double of) {
-  std::vector<std::string> values;
-  for (const double factor : factors) values.push_back(fmt::format("{:.4g}", factor * of));
+OptionValues values_at(const std::vector<WalkNumber>& numbers, const std::vector<double>& point) {
+  OptionValues values;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const double value = numbers[i].low + point[i] * (numbers[i].high - numbers[i].low);
+    values[numbers[i].name] = std::round(value * 1e5) * 1e-5;  // as the file will have it
+  }
   return values;
 }
 
-/// Levels change last, so that the walks of a combination stand together.
-SweepOptions sweep_of(const WalkTuningOptions& options, const Model& model) {
-  const locomotion::WalkParameters seed = locomotion::seeded_parameters(model);
-  const std::string base = model.objects()[0].name;
-  SweepOptions sweep{.scene = "walk",
-                     .axes = {{"walker.options.lift", texts(around, seed.lift)},
-                              {"walker.options.hip_roll", texts(rolls, 1)},
-                              {"walker.options.period", texts(quickness, seed.period)},
-                              {"walker.level", options.levels}},
-                     .duration = options.duration,
-                     .results = {"walker.falls", fmt::format("walker.{}.position", base)},
-                     .common = options.common,
-                     .progress = options.progress};
-  auto& overrides = sweep.common.overrides;
-  overrides.push_back("walker.model=" + options.model);
-  overrides.push_back("walker.position=[0,0]");
-  overrides.push_back(fmt::format("walker.command=[{},0,0]", options.speed));
-  return sweep;
+double place_of(const WalkNumber& number, double value) {
+  return std::clamp((value - number.low) / (number.high - number.low), 0.0, 1.0);
 }
 
-void rate(const WalkTuningOptions& options, WalkTrial& trial) {
-  const double way = options.speed * options.duration;
-  for (std::size_t i = 0; i < trial.falls.size(); ++i) {
-    if (trial.falls[i] > 0 || std::isnan(trial.forward[i])) ++trial.failed;
-    trial.miss += std::abs(trial.forward[i] / way - 1) + std::abs(trial.sideways[i]) / way;
+CmaEsOptions space_of(const std::vector<WalkNumber>& numbers) {
+  CmaEsOptions space{.start = {}, .sigma = walk_sigma};
+  for (const WalkNumber& one : numbers) space.start.push_back(place_of(one, one.value));
+  space.low.assign(numbers.size(), 0);
+  space.high.assign(numbers.size(), 1);
+  return space;
+}
+
+/// Every combination of three lifts, periods and rolls.
+std::vector<std::vector<double>> grid_around(const std::vector<WalkNumber>& numbers, const std::vector<double>& start) {
+  const auto index = [&](std::string_view name) {
+    return static_cast<std::size_t>(std::ranges::find(numbers, name, &WalkNumber::name) - numbers.begin());
+  };
+  const std::size_t lift = index("lift"), roll = index("hip_roll"), period = index("period");
+  std::vector<std::vector<double>> points;
+  for (const double lifted : around) {
+    for (const double rolled : rolls) {
+      for (const double quick : quickness) {
+        std::vector<double>& point = points.emplace_back(start);
+        point[lift] = place_of(numbers[lift], lifted * numbers[lift].value);
+        point[roll] = place_of(numbers[roll], rolled);
+        point[period] = place_of(numbers[period], quick * numbers[period].value);
+      }
+    }
   }
-  trial.miss /= static_cast<double>(trial.falls.size());
+  return points;
 }
 
-std::string numbers(const std::vector<double>& values) { return fmt::format("{:.2f}", fmt::join(values, " ")); }
+/// Forward, faster, sideways, turning.
+std::array<Vec3d, 4> commands_for(const Model& model, double speed) {
+  constexpr double share = 0.6;  // [1] of the largest
+  const Vec3d fastest = locomotion::seeded_parameters(model).fastest;
+  const double faster = fastest.x > speed ? fastest.x : 1.5 * speed;
+  return {Vec3d{speed, 0, 0}, Vec3d{faster, 0, 0}, Vec3d{0, share * fastest.y, 0}, Vec3d{0, 0, share * fastest.z}};
+}
+
+std::string what_walks(const WalkTuningOptions& options, const files::FilesRead& read) {
+  const nlohmann::json what{{"program", options.budget.program},
+                            {"search", "walk"},
+                            {"model", options.model},
+                            {"levels", options.levels},
+                            {"speed", options.speed},
+                            {"duration", options.duration},
+                            {"seed", options.budget.seed},
+                            {"lenient", options.common.lenient},
+                            {"files", recording::files_now(read.list(), {read.list(), {}}).list.values}};
+  return what.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::vector<TuningCheck> check_walks(const VariedRobot& robot, const WalkTask& task, const WalkTuningOptions& options,
+                                     const WalkTuning& tuning) {
+  const auto cases = tuning_cases(options.levels, checked_walks, options.budget.seed, "tuning checks");
+  const auto outcomes = walk_trials(robot, task, {tuning.before, tuning.after}, cases);
+  if (outcomes.empty()) return {};
+  std::vector<TuningCheck> checks;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    if (i % checked_walks == 0) checks.push_back({.level = cases[i].level, .runs = checked_walks});
+    checks.back().before += outcomes[0][i].fell ? 0 : 1;
+    checks.back().after += outcomes[1][i].fell ? 0 : 1;
+  }
+  return checks;
+}
 
 }  // namespace
 
 WalkTuning tune_walk(const WalkTuningOptions& options) {
   if (!(options.speed > 0) || !(options.duration > 0)) throw SetupError("a walk needs a speed and a duration above 0");
-  if (options.levels.empty()) throw SetupError("no level to walk at");
-  const Sweep done = sweep(sweep_of(options, *read_model(options)));
-  WalkTuning tuning{.levels = options.levels, .stopped = done.stopped};
-  const std::size_t levels = options.levels.size();
-  for (std::size_t first = 0; first + levels <= done.runs.size(); first += levels) {
-    const auto& values = done.runs[first].point.values;
-    WalkTrial trial{.lift = std::stod(values[0]), .hip_roll = std::stod(values[1]), .period = std::stod(values[2])};
-    for (std::size_t i = first; i < first + levels && done.runs[i].values.size() >= 3; ++i) {
-      trial.falls.push_back(done.runs[i].values[0]);
-      trial.forward.push_back(done.runs[i].values[1]);
-      trial.sideways.push_back(done.runs[i].values[2]);
+  const files::FilesRead read;
+  const VariedRobot robot(options.model, options.common.lenient);
+  const std::vector<WalkNumber> numbers = walk_numbers(robot.model());
+  const WalkTask task{.commands = commands_for(robot.model(), options.speed),
+                      .duration = options.duration,
+                      .threads = options.common.threads,
+                      .stop = options.common.stop};
+  const auto cases = tuning_cases(options.levels, walks_of_a_level, options.budget.seed, "tuning");
+  const CostsOf costs_of = [&](const std::vector<std::vector<double>>& points) {
+    std::vector<OptionValues> candidates;
+    for (const auto& point : points) candidates.push_back(values_at(numbers, point));
+    std::vector<double> costs;
+    for (const auto& outcomes : walk_trials(robot, task, candidates, cases)) {
+      std::vector<double> all;
+      for (const WalkOutcome& one : outcomes) all.push_back(one.cost);
+      costs.push_back(mean_and_worst(all, options.levels.size()));
     }
-    if (trial.falls.size() < levels) continue;  // it was stopped
-    rate(options, trial);
-    tuning.trials.push_back(std::move(trial));
-  }
-  std::ranges::stable_sort(tuning.trials, [](const WalkTrial& a, const WalkTrial& b) {
-    return a.failed != b.failed ? a.failed < b.failed : a.miss < b.miss;
-  });
+    return costs;
+  };
+  CostSearchOptions search{.space = space_of(numbers), .evaluations = options.budget.evaluations};
+  search.space.population = population_for(numbers.size());
+  search.space.seed = options.budget.seed;
+  search.first = grid_around(numbers, search.space.start);
+  search.minutes = options.budget.minutes;
+  search.state = options.budget.state;
+  search.what = what_walks(options, read);
+  search.stop = task.stop;
+  search.progress = options.budget.progress;
+
+  WalkTuning tuning;
+  tuning.before = values_at(numbers, search.space.start);
+  tuning.search = search_cost(search, costs_of);
+  tuning.after = values_at(numbers, tuning.search.best);
+  if (!tuning.search.stopped) tuning.checks = check_walks(robot, task, options, tuning);
   return tuning;
 }
 
 std::string to_text(const WalkTuning& tuning) {
-  TextTable table;
-  table.add({"lift [m]", "hip_roll [rad]", "period [s]", "falls", "forward [m]", "sideways [m]"});
-  for (std::size_t i = 0; i < std::min(shown, tuning.trials.size()); ++i) {
-    const WalkTrial& trial = tuning.trials[i];
-    table.add({fmt::format("{:.4g}", trial.lift), fmt::format("{:.4g}", trial.hip_roll),
-               fmt::format("{:.4g}", trial.period), fmt::format("{}", fmt::join(trial.falls, " ")),
-               numbers(trial.forward), numbers(trial.sideways)});
-  }
-  return fmt::format("at {}:\n{}", fmt::join(tuning.levels, ", "), table.text());
+  return search_text(tuning.search) + "\n" + checks_text(tuning.checks, "walks without a fall");
 }
 
-std::string to_toml(const WalkTuning& tuning) {
-  if (tuning.trials.empty()) return {};
-  const WalkTrial& best = tuning.trials.front();
-  return fmt::format(
-      "[walk]  # murosimf tune walk: falls at {} of {} levels\nlift = {:.4g}      # [m]\nhip_roll = {:.4g}  # [rad]\n"
-      "period = {:.4g}    # [s]\n",
-      best.failed, tuning.levels.size(), best.lift, best.hip_roll, best.period);
+std::string to_toml(const WalkTuning& tuning, const std::string& how) {
+  std::string text = as_comment(how + "\n" + to_text(tuning)) + "[walk]\n";
+  for (const OptionInfo& info : locomotion::walk_options()) {
+    const auto value = tuning.after.find(info.name);
+    if (value == tuning.after.end()) continue;
+    const double before = number(tuning.before, info.name);
+    text += fmt::format("{} = {:.5g}   # [{}] {:.5g} before\n", info.name, std::get<double>(value->second), info.unit,
+                        before);
+  }
+  return text;
 }
 
 }  // namespace murosimf::series
