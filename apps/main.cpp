@@ -23,7 +23,6 @@
   COMMAND(branch)                  \
   COMMAND(sweep)                   \
   COMMAND(tune)                    \
-  COMMAND(tune_steps)              \
   COMMAND(doctor)                  \
   COMMAND(compare)                 \
   COMMAND(check)                   \
@@ -33,6 +32,7 @@
   COMMAND(fit_servo)               \
   COMMAND(replay_servo)            \
   COMMAND(fit_contact)             \
+  COMMAND(fit_steps)               \
   COMMAND(lens)                    \
   COMMAND(completion)              \
   COMMAND(manual)

@@ -4,7 +4,7 @@
 ///     rigid,0,forward,0.0123,0.41,0,0
 ///
 /// A line for each kind of joints (rigid, compliant), bin of a step, and signal; the numbers are the factors of 1 and of the walking
-/// velocity [m/s, m/s, rad/s]. `murosimf tune steps` writes it.
+/// velocity [m/s, m/s, rad/s]. `murosimf fit-steps` writes it.
 #pragma once
 
 #include <filesystem>

@@ -11,7 +11,7 @@
 #include "murosimf/files/files_read.h"
 #include "murosimf/model/error.h"
 #include "murosimf/recording/attached_files.h"
-#include "murosimf/scene_file/motion_file.h"
+#include "murosimf/robot/motion_file.h"
 
 namespace murosimf::series {
 namespace {
@@ -88,8 +88,8 @@ std::size_t population_for(std::size_t numbers) {
 
 MotionTuning tune_motion(const MotionTuningOptions& options) {
   const files::FilesRead read;
-  const auto file = scene_file::find_motion(options.motion);
-  const KeyframeMotion motion = scene_file::read_motion(file);
+  const auto file = robot::find_motion(options.motion);
+  const KeyframeMotion motion = robot::read_motion(file);
   const VariedRobot robot(options.model, options.common.lenient);
   MotionTask task = options.task;
   task.threads = options.common.threads;

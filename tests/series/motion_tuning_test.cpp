@@ -7,7 +7,7 @@
 
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/scene_file/motion_file.h"
+#include "murosimf/robot/motion_file.h"
 #include "tests/fixtures.h"
 #include "tests/temp_folder.h"
 
@@ -21,7 +21,7 @@ const VariedRobot& kid21() {
   return robot;
 }
 
-KeyframeMotion shipped(const char* name) { return scene_file::read_motion(scene_file::find_motion(name)); }
+KeyframeMotion shipped(const char* name) { return robot::read_motion(robot::find_motion(name)); }
 
 /// [rad/s] By the closed form of a cosine: pi/2 times the way over the time.
 double steepest(const KeyframeMotion& motion, std::size_t column) {
@@ -194,7 +194,7 @@ TEST(MotionTuning, GetsBetterAndWritesAMotion) {
   EXPECT_EQ(tuned.checks[0].runs, 20u);
   const auto file = fixtures::temp_folder() / "tuned_motion.toml";
   std::ofstream(file) << to_toml(tuned, "found by a test");
-  const KeyframeMotion read = scene_file::read_motion(file);
+  const KeyframeMotion read = robot::read_motion(file);
   ASSERT_EQ(read.frames.size(), tuned.after.frames.size());
   for (std::size_t i = 0; i < read.frames.size(); ++i) {
     EXPECT_NEAR(read.frames[i].duration, tuned.after.frames[i].duration, 1e-9);

@@ -1,4 +1,4 @@
-// `murosimf tune-steps`: learns how the steady walk of a robot looks to its own sensors.
+// `murosimf fit-steps`: learns how the steady walk of a robot looks to its own sensors.
 #include <algorithm>
 #include <optional>
 #include <thread>
@@ -75,8 +75,8 @@ int learn(const StepArguments& arguments) {
 
 }  // namespace
 
-void add_tune_steps(CommandLine& line) {
-  line.add<StepArguments>("tune-steps", "Learn how a robot's steady walk looks to its own sensors", define, learn);
+void add_fit_steps(CommandLine& line) {
+  line.add<StepArguments>("fit-steps", "Learn how a robot's steady walk looks to its own sensors", define, learn);
 }
 
 }  // namespace murosimf::app
