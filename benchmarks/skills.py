@@ -168,7 +168,7 @@ class Bench:
         return Run(self.robot, self.folder, scene, duration, [*perturbed, *changes], **more)
 
     def play(self, name, level, perturbed, afterwards, changes=(), logs=()):
-        """A motion from the beginning by `keyframes`, or asked of the engine after a second; returns the run and the start [s]."""
+        """A motion from the beginning by `keyframes`, or asked of the engine after a second: the run, and when it starts [s]."""
         motion = self.robot.motions[name]
         if not self.engine():
             return self.run(level, "keyframes", self.duration(motion) + afterwards, perturbed,
@@ -221,7 +221,7 @@ class Bench:
             def one(level, perturbed, name=name, place=(place[0], side * place[1])):
                 ball = [f"ball={{position=[{place[0]}, {place[1]}], mass=0.3, radius=0.065}}", "start.jitter_heading_deg=1"]
                 run, _ = self.play(name, level, perturbed, 1, ball, ["ball.ball.linear_velocity"])
-                fastest = max(map(math.hypot, run.column("ball.ball.linear_velocity.x"), run.column("ball.ball.linear_velocity.y")))
+                fastest = max(map(math.hypot, *(run.column(f"ball.ball.linear_velocity.{axis}") for axis in "xy")))
                 return fastest > BALL_SPEED and run.stands(self.robot), fastest
             self.table("kick", name, one, "m/s")
 
@@ -280,7 +280,8 @@ class Bench:
 
 PLAYED = ["get_up", "kick", "dive", "protect"]
 EXPERIMENTS = ["walk", *PLAYED, "push"]
-OF_CONTROLLER = {"": EXPERIMENTS, "walk": ["walk", "push"], "keyframes": PLAYED, "motions": [e for e in EXPERIMENTS if e != "protect"]}
+OF_CONTROLLER = {"": EXPERIMENTS, "walk": ["walk", "push"], "keyframes": PLAYED,
+                 "motions": [name for name in EXPERIMENTS if name != "protect"]}
 
 
 def arguments_of():
