@@ -5,20 +5,23 @@
     benchmarks/skills.py --program build/release/murosimf --only get_up kick --levels articulated_dynamics --out skills.json
     benchmarks/skills.py --program build/release/murosimf --controller motions --model spark_nao0
 
-Every experiment has --runs runs at each level; run k has its own seed, lean (up to 2 degrees), heading, friction (0.5 to 1.0), and factors of
-all masses and gains of servos (0.9 to 1.1). Sensors have their noise.
+Every experiment has --runs runs at each level; run k has its own seed, lean (up to 2 degrees), heading, friction (0.5 to
+1.0), and factors of all masses and gains of servos (0.9 to 1.1). Sensors have their noise.
 
-    walk     20 s at 0.1, 0.2, 0.35, 0.45 m/s, 0.15 m/s to the left, 1 rad/s: runs without a fall; their mean speed, of the command
+    walk     20 s at 0.1, 0.2, 0.35, 0.45 m/s, 0.15 m/s to the left, 1 rad/s: runs without a fall; their mean speed, of the
+             command
     get_up   from front, back, left, right: runs that end standing
-    kick     every motion `*kick_*`, with a ball where its foot is: standing after a ball of more than 1.5 m/s; mean speed of the ball
+    kick     every motion `*kick_*`, with a ball where its foot is: standing after a ball of more than 1.5 m/s; mean speed of
+             the ball
     dive     to both sides: torso down within 0.8 s; with `motions` also up again 15 s later
-    protect  from a lean of 35 degrees to front and back: the head's largest deceleration (4 ms) is less than half of that of a robot
-             that keeps its stance (`keyframes` only); mean deceleration
-    push     0.1 s at the torso's center of mass, standing and at 0.15 m/s: the largest impulse, of a ladder of 0.25 N s, that is
-             survived in all of 8 phases; unperturbed, at the last of --levels only, or at each with --all-pushes
+    protect  from a lean of 35 degrees to front and back: the head's largest deceleration (4 ms) is less than half of that of
+             a robot that keeps its stance (not with `motions`); mean deceleration
+    push     0.1 s at the torso's center of mass, standing and at 0.15 m/s: the largest impulse, of a ladder of 0.25 N s, that
+             is survived in all of 8 phases; unperturbed, at the last of --levels only, or at each with --all-pushes
 
-Which motions there are, the robot's TOML file says in [motions]; what it does not name is left out. --controller: `walk` walks
-only, `keyframes` plays motions only, `motions` does both with the motion engine; without it walk and keyframes, each what it can.
+Which motions there are, the robot's TOML file says in [motions]; what it does not name is left out. --controller: `walk`
+walks only, `keyframes` plays motions only, `motions` does both with the motion engine; without it walk and keyframes, each
+what it can.
 """
 import argparse
 import concurrent.futures
