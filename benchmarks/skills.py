@@ -5,20 +5,23 @@
     benchmarks/skills.py --program build/release/murosimf --only get_up kick --levels articulated_dynamics --out skills.json
     benchmarks/skills.py --program build/release/murosimf --controller motions --model spark_nao0
 
-Every experiment has --runs runs at each level; run k has its own seed, lean (up to 2 degrees), heading, friction (0.5 to 1.0), and factors of
-all masses and gains of servos (0.9 to 1.1). Sensors have their noise.
+Every experiment has --runs runs at each level; run k has its own seed, lean (up to 2 degrees), heading, friction (0.5 to
+1.0), and factors of all masses and gains of servos (0.9 to 1.1). Sensors have their noise.
 
-    walk     20 s at 0.1, 0.2, 0.35, 0.45 m/s, 0.15 m/s to the left, 1 rad/s: runs without a fall; their mean speed, of the command
+    walk     20 s at 0.1, 0.2, 0.35, 0.45 m/s, 0.15 m/s to the left, 1 rad/s: runs without a fall; their mean speed, of the
+             command
     get_up   from front, back, left, right: runs that end standing
-    kick     every motion `*kick_*`, with a ball where its foot is: standing after a ball of more than 1.5 m/s; mean speed of the ball
+    kick     every motion `*kick_*`, with a ball where its foot is: standing after a ball of more than 1.5 m/s; mean speed of
+             the ball
     dive     to both sides: torso down within 0.8 s; with `motions` also up again 15 s later
-    protect  from a lean of 35 degrees to front and back: the head's largest deceleration (4 ms) is less than half of that of a robot that
-             keeps its stance (`keyframes` only); mean deceleration
-    push     0.1 s at the torso's center of mass, standing and at 0.15 m/s: the largest impulse, of a ladder of 0.25 N s, that is
-             survived in all of 8 phases; unperturbed, at the last of --levels only, or at each with --all-pushes
+    protect  from a lean of 35 degrees to front and back: the head's largest deceleration (4 ms) is less than half of that of
+             a robot that keeps its stance (not with `motions`); mean deceleration
+    push     0.1 s at the torso's center of mass, standing and at 0.15 m/s: the largest impulse, of a ladder of 0.25 N s, that
+             is survived in all of 8 phases; unperturbed, at the last of --levels only, or at each with --all-pushes
 
-Which motions there are, the robot's TOML file says in [motions]; what it does not name is left out. --controller: `walk` walks only,
-`keyframes` plays motions only, `motions` does both with the motion engine; without it walk and keyframes, each what it can.
+Which motions there are, the robot's TOML file says in [motions]; what it does not name is left out. --controller: `walk`
+walks only, `keyframes` plays motions only, `motions` does both with the motion engine; without it walk and keyframes, each
+what it can.
 """
 import argparse
 import concurrent.futures
@@ -168,7 +171,7 @@ class Bench:
         return Run(self.robot, self.folder, scene, duration, [*perturbed, *changes], **more)
 
     def play(self, name, level, perturbed, afterwards, changes=(), logs=()):
-        """A motion from the beginning by `keyframes`, or asked of the engine after a second; returns the run and the start [s]."""
+        """A motion from the beginning by `keyframes`, or asked of the engine after a second: the run, and when it starts [s]."""
         motion = self.robot.motions[name]
         if not self.engine():
             return self.run(level, "keyframes", self.duration(motion) + afterwards, perturbed,
@@ -219,7 +222,7 @@ class Bench:
             def one(level, perturbed, name=name, place=(place[0], side * place[1])):
                 ball = [f"ball={{position=[{place[0]}, {place[1]}], mass=0.3, radius=0.065}}", "start.jitter_heading_deg=1"]
                 run, _ = self.play(name, level, perturbed, 1, ball, ["ball.ball.linear_velocity"])
-                fastest = max(map(math.hypot, run.column("ball.ball.linear_velocity.x"), run.column("ball.ball.linear_velocity.y")))
+                fastest = max(map(math.hypot, *(run.column(f"ball.ball.linear_velocity.{axis}") for axis in "xy")))
                 return fastest > BALL_SPEED and run.stands(self.robot), fastest
             self.table("kick", name, one, "m/s")
 
@@ -278,7 +281,8 @@ class Bench:
 
 PLAYED = ["get_up", "kick", "dive", "protect"]
 EXPERIMENTS = ["walk", *PLAYED, "push"]
-OF_CONTROLLER = {"": EXPERIMENTS, "walk": ["walk", "push"], "keyframes": PLAYED, "motions": [e for e in EXPERIMENTS if e != "protect"]}
+OF_CONTROLLER = {"": EXPERIMENTS, "walk": ["walk", "push"], "keyframes": PLAYED,
+                 "motions": [name for name in EXPERIMENTS if name != "protect"]}
 
 
 def arguments_of():

@@ -26,8 +26,7 @@ struct KeyframeMotion {
   std::vector<std::vector<Channel>> columns;  ///< a value may set several channels: both arms
   std::vector<double> start;                  ///< values at the beginning, one per column
   std::vector<KeyFrame> frames;               ///< at least one
-  bool other_side =
-      false;  ///< it is written for one side and meant for the other: played_by (mirrored_motion.h) mirrors it
+  bool other_side = false;                    ///< still to be mirrored: played_by (mirrored_motion.h)
 };
 
 /// [s] from the start to the last key frame.
