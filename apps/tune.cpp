@@ -44,7 +44,8 @@ void define(const Command& command, TuneArguments& arguments) {
   command
       .add("what", arguments.what,
            "walk, or a key-frame motion: a file, or the name of one that comes with the program")
-      .required();
+      .required()
+      .offers({"walk"});
   command
       .add("--model", arguments.model,
            "Robot file ('murosimf list formats'), or the name of one that comes with the program")
@@ -59,7 +60,7 @@ void define(const Command& command, TuneArguments& arguments) {
   command
       .add("--toward", arguments.toward,
            "deg, counterclockwise from ahead: where the ball or the robot shall go; ahead if not given")
-      .within(-360.0, 360.0);
+      .within(0.0, 360.0);
   command.add("--ball", arguments.ball,
               "X,Y in m: where the ball of a kick lies, from the robot; 0.2,-0.056 if not given");
   command.add("--speed", arguments.speed, "m/s, of a walk forward; 0.1 if not given").within(0.001, 10.0);
@@ -181,7 +182,7 @@ int finish(const TuneArguments& arguments, const Tuning& tuning) {
     results.write([&] { files::write_file(arguments.out, toml); });
   }
   std::error_code ignored;
-  if (!search.stopped && !state.empty()) std::filesystem::remove(state, ignored);
+  if (!search.stopped && !state.empty() && results.exit_code(0) == 0) std::filesystem::remove(state, ignored);
   if (search.stopped) {
     say_error(fmt::format("stopped by {}; {}{}", signal_name(),
                           found ? "the best so far is there" : "nothing was found",

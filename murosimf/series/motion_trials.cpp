@@ -98,6 +98,7 @@ struct MotionTrials::World {
       longest = std::max(longest, duration(motion));
     }
     scene.reset();
+    begins.clear();
     for (Entity* robot : robots) begins.push_back(robot->base().get(properties::position));
     std::vector<Observed> seen(motions.size());
     const double end = longest + rest_after(task.goal);
@@ -106,7 +107,6 @@ struct MotionTrials::World {
       if (scene.simulation().stopped()) return {};
       for (std::size_t i = 0; i < seen.size(); ++i) look(i, duration(motions[i]), seen[i]);
     }
-    begins.clear();
     return seen;
   }
 
@@ -194,8 +194,7 @@ std::unique_ptr<MotionTrials::World> MotionTrials::make_world(const TuningCase& 
 
 std::vector<std::vector<MotionOutcome>> MotionTrials::run(const std::vector<KeyframeMotion>& motions,
                                                           const std::vector<TuningCase>& cases) {
-  const std::size_t together = task_.goal == MotionGoal::kicks ? 1 : robots_in_a_row;  // there is one ball
-  const std::size_t rows = (motions.size() + together - 1) / together;
+  const std::size_t rows = (motions.size() + robots_in_a_row - 1) / robots_in_a_row;
   std::vector<double> haste;
   for (const KeyframeMotion& motion : motions) {
     double sum = 0;
@@ -208,18 +207,24 @@ std::vector<std::vector<MotionOutcome>> MotionTrials::run(const std::vector<Keyf
   if (worlds_.size() < needed) worlds_.resize(needed);
   worlds_of_.resize(worlds_.size());
   run_in_parallel(needed, task_.threads, task_.stop, [&](std::size_t i) {
-    const std::size_t which = i / rows, first = i % rows * together;
+    const std::size_t which = i / rows, first = i % rows * robots_in_a_row;
     const TuningCase& one = cases[which];
-    const std::size_t count = std::min(together, motions.size() - first);
+    const std::size_t count = std::min(robots_in_a_row, motions.size() - first);
+    const std::size_t robots = task_.goal == MotionGoal::kicks ? 1 : count;  // there is one ball: one after the other
     const std::string key = fmt::format("{} {} {} {} {} {} {} {} {} {}", one.level, one.friction, one.mass, one.gain,
-                                        one.roll, one.pitch, one.heading, one.ball.x, one.ball.y, count);
+                                        one.roll, one.pitch, one.heading, one.ball.x, one.ball.y, robots);
     if (!worlds_[i] || worlds_of_[i] != key) {
-      worlds_[i] = make_world(one, count);
+      worlds_[i] = make_world(one, robots);
       worlds_of_[i] = key;
     }
     std::vector<KeyframeMotion> played;
     for (std::size_t k = 0; k < count; ++k) played.push_back(with_zero_errors(motions[first + k], one));
-    const std::vector<Observed> seen = worlds_[i]->run(played);
+    std::vector<Observed> seen;
+    for (std::size_t k = 0; k < count; k += robots) {
+      const std::vector<Observed> some = worlds_[i]->run(std::span(played).subspan(k, robots));
+      if (some.empty()) return;  // stopped
+      seen.insert(seen.end(), some.begin(), some.end());
+    }
     for (std::size_t k = 0; k < seen.size(); ++k) {
       const std::size_t m = first + k;
       all[m][which] = judged(seen[k], task_, height_, haste[m], duration(motions[m]));

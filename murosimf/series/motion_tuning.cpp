@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/files/files_read.h"
 #include "murosimf/model/error.h"
 #include "murosimf/recording/attached_files.h"
@@ -39,6 +40,13 @@ std::string what_is_tuned(const MotionTuningOptions& options, const KeyframeMoti
                             {"lenient", options.common.lenient},
                             {"files", recording::files_now(read.list(), {read.list(), {}}).list.values}};
   return what.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+void refuse_levels_that_stand(const std::vector<std::string>& levels) {
+  for (const std::string& level : levels) {
+    if (find_entry(catalog::levels(), "level", level).traits.dynamic) continue;
+    throw SetupError(fmt::format("at level '{}' robots always stand: no motion can be tuned there", level));
+  }
 }
 
 std::vector<TuningCheck> check(MotionTrials& trials, const MotionTuning& tuning, const std::vector<std::string>& levels,
@@ -87,6 +95,7 @@ std::size_t population_for(std::size_t numbers) {
 }
 
 MotionTuning tune_motion(const MotionTuningOptions& options) {
+  refuse_levels_that_stand(options.levels);
   const files::FilesRead read;
   const auto file = robot::find_motion(options.motion);
   const KeyframeMotion motion = robot::read_motion(file);

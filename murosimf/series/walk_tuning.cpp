@@ -23,7 +23,7 @@ constexpr std::array rolls{0.0, 0.025, 0.05};    // [rad]
 constexpr std::size_t walks_of_a_level = 8, checked_walks = 20;
 constexpr double walk_sigma = 0.1;  // [1] of the width of each number's bounds
 
-/// One number of the walk and its bounds: in units of the leg's length, of the number itself, or absolute.
+/// One number of the walk, as it is worked out, and its bounds.
 struct WalkNumber {
   std::string name;
   double value = 0, low = 0, high = 0;
@@ -31,7 +31,7 @@ struct WalkNumber {
 
 double number(const OptionValues& values, const std::string& name) { return std::get<double>(values.at(name)); }
 
-/// From half to twice of what is worked out, or as far to either side of it as kid21 and others have been seen to walk.
+/// Bounds are wide: what lies outside would be another kind of walk (straight knees, feet that cross) or none.
 std::vector<WalkNumber> walk_numbers(const Model& model) {
   const auto& leg = locomotion::legs_of(model)[0];
   const double length = leg.thigh + leg.shin;

@@ -1,11 +1,15 @@
 // `murosimf tune` from outside: ended in the middle it goes on as if it had not been, and it says in one line what is wrong.
 #include "tests/apps/program.h"
+#include "tests/hasty_motion.h"
 
 namespace murosimf::test {
 namespace {
 
-const std::string small_search =
-    "tune get_up_back --model kid21 --from back --levels full_dynamics --evaluations 60 --threads 2";
+/// Of the file of the running test.
+std::string small_search() {
+  return "tune " + write("hasty.toml", fixtures::hasty_motion).string() +
+         " --model kid21 --from back --levels full_dynamics --evaluations 60 --threads 2";
+}
 
 /// What stands below the head.
 std::string motion_in(const fs::path& file) {
@@ -16,7 +20,7 @@ std::string motion_in(const fs::path& file) {
 /// Sends the signal as soon as there is a state. Its exit code, as shells have it.
 std::string end_by(const std::string& signal, const fs::path& out) {
   const fs::path errors = scratch("err"), code = scratch("code"), state = out.string() + ".state";
-  const std::string command = std::string(MUROSIMF_PROGRAM) + " " + small_search + " --out " + out.string() + " >" +
+  const std::string command = std::string(MUROSIMF_PROGRAM) + " " + small_search() + " --out " + out.string() + " >" +
                               scratch("shown").string() + " 2>" + errors.string();
   const std::string script = command + " & pid=$!; while [ ! -s " + state.string() +
                              " ] && kill -0 $pid; do sleep 0.02; done; kill -" + signal +
@@ -27,13 +31,13 @@ std::string end_by(const std::string& signal, const fs::path& out) {
 
 TEST(Tune, GoesOnAfterItWasEnded) {
   const fs::path through = scratch("through.toml"), killed = scratch("killed.toml"), ended = scratch("ended.toml");
-  ASSERT_EQ(murosimf(small_search + " --out " + through.string()).exit_code, 0);
+  ASSERT_EQ(murosimf(small_search() + " --out " + through.string()).exit_code, 0);
   EXPECT_FALSE(fs::exists(through.string() + ".state")) << "it is at its end";
-  EXPECT_NE(read_file(through).find("# found by: murosimf tune get_up_back --model kid21"), std::string::npos);
+  EXPECT_NE(read_file(through).find("# found by: murosimf tune "), std::string::npos);
 
   EXPECT_EQ(end_by("KILL", killed), "137\n");
   EXPECT_FALSE(fs::exists(killed));
-  const Result on = murosimf(small_search + " --out " + killed.string());
+  const Result on = murosimf(small_search() + " --out " + killed.string());
   EXPECT_EQ(on.exit_code, 0) << on.errors;
   EXPECT_NE(on.errors.find("went on after "), std::string::npos) << on.errors;
   EXPECT_EQ(motion_in(killed), motion_in(through));
@@ -41,7 +45,7 @@ TEST(Tune, GoesOnAfterItWasEnded) {
   EXPECT_EQ(end_by("TERM", ended), "143\n");
   EXPECT_NE(read_file(ended).find("not yet at its end"), std::string::npos) << "the best so far";
   EXPECT_TRUE(fs::exists(ended.string() + ".state"));
-  EXPECT_EQ(murosimf(small_search + " --out " + ended.string()).exit_code, 0);
+  EXPECT_EQ(murosimf(small_search() + " --out " + ended.string()).exit_code, 0);
   EXPECT_EQ(motion_in(ended), motion_in(through));
 }
 
@@ -50,7 +54,8 @@ TEST(Tune, SaysWhatIsWrong) {
   expect_mistake("tune get_up_front --model quadruped --from front", {"j_l_sh_pitch"});
   expect_mistake("tune get_up_front --model kid21 --from front --levels half_dynamics",
                  {"unknown level 'half_dynamics'"});
-  expect_mistake("tune get_up_front --model kid21 --from front --levels kinematic_walking", {"kinematic_walking"});
+  expect_mistake("tune get_up_front --model kid21 --from front --levels kinematic_walking",
+                 {"kinematic_walking", "always stand"});
   expect_mistake("tune get_up_front --model kid21", {"--from is missing"});
   expect_mistake("tune get_up_front --model kid21 --from front --speed 0.1", {"--speed", "a motion"});
   expect_mistake("tune get_up_front --model kid21 --from front --ball 1,2", {"--ball", "does not kick"});
@@ -59,7 +64,7 @@ TEST(Tune, SaysWhatIsWrong) {
   expect_mistake("tune walk --model car", {"car"});
   const fs::path out = scratch("other.toml");
   write("other.toml.state", "{}");
-  expect_mistake(small_search + " --out " + out.string(), {"other.toml.state", "it is no state of a search"});
+  expect_mistake(small_search() + " --out " + out.string(), {"other.toml.state", "it is no state of a search"});
 }
 
 }  // namespace

@@ -43,14 +43,29 @@ TEST(KeyframeMotion, IsAtRestInEveryFrame) {
 }
 
 struct Player {
-  explicit Player(const KeyframeMotion& motion) : robot(rig.add("robot", test::kid21())) {
-    rig.simulation.attach<KeyframePlayer>("keyframe_player", robot, KeyframePlayer::rate_hz, motion);
+  explicit Player(const KeyframeMotion& motion)
+      : robot(rig.add("robot", test::kid21())),
+        player(rig.simulation.attach<KeyframePlayer>("keyframe_player", robot, KeyframePlayer::rate_hz, motion)) {
     rig.simulation.attach<motion::KinematicWalking>("kinematic_walking", robot, 1000);
   }
   double target(const char* joint) { return robot.object(joint).get(properties::joint_target); }
   test::Rig rig;
   Entity& robot;
+  KeyframePlayer& player;
 };
+
+TEST(KeyframePlayer, PlaysAnotherMotionFromTheNextStart) {
+  Player player(wave);
+  player.rig.run(0.5);
+  KeyframeMotion other = wave;
+  other.start[0] = -0.2;
+  other.frames = {{0.1, {0.7, 0.0}}};
+  player.player.play(other);
+  player.rig.simulation.reset();
+  EXPECT_NEAR(player.target("j_head"), -0.2, 1e-12);
+  player.rig.run(0.2);
+  EXPECT_NEAR(player.target("j_head"), 0.7, 1e-12);
+}
 
 TEST(KeyframePlayer, SetsTheJointsThatTheMotionNames) {
   Player player(wave);
