@@ -137,6 +137,18 @@ std::string own_toml(fs::path file, RobotConversion& result) {
   return result.own_table ? files::read_input_file(file, files::most_toml_bytes) : "";
 }
 
+/// MuJoCo reads no file with an inertia that no solid body has, unless it may even it out (mjcf_writer.h).
+void name_evened_inertias(const description::RobotDescription& description, RobotConversion& result) {
+  for (const description::BodyDescription& body : description.bodies) {
+    const Vec3d moments = description::principal_moments(body.solid.inertia);
+    if (!(body.solid.mass > 0) || !description::breaks_triangle_inequality(moments)) continue;
+    result.left_out.push_back(
+        fmt::format("{}: inertia of body '{}', which no solid body has: its mean moment {:.3g} kg m^2 is read",
+                    body.solid_where.empty() ? body.where : body.solid_where, body.name,
+                    (moments.x + moments.y + moments.z) / 3));
+  }
+}
+
 /// What belongs into the TOML file because of it.
 std::string write_mjcf(description::RobotDescription& description, RobotFile& robot, bool with_sensors,
                        const ConversionOptions& options, RobotConversion& result) {
@@ -145,6 +157,7 @@ std::string write_mjcf(description::RobotDescription& description, RobotFile& ro
   give_key(description);
   std::vector<std::string> doubles;
   if (with_sensors) doubles = give_mjcf_sensors(description, robot.description);
+  name_evened_inertias(description, result);
   result.text = formats::mjcf::to_mjcf(description, {options.folder});
   return rates_for_table(robot, description, result) + removed_sensors_toml(doubles);
 }
@@ -165,6 +178,7 @@ RobotConversion convert_robot(const fs::path& file, const ConversionOptions& opt
   RobotFile robot = read_robot(file, options.reader);
   result.warnings = robot.warnings;
   description::RobotDescription description = read_all_bodies(file, options.reader);
+  take_repaired_solids(description, robot);
   give_servos(description, robot);
   if (options.fit) result.fits = fit_meshes(description, *options.fit);
   count(description, result);

@@ -71,14 +71,6 @@ bool is_hand(const RobotDescription& description, std::size_t body) {
   return false;
 }
 
-description::MassProperties whole(const RobotDescription& description, const std::vector<Transformd>& places) {
-  std::vector<description::MassProperties> parts;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    parts.push_back(description::moved(description.bodies[i].solid, places[i].position, places[i].orientation));
-  }
-  return description::combined(parts);
-}
-
 /// True if the center of mass is above the area between the feet, or nearly so: in no horizontal direction is it farther out
 /// than every foot.
 bool bear_weight(const RobotDescription& description, const std::vector<Transformd>& places,
@@ -89,7 +81,7 @@ bool bear_weight(const RobotDescription& description, const std::vector<Transfor
       if (p.z <= ground + level_feet) points.push_back(p);
     }
   }
-  const description::MassProperties robot = whole(description, places);
+  const description::MassProperties robot = whole_solid(description);
   if (robot.mass == 0) return true;
   const double tolerance = off_balance * (robot.center.z - ground);
   for (int i = 0; i < around; ++i) {

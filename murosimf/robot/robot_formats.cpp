@@ -1,11 +1,11 @@
 #include "murosimf/robot/robot_formats.h"
 
 #include <algorithm>
-#include <cctype>
 #include <memory>
 
 #include <fmt/format.h>
 
+#include "murosimf/files/lower_case.h"
 #include "murosimf/files/xml_element.h"
 #include "murosimf/formats/mjcf/mjcf_reader.h"
 #include "murosimf/formats/mjcf/mjcf_schema.h"
@@ -30,11 +30,7 @@ std::vector<RobotFormat> built_in_formats() {
 }
 
 /// ".urdf" of "nao.URDF"
-std::string ending_of(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
-}
+std::string ending_of(const std::filesystem::path& file) { return files::lower_case(file.extension().string()); }
 
 bool has_ending(const RobotFormat& format, const std::string& ending) {
   return !ending.empty() && fmt::format(" {} ", format.endings).find(fmt::format(" {} ", ending)) != std::string::npos;

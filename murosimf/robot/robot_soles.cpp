@@ -76,6 +76,15 @@ std::vector<Transformd> body_places(const description::RobotDescription& descrip
   return places;
 }
 
+description::MassProperties whole_solid(const description::RobotDescription& description) {
+  const auto places = body_places(description);
+  std::vector<description::MassProperties> parts;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    parts.push_back(description::moved(description.bodies[i].solid, places[i].position, places[i].orientation));
+  }
+  return description::combined(parts);
+}
+
 double lowest_point(const description::RobotDescription& description) {
   const auto places = body_places(description);
   double bottom = std::numeric_limits<double>::infinity();

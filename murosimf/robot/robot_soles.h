@@ -19,6 +19,9 @@ namespace murosimf::robot {
 /// Place of every body in the frame of the base, in the pose of the file.
 [[nodiscard]] std::vector<Transformd> body_places(const description::RobotDescription& description);
 
+/// All bodies as one, in the frame of the base and the pose of the file.
+[[nodiscard]] description::MassProperties whole_solid(const description::RobotDescription& description);
+
 /// [m] Lowest point of all shapes that collide, in the frame of the base and the pose of the file; infinite without any.
 [[nodiscard]] double lowest_point(const description::RobotDescription& description);
 

@@ -41,6 +41,7 @@ CASES = {
     "ctrlrange below": (WIDE, actuator(f"<position {PD} ctrlrange='-.2 .3'/>"), -0.9, -0.9),
     "gear": (WIDE, actuator("<position joint='j' kp='10' kv='1' ctrlrange='-.2 .6' gear='-2'/>"), 0.9, -0.45),
     "inheritrange": ("range='-.5 .3'", actuator(f"<position {PD} inheritrange='.5'/>"), 0.9, 0.9),
+    "inheritrange of an integral": ("range='-.5 .3'", actuator(f"<intvelocity {PD} inheritrange='.5' ctrlrange='-9 9'/>"), 9, 0.9),
     "affine": (WIDE, actuator("<general joint='j' gainprm='60' biastype='affine' biasprm='3 -30 -3' ctrlrange='-1 .2'/>"),
                0.9, (60 * 0.9 + 3) / 30),
     "rate": ("", actuator("<velocity joint='j' kv='5' ctrlrange='-1 .5'/>"), 3, 3),

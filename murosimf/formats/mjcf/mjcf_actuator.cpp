@@ -78,11 +78,11 @@ class ActuatorReader {
 
   void set_target_range(MjcfActuator& actuator) const {
     if (is_motor() || per_target() == 0) return;
-    if (gains_.integrates) {
-      set_range_of_activation(actuator);
-    } else if (gains_.inherited_range > 0) {
+    if (gains_.inherited_range > 0) {
       actuator.inherited_range = gains_.inherited_range;
       actuator.per_range = gains_.gain / per_target();
+    } else if (gains_.integrates) {
+      set_range_of_activation(actuator);
     } else if (gains_.gain == 0) {  // the control has no say
       const double rest = gains_.bias[0] / per_target();
       actuator.target_range = Vec3d{rest, rest, 0};

@@ -150,7 +150,7 @@ files::XmlVocabulary make_rules() {
   const std::map<std::string_view, files::XmlWords> own{
       {"position", {"kp", "kv", "dampratio", "timeconst", "inheritrange"}},
       {"velocity", {"kv"}},
-      {"intvelocity", {"kp", "kv", "dampratio"}},
+      {"intvelocity", {"kp", "kv", "dampratio", "inheritrange"}},
       {"motor", {}},
       {"general", {"gainprm", "biasprm", "gaintype", "biastype", "dyntype", "dynprm"}}};
   // of a control that has several parts, or is called what it is

@@ -450,6 +450,7 @@ std::map<std::string, Probes> make_probes() {
   probes["intvelocity"] = of_actuator({{"kp", "3"}}) + Probes{{"kp", {"1", "2"}},
                                                               {"kv", {"0", "1"}},
                                                               {"dampratio", {"0", "1"}},
+                                                              {"inheritrange", {"0", "1"}},
                                                               {"actrange", {"-1 1", "-1 2"}},
                                                               {"actlimited", {"true", "false", held}}};
   probes["velocity"] = of_actuator({{"kv", "3"}}) + Probes{{"kv", {"1", "2"}}};
