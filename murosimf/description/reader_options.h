@@ -9,8 +9,9 @@
 namespace murosimf::description {
 
 struct ReaderOptions {
-  bool lenient = false;  ///< what is unknown or not supported becomes a warning, where a robot remains without it
-  bool guess = true;     ///< soles, frames and servos that nothing names are guessed (role_inference.h)
+  bool lenient = false;      ///< what is unknown or not supported becomes a warning, where a robot remains without it
+  bool guess = true;         ///< soles, frames and servos that nothing names are guessed (role_inference.h)
+  bool face_forward = true;  ///< the base of a robot that faces another way is turned (robot_heading.h)
   std::vector<std::string> part_per_group{};  ///< meshes of OBJ files whose objects or groups are convex parts
   std::map<std::string, std::filesystem::path> packages{};  ///< folders of "package://name/..." in URDF
   std::map<std::string, std::string> xacro{};               ///< arguments of a file with macros, by name

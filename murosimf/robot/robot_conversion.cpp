@@ -175,7 +175,9 @@ std::string write_urdf(const description::RobotDescription& description, const R
 
 RobotConversion convert_robot(const fs::path& file, const ConversionOptions& options) {
   RobotConversion result;
-  RobotFile robot = read_robot(file, options.reader);
+  description::ReaderOptions as_written = options.reader;
+  as_written.face_forward = false;
+  RobotFile robot = read_robot(file, as_written);
   result.warnings = robot.warnings;
   description::RobotDescription description = read_all_bodies(file, options.reader);
   take_repaired_solids(description, robot);

@@ -7,6 +7,7 @@
 #include "murosimf/robot/robot_builder.h"
 #include "murosimf/robot/robot_config.h"
 #include "murosimf/robot/robot_formats.h"
+#include "murosimf/robot/robot_heading.h"
 #include "murosimf/robot/robot_sensors.h"
 #include "murosimf/robot/role_inference.h"
 #include "murosimf/robot/sensor_cuts.h"
@@ -66,6 +67,7 @@ RobotFile read_robot(const std::filesystem::path& file, const description::Reade
   repair_solids(robot.description);
   apply_sole_sizes(robot.description, table);
   if (options.guess) guess_roles(robot.description, table);
+  if (options.face_forward) face_forward(robot.description, table);
   place_soles(robot.description, table);
   robot.model = build_model(robot.description, table);
   robot.sensors = sensors_of(robot.description, table, *robot.model, file.parent_path(), options.lenient);

@@ -53,6 +53,21 @@ bool is_sole(const description::FrameDescription& frame, const RobotConfig& tabl
   return std::ranges::find(table.sole_frames, frame.name) != table.sole_frames.end();
 }
 
+std::set<std::size_t> bodies_with_soles(const description::RobotDescription& description, const RobotConfig& table) {
+  std::set<std::size_t> feet;
+  for (std::size_t i = 0; i < description.bodies.size(); ++i) {
+    const description::BodyDescription& body = description.bodies[i];
+    const auto is_named = [&](const std::string& name) {
+      return std::ranges::find(table.soles, name, &TableName::name) != table.soles.end();
+    };
+    const bool by_frame = std::ranges::any_of(body.frames, [&](const description::FrameDescription& frame) {
+      return is_named(frame.name) || is_sole(frame, table);
+    });
+    if (by_frame || is_named(body.name)) feet.insert(i);
+  }
+  return feet;
+}
+
 std::vector<Vec3d> low_points(const description::BodyDescription& body, const Transformd& place) {
   std::vector<Vec3d> points;
   for (const description::ShapeDescription& shape : body.shapes) {

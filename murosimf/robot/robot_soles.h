@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,10 @@ namespace murosimf::robot {
 /// The one rule for files: a sole is a frame with a rectangle that [soles] of the table means; without such a section, any
 /// box site whose name ends with "sole". To be asked when soles are placed (role_inference.h).
 [[nodiscard]] bool is_sole(const description::FrameDescription& frame, const RobotConfig& table);
+
+/// Bodies with a sole by that rule, or that [soles] of the table names: indices.
+[[nodiscard]] std::set<std::size_t> bodies_with_soles(const description::RobotDescription& description,
+                                                      const RobotConfig& table);
 
 /// Place of every body in the frame of the base, in the pose of the file.
 [[nodiscard]] std::vector<Transformd> body_places(const description::RobotDescription& description);

@@ -49,22 +49,6 @@ Weight weight_of(const RobotDescription& description) {
   return {robot.mass, robot.center.z - lowest_point(description)};
 }
 
-/// Bodies with a sole, by their places in the description.
-std::set<std::size_t> feet_of(const RobotDescription& description, const RobotConfig& table) {
-  std::set<std::size_t> feet;
-  for (std::size_t i = 0; i < description.bodies.size(); ++i) {
-    const BodyDescription& body = description.bodies[i];
-    const auto is_named = [&](const std::string& name) {
-      return std::ranges::find(table.soles, name, &TableName::name) != table.soles.end();
-    };
-    const bool by_frame = std::ranges::any_of(body.frames, [&](const description::FrameDescription& frame) {
-      return is_named(frame.name) || is_sole(frame, table);
-    });
-    if (by_frame || is_named(body.name)) feet.insert(i);
-  }
-  return feet;
-}
-
 /// Bodies between the base and a foot, feet included.
 std::set<std::size_t> bodies_of_legs(const RobotDescription& description, const std::set<std::size_t>& feet) {
   std::set<std::size_t> legs;
@@ -113,7 +97,7 @@ class Guesser {
  public:
   Guesser(RobotDescription& description, const RobotConfig& table) : description_(description), table_(table) {
     for (const description::MimicDescription& mimic : description.mimics) followers_.insert(mimic.joint);
-    const std::set<std::size_t> feet = feet_of(description, table);
+    const std::set<std::size_t> feet = bodies_with_soles(description, table);
     if (feet.size() != 2) return;
     weight_ = weight_of(description);
     if (weight_.stiffness() > 0) legs_ = bodies_of_legs(description, feet);
