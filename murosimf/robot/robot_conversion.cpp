@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 /// With all of the bodies of the file: read_robot has welded those that do not move.
 description::RobotDescription read_all_bodies(const fs::path& file, description::ReaderOptions options) {
   for (const TableName& mesh : read_table_beside(file).part_per_group) options.part_per_group.push_back(mesh.name);
-  return format_of(file).read(file, options);
+  return read_description(file, options);
 }
 
 bool has_words_for(WrittenFormat format, const description::SensorDescription& sensor,

@@ -71,6 +71,21 @@ bool is_hand(const RobotDescription& description, std::size_t body) {
   return false;
 }
 
+bool hangs_on(const RobotDescription& description, std::size_t body, std::size_t other) {
+  int b = static_cast<int>(body);
+  while (b > static_cast<int>(other)) b = description.bodies[b].parent;
+  return b == static_cast<int>(other);
+}
+
+/// Toes, which hang on another foot, are parts of it.
+void join_toes(const RobotDescription& description, std::vector<std::size_t>& feet) {
+  const std::vector<std::size_t> all = feet;
+  std::erase_if(feet, [&](std::size_t body) {
+    return std::ranges::any_of(all,
+                               [&](std::size_t other) { return other != body && hangs_on(description, body, other); });
+  });
+}
+
 /// True if the center of mass is above the area between the feet, or nearly so: in no horizontal direction is it farther out
 /// than every foot.
 bool bear_weight(const RobotDescription& description, const std::vector<Transformd>& places,
@@ -112,6 +127,7 @@ std::vector<std::size_t> find_feet(const RobotDescription& description) {
     if (joints_above(description, i) < joints_of_leg || is_wheel(description.bodies[i], places[i])) return {};
     if (!is_hand(description, i)) feet.push_back(i);
   }
+  join_toes(description, feet);
   if (feet.empty() || !alike(description, feet) || !bear_weight(description, places, feet, ground)) return {};
   return feet;
 }

@@ -13,6 +13,7 @@
 #include "murosimf/formats/urdf/gazebo_schema.h"
 #include "murosimf/formats/urdf/urdf_reader.h"
 #include "murosimf/formats/urdf/xacro_file.h"
+#include "murosimf/model/error.h"
 
 namespace murosimf::robot {
 namespace {
@@ -79,6 +80,20 @@ const RobotFormat& format_of(const std::filesystem::path& file) {
     if (!format.root.empty() && format.root == root) return format;
   }
   xml->root().fail(fmt::format("unknown format of a robot file: its root is <{}>; known: {}", root, known_formats()));
+}
+
+description::RobotDescription read_description(const std::filesystem::path& file,
+                                               const description::ReaderOptions& options) {
+  const RobotFormat& format = format_of(file);
+  if (!options.xacro.empty() && format.name != "xacro") {
+    throw SetupError(fmt::format("{}: arguments of xacro mean nothing here: it is no .xacro file", file.string()));
+  }
+  if (!options.body.empty() && format.name != "mjcf") {
+    throw SetupError(
+        fmt::format("{}: there is one robot in a file of this kind; body = \"{}\" chooses among those of MJCF files",
+                    file.string(), options.body));
+  }
+  return format.read(file, options);
 }
 
 }  // namespace murosimf::robot

@@ -59,7 +59,7 @@ RobotFile read_robot(const std::filesystem::path& file, const description::Reade
   description::ReaderOptions all = options;
   for (const TableName& mesh : table.part_per_group) all.part_per_group.push_back(mesh.name);
   RobotFile robot;
-  robot.description = format_of(file).read(file, all);
+  robot.description = read_description(file, all);
   check_names(table, robot.description);
   apply_surfaces(robot.description, table);
   apply_rate_limits(robot.description, table);

@@ -37,6 +37,22 @@ Vec3d take_nearest(std::vector<Vec3d>& candidates, const Vec3d& direction) {
   return dot(axis, direction) < 0 ? -axis : axis;
 }
 
+/// Points of what hangs on a foot and ends as low, in the axes of the sole from the origin of the foot.
+std::vector<Vec3d> points_of_toes(const description::RobotDescription& description, std::size_t foot, double bottom,
+                                  const Mat3d& sole_axes) {
+  std::vector<Vec3d> points;
+  std::vector<std::optional<Transformd>> places(description.bodies.size());  // in those axes; none: not behind the foot
+  places[foot] = Transformd{{}, transpose(sole_axes)};
+  for (std::size_t i = foot + 1; i < places.size(); ++i) {
+    const description::BodyDescription& body = description.bodies[i];
+    if (body.parent < 0 || !places[static_cast<std::size_t>(body.parent)]) continue;
+    places[i] = *places[static_cast<std::size_t>(body.parent)] * body.place;
+    const std::vector<Vec3d> of_toe = low_points(body, *places[i]);
+    if (std::abs(lowest(of_toe) - bottom) <= thickness) points.insert(points.end(), of_toe.begin(), of_toe.end());
+  }
+  return points;
+}
+
 /// Axes of a sole in the frame of the base: those of `turn`, renamed.
 Mat3d level_axes(const Mat3d& turn) {
   std::vector<Vec3d> axes{turn.x, turn.y, turn.z};
@@ -115,6 +131,7 @@ std::optional<description::FrameDescription> sole_under(const description::Robot
   const Mat3d sole_axes = transpose(place.orientation) * level_axes(place.orientation * axes);
   std::vector<Vec3d> points = low_points(description.bodies[body], {{}, transpose(sole_axes)});
   if (points.empty()) return std::nullopt;
+  for (const Vec3d& point : points_of_toes(description, body, lowest(points), sole_axes)) points.push_back(point);
   const double bottom = lowest(points);
   std::erase_if(points, [&](const Vec3d& p) { return p.z > bottom + thickness; });
   const auto [right, left] = std::ranges::minmax(points, {}, &Vec3d::y);

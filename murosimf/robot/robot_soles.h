@@ -34,6 +34,7 @@ namespace murosimf::robot {
 /// `name` at its middle. Parts are drawn along their own axes, but a foot need not be level in the pose of the file: x, y, z
 /// of the sole are those axes of `axes` (seen in the body), with either sign, that come nearest to forward, left and up
 /// there. Nothing if the body has no such shape.
+/// Bodies that hang on it and end within those millimeters of its bottom, toes, count with it.
 [[nodiscard]] std::optional<description::FrameDescription> sole_under(const description::RobotDescription& description,
                                                                       std::size_t body, const std::string& name,
                                                                       const Mat3d& axes = {});

@@ -13,9 +13,10 @@
 #include <memory>
 #include <mutex>
 #include <string>
-#include <utility>
+#include <tuple>
 #include <vector>
 
+#include "murosimf/description/reader_options.h"
 #include "murosimf/model/model.h"
 #include "murosimf/sensors/sensor_spec.h"
 
@@ -31,15 +32,18 @@ struct RobotKind {
 
 class Assets {
  public:
-  /// `lenient`: unknown elements are warnings. Throws SetupError: no such file, a mistake in it; nothing is kept then.
-  [[nodiscard]] std::shared_ptr<const RobotKind> robot(const std::filesystem::path& file, bool lenient);
+  /// Of the options those count that scenes have: lenient, body, xacro. Throws SetupError: no such file, a mistake in it; nothing is kept
+  /// then.
+  [[nodiscard]] std::shared_ptr<const RobotKind> robot(const std::filesystem::path& file,
+                                                       const description::ReaderOptions& options);
 
   /// What `make` returns for the first who asks with this key, from which it must follow. Throws what make() throws.
   [[nodiscard]] ModelPtr model(const std::string& key, const std::function<ModelPtr()>& make);
 
  private:
   std::mutex mutex_;
-  std::map<std::pair<std::filesystem::path, bool>, std::shared_ptr<const RobotKind>> robots_;
+  using RobotKey = std::tuple<std::filesystem::path, bool, std::string, std::map<std::string, std::string>>;
+  std::map<RobotKey, std::shared_ptr<const RobotKind>> robots_;
   std::map<std::string, ModelPtr> models_;
 };
 
