@@ -30,6 +30,7 @@ struct CheckOptions {
   bool all = false;
   bool lenient = false;
   std::vector<std::string> xacro;    ///< name:=value
+  std::string body;                  ///< of the robot, if the file has several
   std::vector<std::string> plugins;  ///< sensors of the robot may come from there
 };
 
@@ -46,6 +47,7 @@ void define(const Command& command, CheckOptions& options) {
   command.add("--all", options.all, "Show every finding; else at most ten lines, those of one kind in one");
   add_lenient(command, options.lenient);
   add_xacro(command, options.xacro);
+  add_body(command, options.body);
   add_plugins(command, options.plugins);
 }
 
@@ -121,7 +123,9 @@ int check(const CheckOptions& options) {
   if (!options.roles.empty()) files::claim_output("--roles", options.roles);
   const auto file = files::find_data_file(options.model, "models", ".xml");
   files::note_input(file);  // refused before the readers, whose mistakes are findings
-  const description::ReaderOptions how{.lenient = options.lenient, .xacro = xacro_values(options.xacro)};
+  const description::ReaderOptions how{.lenient = options.lenient,
+                                       .xacro = xacro_values(options.xacro),
+                                       .body = options.body};
   std::optional<Reading> reading;
   try {
     reading = read(file, how);

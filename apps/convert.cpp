@@ -24,6 +24,7 @@ struct ConvertOptions {
   std::string fit;  ///< sphere, capsule, cylinder, box or best; empty: meshes stay meshes
   bool lenient = false;
   std::vector<std::string> xacro;    ///< name:=value
+  std::string body;                  ///< of the robot, if the file has several
   bool force = false;                ///< replace the file
   std::vector<std::string> plugins;  ///< sensors of the robot may come from there
 };
@@ -40,6 +41,7 @@ void define(const Command& command, ConvertOptions& options) {
               "box or best");
   add_lenient(command, options.lenient);
   add_xacro(command, options.xacro);
+  add_body(command, options.body);
   command.add("--force", options.force, "Replace the file if it is there");
   add_plugins(command, options.plugins);
 }
@@ -105,7 +107,9 @@ int convert(const ConvertOptions& options) {
   const fs::path in = files::find_data_file(options.model, "models", ".xml"), out = options.out;
   check_output(in, out, options.force);
   robot::ConversionOptions conversion{.folder = out.parent_path(),
-                                      .reader = {.lenient = options.lenient, .xacro = xacro_values(options.xacro)}};
+                                      .reader = {.lenient = options.lenient,
+                                                 .xacro = xacro_values(options.xacro),
+                                                 .body = options.body}};
   if (out.extension() == ".urdf") conversion.format = robot::WrittenFormat::urdf;
   conversion.mesh_folder = out.stem().string() + "_meshes";
   if (!options.fit.empty()) conversion.fit = with_context("--fit", [&] { return robot::primitive_kind(options.fit); });

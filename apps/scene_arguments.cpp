@@ -79,6 +79,11 @@ void add_libraries(const Command& command, bool& libraries) {
       "Load the control software that the scene file names (controller = \"library\"): it may do what it likes");
 }
 
+void add_body(const Command& command, std::string& body) {
+  command.add("--body", body,
+              "Of several robots in an MJCF file that with this body; 'world': all that is bolted to the world");
+}
+
 void add_xacro(const Command& command, std::vector<std::string>& arguments) {
   command.add("--xacro", arguments, "Argument of a robot file with macros (.xacro), name:=value; as often as needed");
 }

@@ -38,6 +38,8 @@ void add_seed(const Command& command, std::optional<std::uint64_t>& seed);
 void add_lenient(const Command& command, bool& lenient);
 void add_no_cameras(const Command& command, bool& no_cameras);
 void add_libraries(const Command& command, bool& libraries);
+/// Which robot of a file.
+void add_body(const Command& command, std::string& body);
 /// Arguments of a robot file with macros.
 void add_xacro(const Command& command, std::vector<std::string>& arguments);
 /// Values by name. Throws SetupError for what is not name:=value.

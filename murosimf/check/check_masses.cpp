@@ -59,7 +59,8 @@ std::vector<Finding> examine_masses(const description::RobotDescription& descrip
   std::vector<Finding> findings;
   for (const description::BodyDescription& body : description.bodies) {
     const bool moves = body.parent >= 0 || !description.fixed_base;
-    if (moves && body.solid.mass > robot::least_mass && body.solid.mass < tiny_mass) {
+    const bool is_weighed = body.solid.mass > 0 && body.solid.mass != robot::least_mass;
+    if (moves && is_weighed && body.solid.mass < tiny_mass) {
       findings.push_back({Severity::warning, where_of(body),
                           fmt::format("'{}' moves and weighs only {:.3g} kg", body.name, body.solid.mass),
                           "fix its joint, or give it its mass"});

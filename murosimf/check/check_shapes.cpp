@@ -6,6 +6,7 @@
 #include "murosimf/formats/mesh/mesh_file.h"
 #include "murosimf/geometry/distance.h"
 #include "murosimf/model/error.h"
+#include "murosimf/robot/body_overlaps.h"
 #include "murosimf/robot/robot_soles.h"
 
 namespace murosimf::check {
@@ -14,32 +15,19 @@ namespace {
 constexpr double overlap = 0.001;              // [m] less is a matter of rounding
 constexpr std::size_t many_triangles = 50000;  // of one mesh: its picture costs more than the physics
 
-Transformd pose_of(const Transformd& body, const PlacedShape& shape) {
-  const Transformd at = body * shape.place();
-  return {at.position, at.orientation};
-}
-
 /// [m] how deep two bodies are in each other at most, in the pose of the file; 0: not at all.
 double deepest(const description::BodyDescription& a, const Transformd& at_a, const description::BodyDescription& b,
                const Transformd& at_b) {
   double depth = 0;
-  for (const description::ShapeDescription& s : a.shapes) {
-    for (const description::ShapeDescription& t : b.shapes) {
-      if (!s.placed.collides || !t.placed.collides || !may_touch(s.placed, t.placed)) continue;
-      const auto pose_s = pose_of(at_a, s.placed), pose_t = pose_of(at_b, t.placed);
-      const double reach = bounding_radius(s.placed.shape) + bounding_radius(t.placed.shape);
-      if (norm(pose_s.position - pose_t.position) > reach) continue;
-      depth = std::max(depth, -geometry::distance(s.placed.shape, pose_s, t.placed.shape, pose_t).distance);
-    }
-  }
+  robot::any_touching_pair(a, at_a, b, at_b,
+                           [&](const Shape& one, const Transformd& at_one, const Shape& other,
+                               const Transformd& at_other) {
+                             const double reach = bounding_radius(one) + bounding_radius(other);
+                             if (norm(at_one.position - at_other.position) <= reach)
+                               depth = std::max(depth, -geometry::distance(one, at_one, other, at_other).distance);
+                             return false;  // all of them
+                           });
   return depth;
-}
-
-bool is_excluded(const description::RobotDescription& description, const description::BodyDescription& a,
-                 const description::BodyDescription& b) {
-  return std::ranges::any_of(description.exclusions, [&](const description::ExclusionDescription& pair) {
-    return (pair.body1 == a.name && pair.body2 == b.name) || (pair.body1 == b.name && pair.body2 == a.name);
-  });
 }
 
 void examine_overlaps(const description::RobotDescription& description, std::vector<Finding>& findings) {
@@ -47,7 +35,8 @@ void examine_overlaps(const description::RobotDescription& description, std::vec
   for (std::size_t a = 0; a < description.bodies.size(); ++a) {
     for (std::size_t b = a + 1; b < description.bodies.size(); ++b) {
       const bool neighbors = description.bodies[b].parent == static_cast<int>(a);
-      if (neighbors || is_excluded(description, description.bodies[a], description.bodies[b])) continue;
+      if (neighbors || robot::is_excluded(description, description.bodies[a].name, description.bodies[b].name))
+        continue;
       const double depth = deepest(description.bodies[a], places[a], description.bodies[b], places[b]);
       if (depth <= overlap) continue;
       findings.push_back(

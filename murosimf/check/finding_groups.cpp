@@ -13,17 +13,39 @@ namespace {
 constexpr std::size_t shown_names = 3;
 constexpr std::string_view unused = " is not used", guess = "guessed: ";
 
+bool is_part_of_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
+
+/// From an opening quote to its closing one, both included; empty: there is none. Behind a letter or digit begins no quote, and before
+/// one none ends: apostrophes are there.
+std::string_view next_quoted(std::string_view text) {
+  for (std::size_t begin = text.find('\''); begin != std::string_view::npos; begin = text.find('\'', begin + 1)) {
+    if (begin > 0 && is_part_of_word(text[begin - 1])) continue;
+    std::size_t end = text.find('\'', begin + 1);
+    while (end < text.size() && end + 1 < text.size() && is_part_of_word(text[end + 1])) end = text.find('\'', end + 1);
+    if (end != std::string_view::npos) return text.substr(begin, end + 1 - begin);
+  }
+  return {};
+}
+
 /// "'a' and 'b'": what is quoted, of at most two things.
 std::string quoted_names(std::string_view what) {
-  std::vector<std::string> names;
-  while (names.size() < 2) {
-    const std::size_t begin = what.find('\'');
-    const std::size_t end = begin == std::string_view::npos ? begin : what.find('\'', begin + 1);
-    if (end == std::string_view::npos) break;
-    names.emplace_back(what.substr(begin, end + 1 - begin));
-    what.remove_prefix(end + 1);
+  std::vector<std::string_view> names;
+  for (std::string_view name = next_quoted(what); !name.empty() && names.size() < 2; name = next_quoted(what)) {
+    names.push_back(name);
+    what.remove_prefix(static_cast<std::size_t>(name.data() + name.size() - what.data()));
   }
   return fmt::format("{}", fmt::join(names, " and "));
+}
+
+/// Without what is quoted.
+std::string without_names(std::string_view what) {
+  std::string rest;
+  for (std::string_view name = next_quoted(what); !name.empty(); name = next_quoted(what)) {
+    const auto begin = static_cast<std::size_t>(name.data() - what.data());
+    rest += what.substr(0, begin);
+    what.remove_prefix(begin + name.size());
+  }
+  return rest.append(what);
 }
 
 bool is_guessed_name(std::string_view what) {
@@ -33,10 +55,8 @@ bool is_guessed_name(std::string_view what) {
 /// The text without what is quoted, and without words that have digits.
 std::string without_details(std::string_view what) {
   std::string kind, word;
-  bool in_quotes = false, has_digit = false;
-  for (const char c : what) {
-    if (c == '\'') in_quotes = !in_quotes;
-    if (in_quotes) continue;
+  bool has_digit = false;
+  for (const char c : without_names(what)) {
     has_digit = has_digit || std::isdigit(static_cast<unsigned char>(c)) != 0;
     word += c;
     if (c != ' ') continue;

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/roll_pitch_yaw.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::components {
@@ -93,8 +94,7 @@ const OptionTable<SensorSpec>& sensor_keys() {
       {"position", &SensorSpec::position, "m", "of the sensor in that frame", 0, farthest_place},
       {"rpy_deg", [](const SensorSpec& of) { return OptionValue((1 / degree) * roll_pitch_yaw(of.orientation)); },
        [](const OptionValue& value, SensorSpec& of) {
-         const Vec3d rpy = degree * std::get<Vec3d>(value);
-         of.orientation = rotation_z(rpy.z) * rotation_y(rpy.y) * rotation_x(rpy.x);
+         of.orientation = from_roll_pitch_yaw(degree * std::get<Vec3d>(value));
        },
        "deg", "roll, pitch, yaw of its axes about the fixed axes of that frame"},
       {"mounting_error_deg", [](const SensorSpec& of) { return OptionValue((1 / degree) * of.mounting_error); },
@@ -143,14 +143,6 @@ std::string signal_toml(const SignalSpec& signal) {
     }
   }
   return text + (symmetric ? fmt::format("range = {}\n", signal.highest) : "");
-}
-
-Vec3d roll_pitch_yaw(const Mat3d& turn) {
-  const Vec3d &x = turn.x, &y = turn.y, &z = turn.z;  // columns
-  const double level = std::hypot(x.x, x.y);
-  const double pitch = std::atan2(-x.z, level);
-  if (level < 1e-9) return {std::atan2(-z.y, y.y), pitch, 0};  // only the sum of roll and yaw matters
-  return {std::atan2(y.z, z.z), pitch, std::atan2(x.y, x.x)};
 }
 
 }  // namespace murosimf::components

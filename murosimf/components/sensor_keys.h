@@ -34,7 +34,4 @@ void change_signal(sensors::SignalSpec& signal, const SensorValues& values);
 /// Lines "key = number" of what is not as in a perfect signal, in the order of signal_keys.
 [[nodiscard]] std::string signal_toml(const sensors::SignalSpec& signal);
 
-/// [rad] Angles r, p, y with R_z(y) R_y(p) R_x(r) = turn.
-[[nodiscard]] Vec3d roll_pitch_yaw(const Mat3d& turn);
-
 }  // namespace murosimf::components

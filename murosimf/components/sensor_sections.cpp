@@ -7,6 +7,7 @@
 #include "murosimf/components/sensor_keys.h"
 #include "murosimf/components/sensor_types.h"
 #include "murosimf/components/servo_sections.h"
+#include "murosimf/math/roll_pitch_yaw.h"
 
 namespace murosimf::components {
 namespace {

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <optional>
 #include <string_view>
 
 #include <fmt/format.h>
 
 #include "murosimf/files/input_file.h"
+#include "murosimf/files/lower_case.h"
 #include "murosimf/files/xml_element.h"
 #include "murosimf/model/error.h"
 
@@ -129,9 +129,7 @@ std::string declared_encoding(std::string_view xml) {
   if (word == std::string_view::npos) return {};
   const std::size_t begin = xml.find_first_of("\"'", word);
   if (begin == std::string_view::npos) return {};
-  std::string name(xml.substr(begin + 1, xml.find(xml[begin], begin + 1) - begin - 1));
-  std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return name;
+  return lower_case(std::string(xml.substr(begin + 1, xml.find(xml[begin], begin + 1) - begin - 1)));
 }
 
 bool is_latin(std::string_view encoding) {

@@ -6,11 +6,13 @@
 #include <span>
 #include <string_view>
 
+#include "murosimf/files/lower_case.h"
+
 namespace murosimf::robot {
 namespace {
 
 bool has_one_of(const std::string& name, std::span<const std::string_view> words) {
-  const std::string small = in_small_letters(name);
+  const std::string small = files::lower_case(name);
   return std::ranges::any_of(words, [&](std::string_view word) { return small.find(word) != std::string::npos; });
 }
 
@@ -29,13 +31,8 @@ bool has_letter(const std::string& name, char letter) {
 
 }  // namespace
 
-std::string in_small_letters(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
-
 Side side_of(const std::string& name) {
-  const std::string small = in_small_letters(name);
+  const std::string small = files::lower_case(name);
   const bool left = small.find("left") != std::string::npos || has_letter(name, 'l');
   const bool right = small.find("right") != std::string::npos || has_letter(name, 'r');
   if (left == right) return Side::unknown;

@@ -15,6 +15,4 @@ enum class Side { unknown, left, right };
 /// finger, thumb or jaw.
 [[nodiscard]] bool names_finger(const std::string& name);
 
-[[nodiscard]] std::string in_small_letters(std::string text);
-
 }  // namespace murosimf::robot

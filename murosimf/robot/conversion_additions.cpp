@@ -2,14 +2,18 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <set>
 
 #include "murosimf/geometry/collide.h"
-#include "murosimf/geometry/support.h"
+#include "murosimf/robot/body_overlaps.h"
+#include "murosimf/robot/lump_fixed_joints.h"
 #include "murosimf/robot/robot_soles.h"
 
 namespace murosimf::robot {
 namespace {
+
+constexpr double negative = 1e-12;  // [kg m^2] a smaller moment is rounding
 
 const Servo* guessed_servo_of(const description::RobotDescription& description, const std::string& joint) {
   for (const description::BodyDescription& body : description.bodies) {
@@ -54,23 +58,26 @@ std::vector<int> links_of(const description::RobotDescription& description) {
   return links;
 }
 
+bool same_solid(const description::MassProperties& a, const description::MassProperties& b) {
+  const SymMat3d &I = a.inertia, &J = b.inertia;
+  return a.mass == b.mass && I.xx == J.xx && I.yy == J.yy && I.zz == J.zz && I.xy == J.xy && I.xz == J.xz &&
+         I.yz == J.yz;
+}
+
+/// Of a part: formats have no word for inertia without mass, and readers refuse negative moments.
+bool can_be_written(const description::MassProperties& solid) {
+  const Vec3d moments = description::principal_moments(solid.inertia);
+  return moments.x >= -negative && (solid.mass > 0 || moments.z <= negative);
+}
+
+/// As collision/inner_pairs.h has it.
 bool overlap(const description::BodyDescription& a, const Transformd& at_a, const description::BodyDescription& b,
              const Transformd& at_b) {
   geometry::Manifold manifold;
-  for (const description::ShapeDescription& first : a.shapes) {
-    for (const description::ShapeDescription& second : b.shapes) {
-      const PlacedShape &one = first.placed, &other = second.placed;
-      if (!one.collides || !other.collides || !may_touch(one, other)) continue;
-      if (geometry::collide(one.shape, at_a * one.place(), other.shape, at_b * other.place(), manifold)) return true;
-    }
-  }
-  return false;
-}
-
-bool is_excluded(const description::RobotDescription& description, const std::string& a, const std::string& b) {
-  return std::ranges::any_of(description.exclusions, [&](const description::ExclusionDescription& pair) {
-    return (pair.body1 == a && pair.body2 == b) || (pair.body1 == b && pair.body2 == a);
-  });
+  return any_touching_pair(a, at_a, b, at_b,
+                           [&](const Shape& one, const Transformd& at_one, const Shape& other, const Transformd& at) {
+                             return geometry::collide(one, at_one, other, at, manifold);
+                           });
 }
 
 /// [m] of all shapes that collide, in the frame of the base turned as in the file; infinite without any.
@@ -78,12 +85,7 @@ double lowest_point(const description::RobotDescription& description, const Mat3
   const auto places = body_places(description);
   double z = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < places.size(); ++i) {
-    for (const description::ShapeDescription& shape : description.bodies[i].shapes) {
-      if (!shape.placed.collides || std::holds_alternative<Plane>(shape.placed.shape)) continue;
-      const Transformd at = Transformd{{}, turn} * places[i] * shape.placed.place();
-      const Vec3d down = transposed_times(at.orientation, Vec3d{0, 0, -1});
-      z = std::min(z, (at.position + at.orientation * geometry::support(shape.placed.shape, down)).z);
-    }
+    z = std::min(z, lowest(low_points(description.bodies[i], Transformd{{}, turn} * places[i])));
   }
   return z;
 }
@@ -118,6 +120,29 @@ void give_soles(description::RobotDescription& description, RobotFile& robot) {
       sole.name = frame->name;
       break;
     }
+  }
+}
+
+void take_repaired_solids(description::RobotDescription& description, const RobotFile& robot) {
+  description::RobotDescription welded = description;
+  std::set<std::string> kept;
+  for (const description::BodyDescription& body : robot.description.bodies) kept.insert(body.name);
+  weld_fixed_bodies(welded, kept);
+  std::set<std::string> repaired;  // bodies that stay
+  for (std::size_t i = 0; i < welded.bodies.size(); ++i) {
+    if (!same_solid(robot.description.bodies[i].solid, welded.bodies[i].solid)) repaired.insert(welded.bodies[i].name);
+  }
+  std::vector<std::string> owners;  // of each body
+  for (const description::BodyDescription& body : description.bodies) {
+    owners.push_back(kept.contains(body.name) ? body.name : owners[static_cast<std::size_t>(body.parent)]);
+    if (!can_be_written(body.solid)) repaired.insert(owners.back());
+  }
+  for (std::size_t i = 0; i < owners.size(); ++i) {
+    if (repaired.contains(owners[i])) description.bodies[i].solid = {};
+  }
+  for (const description::BodyDescription& body : robot.description.bodies) {
+    const auto owner = std::ranges::find(description.bodies, body.name, &description::BodyDescription::name);
+    if (repaired.contains(body.name)) owner->solid = body.solid;
   }
 }
 

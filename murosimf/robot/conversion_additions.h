@@ -12,6 +12,10 @@ namespace murosimf::robot {
 /// get the table's gain. `robot`: the same file, read whole. Source of the damping: motion/servo_law.h.
 void give_servos(description::RobotDescription& description, const RobotFile& robot);
 
+/// Masses and inertias that were repaired (repair_solids.h), with all of what is welded to the body, become those of the body; what is welded
+/// to it then has none. `description`: bodies of the same file, not welded.
+void take_repaired_solids(description::RobotDescription& description, const RobotFile& robot);
+
 /// Soles that were guessed as box sites: the file that is written needs no guess.
 void give_soles(description::RobotDescription& description, RobotFile& robot);
 

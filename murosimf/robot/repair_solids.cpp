@@ -14,11 +14,12 @@ namespace {
 using description::BodyDescription;
 using description::RobotDescription;
 
-constexpr double water = 1000;      // [kg/m^3]
-constexpr double a_point = 1e-12;   // [kg m^2] largest moment: rounding of what is zero
-constexpr double rod = 1e-12;       // [1] smallest moment over the largest: that of a rod
-constexpr double wrong = -1e-6;     // [1] the same: no rounding of six digits
-constexpr double thickened = 1e-3;  // [1] the same, of what gets one
+constexpr double water = 1000;         // [kg/m^3]
+constexpr double a_point = 1e-12;      // [kg m^2] largest moment: rounding of what is zero
+constexpr double placeholder = 1e-12;  // [kg, kg m^2] mass and largest moment that stand for none
+constexpr double rod = 1e-12;          // [1] smallest moment over the largest: that of a rod
+constexpr double wrong = -1e-6;        // [1] the same: no rounding of six digits
+constexpr double thickened = 1e-3;     // [1] the same, of what gets one
 
 /// [kg m^2] of a homogeneous sphere of water: 2/5 m r^2.
 double inertia_of_sphere(double mass) {
@@ -42,6 +43,11 @@ void give_mass(BodyDescription& body, RobotDescription& description) {
   description.notes.push_back(without(body, "mass", fmt::format("{:.2g} kg is", least_mass)));
 }
 
+/// What the converter writes for bodies without mass, since other programs want one.
+void forget_placeholder(description::MassProperties& solid) {
+  if (solid.mass <= placeholder && description::principal_moments(solid.inertia).z <= placeholder) solid = {};
+}
+
 void give_sphere(BodyDescription& body, RobotDescription& description) {
   const double inertia = inertia_of_sphere(body.solid.mass);
   body.solid.inertia = diagonal(inertia);
@@ -50,13 +56,24 @@ void give_sphere(BodyDescription& body, RobotDescription& description) {
               fmt::format("{:.2g} kg m^2, of a sphere of water of its {:.4g} kg, is", inertia, body.solid.mass)));
 }
 
+/// Of what has no moment above zero.
+void replace_by_sphere(BodyDescription& body, const Vec3d& moments, RobotDescription& description) {
+  body.solid.inertia = diagonal(inertia_of_sphere(body.solid.mass));
+  description.warnings.push_back(
+      line(body, fmt::format("no principal moment of link '{}' is positive ({:.3g} {:.3g} {:.3g} kg m^2): {:.2g}, of a "
+                             "sphere of water of its {:.4g} kg, is taken; correct it",
+                             body.name, moments.x, moments.y, moments.z, body.solid.inertia.xx, body.solid.mass)));
+}
+
 void make_definite(BodyDescription& body, RobotDescription& description) {
   const Vec3d moments = description::principal_moments(body.solid.inertia);
   if (body.solid.mass == 0 || moments.x > rod * moments.z) return;
-  if (moments.z <= a_point) return give_sphere(body, description);
+  const bool is_wrong = moments.x < std::min(wrong * moments.z, -a_point);
+  if (moments.z <= a_point && !is_wrong) return give_sphere(body, description);
+  if (moments.z <= 0) return replace_by_sphere(body, moments, description);
   const double least = std::max(moments.z - moments.y, thickened * moments.z);
   body.solid.inertia = description::with_least_moment(body.solid.inertia, least);
-  auto& lines = moments.x < wrong * moments.z ? description.warnings : description.notes;
+  auto& lines = is_wrong ? description.warnings : description.notes;
   lines.push_back(
       line(body, fmt::format("inertia of link '{}' is not positive definite (smallest principal moment {:.3g} "
                              "kg m^2): {:.3g} is taken; correct it",
@@ -83,6 +100,7 @@ void give_masses(RobotDescription& description) {
 
 void repair_solids(RobotDescription& description) {
   for (BodyDescription& body : description.bodies) {
+    forget_placeholder(body.solid);
     give_mass(body, description);
     make_definite(body, description);
   }

@@ -4,7 +4,9 @@
 ///   points: they get the inertia of a sphere of water of their mass,
 ///   inertias with a principal moment that is negative or zero: it is raised to the least that goes with the others,
 ///   joints that carry no mass: the body behind gets the least mass and inertia,
-///   inertia without mass: the least mass.
+///   inertia without mass: the least mass,
+///   inertia without any moment above zero: a sphere, as for points.
+/// Masses and moments of up to 1e-12, with which MJCF files stand for none (mjcf_writer.h), are none.
 #pragma once
 
 #include "murosimf/description/robot_description.h"

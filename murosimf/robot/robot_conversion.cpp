@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 /// With all of the bodies of the file: read_robot has welded those that do not move.
 description::RobotDescription read_all_bodies(const fs::path& file, description::ReaderOptions options) {
   for (const TableName& mesh : read_table_beside(file).part_per_group) options.part_per_group.push_back(mesh.name);
-  return format_of(file).read(file, options);
+  return read_description(file, options);
 }
 
 bool has_words_for(WrittenFormat format, const description::SensorDescription& sensor,
@@ -137,6 +137,18 @@ std::string own_toml(fs::path file, RobotConversion& result) {
   return result.own_table ? files::read_input_file(file, files::most_toml_bytes) : "";
 }
 
+/// MuJoCo reads no file with an inertia that no solid body has, unless it may even it out (mjcf_writer.h).
+void name_evened_inertias(const description::RobotDescription& description, RobotConversion& result) {
+  for (const description::BodyDescription& body : description.bodies) {
+    const Vec3d moments = description::principal_moments(body.solid.inertia);
+    if (!(body.solid.mass > 0) || !description::breaks_triangle_inequality(moments)) continue;
+    result.left_out.push_back(
+        fmt::format("{}: inertia of body '{}', which no solid body has: its mean moment {:.3g} kg m^2 is read",
+                    body.solid_where.empty() ? body.where : body.solid_where, body.name,
+                    (moments.x + moments.y + moments.z) / 3));
+  }
+}
+
 /// What belongs into the TOML file because of it.
 std::string write_mjcf(description::RobotDescription& description, RobotFile& robot, bool with_sensors,
                        const ConversionOptions& options, RobotConversion& result) {
@@ -145,6 +157,7 @@ std::string write_mjcf(description::RobotDescription& description, RobotFile& ro
   give_key(description);
   std::vector<std::string> doubles;
   if (with_sensors) doubles = give_mjcf_sensors(description, robot.description);
+  name_evened_inertias(description, result);
   result.text = formats::mjcf::to_mjcf(description, {options.folder});
   return rates_for_table(robot, description, result) + removed_sensors_toml(doubles);
 }
@@ -162,9 +175,12 @@ std::string write_urdf(const description::RobotDescription& description, const R
 
 RobotConversion convert_robot(const fs::path& file, const ConversionOptions& options) {
   RobotConversion result;
-  RobotFile robot = read_robot(file, options.reader);
+  description::ReaderOptions as_written = options.reader;
+  as_written.face_forward = false;
+  RobotFile robot = read_robot(file, as_written);
   result.warnings = robot.warnings;
   description::RobotDescription description = read_all_bodies(file, options.reader);
+  take_repaired_solids(description, robot);
   give_servos(description, robot);
   if (options.fit) result.fits = fit_meshes(description, *options.fit);
   count(description, result);

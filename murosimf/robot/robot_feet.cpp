@@ -71,12 +71,19 @@ bool is_hand(const RobotDescription& description, std::size_t body) {
   return false;
 }
 
-description::MassProperties whole(const RobotDescription& description, const std::vector<Transformd>& places) {
-  std::vector<description::MassProperties> parts;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    parts.push_back(description::moved(description.bodies[i].solid, places[i].position, places[i].orientation));
-  }
-  return description::combined(parts);
+bool hangs_on(const RobotDescription& description, std::size_t body, std::size_t other) {
+  int b = static_cast<int>(body);
+  while (b > static_cast<int>(other)) b = description.bodies[b].parent;
+  return b == static_cast<int>(other);
+}
+
+/// Toes, which hang on another foot, are parts of it.
+void join_toes(const RobotDescription& description, std::vector<std::size_t>& feet) {
+  const std::vector<std::size_t> all = feet;
+  std::erase_if(feet, [&](std::size_t body) {
+    return std::ranges::any_of(all,
+                               [&](std::size_t other) { return other != body && hangs_on(description, body, other); });
+  });
 }
 
 /// True if the center of mass is above the area between the feet, or nearly so: in no horizontal direction is it farther out
@@ -89,7 +96,7 @@ bool bear_weight(const RobotDescription& description, const std::vector<Transfor
       if (p.z <= ground + level_feet) points.push_back(p);
     }
   }
-  const description::MassProperties robot = whole(description, places);
+  const description::MassProperties robot = whole_solid(description);
   if (robot.mass == 0) return true;
   const double tolerance = off_balance * (robot.center.z - ground);
   for (int i = 0; i < around; ++i) {
@@ -120,6 +127,7 @@ std::vector<std::size_t> find_feet(const RobotDescription& description) {
     if (joints_above(description, i) < joints_of_leg || is_wheel(description.bodies[i], places[i])) return {};
     if (!is_hand(description, i)) feet.push_back(i);
   }
+  join_toes(description, feet);
   if (feet.empty() || !alike(description, feet) || !bear_weight(description, places, feet, ground)) return {};
   return feet;
 }

@@ -1,11 +1,11 @@
 #include "murosimf/robot/robot_formats.h"
 
 #include <algorithm>
-#include <cctype>
 #include <memory>
 
 #include <fmt/format.h>
 
+#include "murosimf/files/lower_case.h"
 #include "murosimf/files/xml_element.h"
 #include "murosimf/formats/mjcf/mjcf_reader.h"
 #include "murosimf/formats/mjcf/mjcf_schema.h"
@@ -13,6 +13,7 @@
 #include "murosimf/formats/urdf/gazebo_schema.h"
 #include "murosimf/formats/urdf/urdf_reader.h"
 #include "murosimf/formats/urdf/xacro_file.h"
+#include "murosimf/model/error.h"
 
 namespace murosimf::robot {
 namespace {
@@ -30,11 +31,7 @@ std::vector<RobotFormat> built_in_formats() {
 }
 
 /// ".urdf" of "nao.URDF"
-std::string ending_of(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
-}
+std::string ending_of(const std::filesystem::path& file) { return files::lower_case(file.extension().string()); }
 
 bool has_ending(const RobotFormat& format, const std::string& ending) {
   return !ending.empty() && fmt::format(" {} ", format.endings).find(fmt::format(" {} ", ending)) != std::string::npos;
@@ -83,6 +80,20 @@ const RobotFormat& format_of(const std::filesystem::path& file) {
     if (!format.root.empty() && format.root == root) return format;
   }
   xml->root().fail(fmt::format("unknown format of a robot file: its root is <{}>; known: {}", root, known_formats()));
+}
+
+description::RobotDescription read_description(const std::filesystem::path& file,
+                                               const description::ReaderOptions& options) {
+  const RobotFormat& format = format_of(file);
+  if (!options.xacro.empty() && format.name != "xacro") {
+    throw SetupError(fmt::format("{}: arguments of xacro mean nothing here: it is no .xacro file", file.string()));
+  }
+  if (!options.body.empty() && format.name != "mjcf") {
+    throw SetupError(
+        fmt::format("{}: there is one robot in a file of this kind; body = \"{}\" chooses among those of MJCF files",
+                    file.string(), options.body));
+  }
+  return format.read(file, options);
 }
 
 }  // namespace murosimf::robot

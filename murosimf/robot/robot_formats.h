@@ -31,4 +31,9 @@ struct RobotFormat {
 /// The format of a file. Throws SetupError with all known ones if it is none of them, or the file cannot be read.
 [[nodiscard]] const RobotFormat& format_of(const std::filesystem::path& file);
 
+/// What the reader of the file's format makes of it. Throws SetupError as that does, and for options that mean nothing to the format: body,
+/// xacro.
+[[nodiscard]] description::RobotDescription read_description(const std::filesystem::path& file,
+                                                             const description::ReaderOptions& options);
+
 }  // namespace murosimf::robot

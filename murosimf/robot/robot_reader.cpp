@@ -7,6 +7,7 @@
 #include "murosimf/robot/robot_builder.h"
 #include "murosimf/robot/robot_config.h"
 #include "murosimf/robot/robot_formats.h"
+#include "murosimf/robot/robot_heading.h"
 #include "murosimf/robot/robot_sensors.h"
 #include "murosimf/robot/role_inference.h"
 #include "murosimf/robot/sensor_cuts.h"
@@ -58,7 +59,7 @@ RobotFile read_robot(const std::filesystem::path& file, const description::Reade
   description::ReaderOptions all = options;
   for (const TableName& mesh : table.part_per_group) all.part_per_group.push_back(mesh.name);
   RobotFile robot;
-  robot.description = format_of(file).read(file, all);
+  robot.description = read_description(file, all);
   check_names(table, robot.description);
   apply_surfaces(robot.description, table);
   apply_rate_limits(robot.description, table);
@@ -66,6 +67,7 @@ RobotFile read_robot(const std::filesystem::path& file, const description::Reade
   repair_solids(robot.description);
   apply_sole_sizes(robot.description, table);
   if (options.guess) guess_roles(robot.description, table);
+  if (options.face_forward) face_forward(robot.description, table);
   place_soles(robot.description, table);
   robot.model = build_model(robot.description, table);
   robot.sensors = sensors_of(robot.description, table, *robot.model, file.parent_path(), options.lenient);

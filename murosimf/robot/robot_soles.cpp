@@ -37,6 +37,22 @@ Vec3d take_nearest(std::vector<Vec3d>& candidates, const Vec3d& direction) {
   return dot(axis, direction) < 0 ? -axis : axis;
 }
 
+/// Points of what hangs on a foot and ends as low, in the axes of the sole from the origin of the foot.
+std::vector<Vec3d> points_of_toes(const description::RobotDescription& description, std::size_t foot, double bottom,
+                                  const Mat3d& sole_axes) {
+  std::vector<Vec3d> points;
+  std::vector<std::optional<Transformd>> places(description.bodies.size());  // in those axes; none: not behind the foot
+  places[foot] = Transformd{{}, transpose(sole_axes)};
+  for (std::size_t i = foot + 1; i < places.size(); ++i) {
+    const description::BodyDescription& body = description.bodies[i];
+    if (body.parent < 0 || !places[static_cast<std::size_t>(body.parent)]) continue;
+    places[i] = *places[static_cast<std::size_t>(body.parent)] * body.place;
+    const std::vector<Vec3d> of_toe = low_points(body, *places[i]);
+    if (std::abs(lowest(of_toe) - bottom) <= thickness) points.insert(points.end(), of_toe.begin(), of_toe.end());
+  }
+  return points;
+}
+
 /// Axes of a sole in the frame of the base: those of `turn`, renamed.
 Mat3d level_axes(const Mat3d& turn) {
   std::vector<Vec3d> axes{turn.x, turn.y, turn.z};
@@ -51,6 +67,21 @@ bool is_sole(const description::FrameDescription& frame, const RobotConfig& tabl
   if (!frame.box) return false;
   if (table.soles.empty()) return frame.name.ends_with("sole");
   return std::ranges::find(table.sole_frames, frame.name) != table.sole_frames.end();
+}
+
+std::set<std::size_t> bodies_with_soles(const description::RobotDescription& description, const RobotConfig& table) {
+  std::set<std::size_t> feet;
+  for (std::size_t i = 0; i < description.bodies.size(); ++i) {
+    const description::BodyDescription& body = description.bodies[i];
+    const auto is_named = [&](const std::string& name) {
+      return std::ranges::find(table.soles, name, &TableName::name) != table.soles.end();
+    };
+    const bool by_frame = std::ranges::any_of(body.frames, [&](const description::FrameDescription& frame) {
+      return is_named(frame.name) || is_sole(frame, table);
+    });
+    if (by_frame || is_named(body.name)) feet.insert(i);
+  }
+  return feet;
 }
 
 std::vector<Vec3d> low_points(const description::BodyDescription& body, const Transformd& place) {
@@ -76,6 +107,15 @@ std::vector<Transformd> body_places(const description::RobotDescription& descrip
   return places;
 }
 
+description::MassProperties whole_solid(const description::RobotDescription& description) {
+  const auto places = body_places(description);
+  std::vector<description::MassProperties> parts;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    parts.push_back(description::moved(description.bodies[i].solid, places[i].position, places[i].orientation));
+  }
+  return description::combined(parts);
+}
+
 double lowest_point(const description::RobotDescription& description) {
   const auto places = body_places(description);
   double bottom = std::numeric_limits<double>::infinity();
@@ -91,6 +131,7 @@ std::optional<description::FrameDescription> sole_under(const description::Robot
   const Mat3d sole_axes = transpose(place.orientation) * level_axes(place.orientation * axes);
   std::vector<Vec3d> points = low_points(description.bodies[body], {{}, transpose(sole_axes)});
   if (points.empty()) return std::nullopt;
+  for (const Vec3d& point : points_of_toes(description, body, lowest(points), sole_axes)) points.push_back(point);
   const double bottom = lowest(points);
   std::erase_if(points, [&](const Vec3d& p) { return p.z > bottom + thickness; });
   const auto [right, left] = std::ranges::minmax(points, {}, &Vec3d::y);

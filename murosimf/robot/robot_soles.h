@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,15 @@ namespace murosimf::robot {
 /// box site whose name ends with "sole". To be asked when soles are placed (role_inference.h).
 [[nodiscard]] bool is_sole(const description::FrameDescription& frame, const RobotConfig& table);
 
+/// Bodies with a sole by that rule, or that [soles] of the table names: indices.
+[[nodiscard]] std::set<std::size_t> bodies_with_soles(const description::RobotDescription& description,
+                                                      const RobotConfig& table);
+
 /// Place of every body in the frame of the base, in the pose of the file.
 [[nodiscard]] std::vector<Transformd> body_places(const description::RobotDescription& description);
+
+/// All bodies as one, in the frame of the base and the pose of the file.
+[[nodiscard]] description::MassProperties whole_solid(const description::RobotDescription& description);
 
 /// [m] Lowest point of all shapes that collide, in the frame of the base and the pose of the file; infinite without any.
 [[nodiscard]] double lowest_point(const description::RobotDescription& description);
@@ -26,6 +34,7 @@ namespace murosimf::robot {
 /// `name` at its middle. Parts are drawn along their own axes, but a foot need not be level in the pose of the file: x, y, z
 /// of the sole are those axes of `axes` (seen in the body), with either sign, that come nearest to forward, left and up
 /// there. Nothing if the body has no such shape.
+/// Bodies that hang on it and end within those millimeters of its bottom, toes, count with it.
 [[nodiscard]] std::optional<description::FrameDescription> sole_under(const description::RobotDescription& description,
                                                                       std::size_t body, const std::string& name,
                                                                       const Mat3d& axes = {});

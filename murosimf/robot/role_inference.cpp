@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/components/servo_sections.h"
+#include "murosimf/files/lower_case.h"
 #include "murosimf/files/xml_element.h"
 #include "murosimf/model/error.h"
 #include "murosimf/robot/body_names.h"
@@ -17,7 +18,7 @@ namespace murosimf::robot {
 namespace {
 
 bool contains(const std::string& text, std::string_view part) {
-  return in_small_letters(text).find(part) != std::string::npos;
+  return files::lower_case(text).find(part) != std::string::npos;
 }
 
 /// The body that has a frame or is called `name`, and the frame.
@@ -59,7 +60,7 @@ std::vector<std::string> frames_called_sole(const description::RobotDescription&
   std::vector<std::string> names;
   for (const description::BodyDescription& body : description.bodies) {
     for (const description::FrameDescription& frame : body.frames) {
-      if (in_small_letters(frame.name).ends_with("sole")) names.push_back(frame.name);
+      if (files::lower_case(frame.name).ends_with("sole")) names.push_back(frame.name);
     }
   }
   return names;

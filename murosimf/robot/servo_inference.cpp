@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/components/servo_sections.h"
+#include "murosimf/description/joint_inertia.h"
 #include "murosimf/robot/robot_soles.h"
 
 namespace murosimf::robot {
@@ -22,6 +23,8 @@ constexpr double gravity = 9.81;           // [m/s^2]
 constexpr double full_torque_bend = 0.1;   // [rad] a guessed servo gives all it has at this error
 constexpr double full_force_shift = 0.02;  // [m] of a slider
 constexpr double damping_time = 0.05;      // [s] damping over gain of a guessed servo
+constexpr double shortest_step = 0.002;    // [s] steps in which joints outside the legs can be simulated anywhere
+constexpr int most_joints = 1000;          // more are not bounded: that would take minutes
 
 // Of a robot on two soles; the stiffness with which it topples is m g z_c.
 constexpr double biped_share = 4;             // [1] of the gain F / 0.1 rad
@@ -32,6 +35,8 @@ constexpr double torque_without = 0.4;        // [1] the same, of a joint of whi
 constexpr double rotor_without = 0.005;       // [1] of m z_c^2
 constexpr double biped_damping_time = 0.025;  // [s]
 
+constexpr double no_inertia = 1e-9;  // [kg m^2 | kg] not known, or rounding: at a base that floats without mass
+
 struct Weight {
   double mass = 0;    ///< [kg]
   double height = 0;  ///< [m] of the center of mass above the lowest point
@@ -39,32 +44,9 @@ struct Weight {
 };
 
 Weight weight_of(const RobotDescription& description) {
-  const auto places = body_places(description);
-  Weight weight;
-  double moment = 0;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const auto& solid = description.bodies[i].solid;
-    weight.mass += solid.mass;
-    moment += solid.mass * (places[i].position + places[i].orientation * solid.center).z;
-  }
-  if (weight.mass > 0) weight.height = moment / weight.mass - lowest_point(description);
-  return weight;
-}
-
-/// Bodies with a sole, by their places in the description.
-std::set<std::size_t> feet_of(const RobotDescription& description, const RobotConfig& table) {
-  std::set<std::size_t> feet;
-  for (std::size_t i = 0; i < description.bodies.size(); ++i) {
-    const BodyDescription& body = description.bodies[i];
-    const auto is_named = [&](const std::string& name) {
-      return std::ranges::find(table.soles, name, &TableName::name) != table.soles.end();
-    };
-    const bool by_frame = std::ranges::any_of(body.frames, [&](const description::FrameDescription& frame) {
-      return is_named(frame.name) || is_sole(frame, table);
-    });
-    if (by_frame || is_named(body.name)) feet.insert(i);
-  }
-  return feet;
+  const description::MassProperties robot = whole_solid(description);
+  if (!(robot.mass > 0)) return {};
+  return {robot.mass, robot.center.z - lowest_point(description)};
 }
 
 /// Bodies between the base and a foot, feet included.
@@ -103,23 +85,33 @@ double usual_gain(const JointDescription& joint, double torque) {
   return torque / (joint.kind == Kind::prismatic ? full_force_shift : full_torque_bend);
 }
 
+/// What joints have to move, in the order of bodies; empty where that is not worked out.
+std::vector<double> inertias_of(const RobotDescription& description) {
+  std::size_t count = 0;
+  for (const BodyDescription& body : description.bodies) count += body.joints.size();
+  return count > most_joints ? std::vector<double>{} : description::free_inertias(description);
+}
+
 /// Guesses servos one by one and counts what it did.
 class Guesser {
  public:
   Guesser(RobotDescription& description, const RobotConfig& table) : description_(description), table_(table) {
     for (const description::MimicDescription& mimic : description.mimics) followers_.insert(mimic.joint);
-    const std::set<std::size_t> feet = feet_of(description, table);
+    const std::set<std::size_t> feet = bodies_with_soles(description, table);
     if (feet.size() != 2) return;
     weight_ = weight_of(description);
     if (weight_.stiffness() > 0) legs_ = bodies_of_legs(description, feet);
   }
 
   void run() {
+    const std::vector<double> inertias = inertias_of(description_);
+    std::size_t number = 0;
     for (std::size_t i = 0; i < description_.bodies.size(); ++i) {
       for (JointDescription& joint : description_.bodies[i].joints) {
+        const double inertia = number < inertias.size() ? inertias[number++] : 0;
         if (!is_open(joint)) continue;
         if (largest_torque(joint) > 0) {
-          give_gains(joint, legs_.contains(i));
+          give_gains(joint, legs_.contains(i), inertia);
         } else if (legs_.contains(i) && joint.kind == Kind::revolute && joint.stiffness == 0) {
           give_all(joint);
         }
@@ -136,11 +128,12 @@ class Guesser {
 
   [[nodiscard]] bool stands_on_two() const { return !legs_.empty(); }
 
-  void give_gains(JointDescription& joint, bool of_leg) {
+  void give_gains(JointDescription& joint, bool of_leg, double inertia) {
     Servo servo = servo_without_gains(joint);
     servo.position_gain = usual_gain(joint, servo.stall_torque);
     servo.velocity_gain = damping_time * servo.position_gain;
     if (stands_on_two() && joint.kind == Kind::revolute) stiffen(joint, of_leg, servo);
+    if (!of_leg) soften(inertia, servo);
     joint.servo = servo;
     ++gains_;
   }
@@ -154,6 +147,16 @@ class Guesser {
     const double wanted = biped_share * usual_gain(joint, servo.stall_torque);
     servo.position_gain = std::min(std::max(wanted, of_leg ? least_gain * topples : 0.0), most_gain * topples);
     servo.velocity_gain = biped_damping_time * servo.position_gain;
+  }
+
+  /// Stiffer ones shake apart: a step of semi-implicit Euler is stable up to k = 4 I / dt^2, and what moves changes with the pose. A leg's joint
+  /// moves more than its foot, once that stands.
+  void soften(double inertia, Servo& servo) {
+    const double most = inertia / (shortest_step * shortest_step);
+    if (servo.position_gain <= most || inertia < no_inertia) return;
+    servo.velocity_gain *= most / servo.position_gain;
+    servo.position_gain = most;
+    ++softened_;
   }
 
   /// The file does not say what moves it, and a leg that nothing moves does not stand.
@@ -183,6 +186,11 @@ class Guesser {
                       where, gains_, full_torque_bend / biped_share, least_gain * weight_.stiffness(),
                       most_gain * weight_.stiffness()));
     }
+    if (softened_ > 0) {
+      notes.push_back(
+          fmt::format("{}: guessed: {} of these gains are as large as what moves at their joints lets steps of {} s be",
+                      where, softened_, shortest_step));
+    }
     if (whole_ > 0) {
       notes.push_back(
           fmt::format("{}: guessed: {} servos in the legs of which the file says nothing: {:.4g} N m, {:.4g} "
@@ -201,7 +209,7 @@ class Guesser {
   std::set<std::string> followers_;
   Weight weight_;
   std::set<std::size_t> legs_;  ///< empty: not a robot on two soles
-  int gains_ = 0, whole_ = 0;
+  int gains_ = 0, softened_ = 0, whole_ = 0;
   std::vector<std::string> absurd_;  ///< joints with their torques
 };
 

@@ -8,6 +8,9 @@
 ///     F at most 10 m g z_c, which no joint of a robot needs: some files have 50,000 N m for "unlimited"
 ///     a leg's joint without a torque: F = 0.4 m g z_c, k = 4 m g z_c, rotor 0.005 m z_c^2
 ///
+/// No joint outside the legs has more than k = I / (2 ms)^2, with I what it moves in the pose of the file while nothing holds the others
+/// (description/joint_inertia.h): a quarter of what a step of 2 ms by semi-implicit Euler can bear, k dt^2 < 4 I.
+///
 /// Source: an inverted pendulum of mass m with its center at z_c topples with m g z_c per radian; the factors are the project's, those
 ///         with which the humanoids of other people's files stood and walked (docs/robots.md, "Servos that are guessed").
 #pragma once

@@ -6,11 +6,14 @@
 
 namespace murosimf::scene {
 
-std::shared_ptr<const RobotKind> Assets::robot(const std::filesystem::path& file, bool lenient) {
+std::shared_ptr<const RobotKind> Assets::robot(const std::filesystem::path& file,
+                                               const description::ReaderOptions& options) {
   const std::lock_guard lock(mutex_);
-  std::shared_ptr<const RobotKind>& known = robots_[{std::filesystem::absolute(file), lenient}];
+  std::shared_ptr<const RobotKind>& known =
+      robots_[{std::filesystem::absolute(file), options.lenient, options.body, options.xacro}];
   if (known) return known;
-  robot::RobotFile read = robot::read_robot(file, {.lenient = lenient});
+  robot::RobotFile read =
+      robot::read_robot(file, {.lenient = options.lenient, .xacro = options.xacro, .body = options.body});
   RobotKind kind{std::move(read.model), std::move(read.sensors), std::move(read.warnings), {}};
   for (description::Unused& unused : read.description.unused) {
     if (std::ranges::find(kind.unused, unused.word) == kind.unused.end()) kind.unused.push_back(std::move(unused.word));

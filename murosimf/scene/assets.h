@@ -13,9 +13,10 @@
 #include <memory>
 #include <mutex>
 #include <string>
-#include <utility>
+#include <tuple>
 #include <vector>
 
+#include "murosimf/description/reader_options.h"
 #include "murosimf/model/model.h"
 #include "murosimf/sensors/sensor_spec.h"
 
@@ -31,8 +32,10 @@ struct RobotKind {
 
 class Assets {
  public:
-  /// `lenient`: unknown elements are warnings. Throws SetupError: no such file, a mistake in it; nothing is kept then.
-  [[nodiscard]] std::shared_ptr<const RobotKind> robot(const std::filesystem::path& file, bool lenient);
+  /// Of the options those count that scenes have: lenient, body, xacro. Throws SetupError: no such file, a mistake in it; nothing is kept
+  /// then.
+  [[nodiscard]] std::shared_ptr<const RobotKind> robot(const std::filesystem::path& file,
+                                                       const description::ReaderOptions& options);
 
   /// What robot() returns for this file from now on, whatever stands in it: a robot that is not quite as its file says.
   void put(const std::filesystem::path& file, bool lenient, RobotKind kind);
@@ -42,7 +45,8 @@ class Assets {
 
  private:
   std::mutex mutex_;
-  std::map<std::pair<std::filesystem::path, bool>, std::shared_ptr<const RobotKind>> robots_;
+  using RobotKey = std::tuple<std::filesystem::path, bool, std::string, std::map<std::string, std::string>>;
+  std::map<RobotKey, std::shared_ptr<const RobotKind>> robots_;
   std::map<std::string, ModelPtr> models_;
 };
 

@@ -59,12 +59,21 @@ std::string unused_text(const std::vector<std::string>& words, const std::string
 
 }  // namespace
 
-const RobotKind& ModelSource::robot(const std::string& name, const std::string& where) {
-  std::shared_ptr<const RobotKind>& known = robots_[name];
+const RobotKind& ModelSource::robot(const scene_file::RobotSpec& robot) {
+  return read(robot.model, robot.where, {.lenient = lenient_, .xacro = robot.xacro, .body = robot.body});
+}
+
+const RobotKind& ModelSource::robot(const scene_file::BodySpec& body) {
+  return read(body.model, body.where, {.lenient = lenient_});
+}
+
+const RobotKind& ModelSource::read(const std::string& name, const std::string& where,
+                                   const description::ReaderOptions& options) {
+  std::shared_ptr<const RobotKind>& known = robots_[{name, options.body, options.xacro}];
   if (known) return *known;
   const auto file =
       with_context(where, [&] { return files::find_data_file(name, "models", ".xml", spec_.file.parent_path()); });
-  auto kind = assets_.robot(file, lenient_);
+  auto kind = assets_.robot(file, options);
   remarks_.warn(kind->warnings);
   if (!kind->unused.empty() && !comes_with_the_program(file)) remarks_.note(name, unused_text(kind->unused, name));
   check_materials(*kind->model);

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "murosimf/model/model.h"
@@ -22,7 +23,9 @@ class ModelSource {
 
   /// A robot's model by name or file, with the sensors of its files. Throws SetupError: no such file, a mistake in it,
   /// an unknown material.
-  [[nodiscard]] const RobotKind& robot(const std::string& name, const std::string& where);
+  [[nodiscard]] const RobotKind& robot(const scene_file::RobotSpec& robot);
+  /// The same of a body that has a file.
+  [[nodiscard]] const RobotKind& robot(const scene_file::BodySpec& body);
 
   /// The model, or a copy with the constants that the scene changes for this entity.
   [[nodiscard]] ModelPtr changed_for(const std::string& entity, const ModelPtr& model);
@@ -31,11 +34,14 @@ class ModelSource {
   void check_materials(const Model& model) const { scene::check_materials(model, spec_.materials); }
 
  private:
+  const RobotKind& read(const std::string& name, const std::string& where, const description::ReaderOptions& options);
+
   const scene_file::SceneSpec& spec_;
   Assets& assets_;
   bool lenient_;
   Remarks& remarks_;
-  std::map<std::string, std::shared_ptr<const RobotKind>> robots_;       // those that fit to the scene
+  using RobotKey = std::tuple<std::string, std::string, std::map<std::string, std::string>>;
+  std::map<RobotKey, std::shared_ptr<const RobotKind>> robots_;          // those that fit to the scene
   std::map<std::pair<ModelPtr, std::string>, ModelPtr> with_constants_;  // equal changes share one, too
 };
 

@@ -82,7 +82,7 @@ EntityOptions options_of(const scene_file::SceneSpec& spec, const scene_file::Ro
 }  // namespace
 
 EntitySpec robot_entity(const SceneParts& parts, ModelSource& models, const scene_file::RobotSpec& robot) {
-  const ModelPtr model = models.changed_for(robot.name, models.robot(robot.model, robot.where).model);
+  const ModelPtr model = models.changed_for(robot.name, models.robot(robot).model);
   with_context(robot.where, [&] { (void)find_keyframe(*model, robot.keyframe); });
   return {model, options_of(parts.spec, robot)};
 }
@@ -94,7 +94,7 @@ EntitySpec body_entity(ModelSource& models, const scene_file::BodySpec& body) {
   options.attitude = rotation_y(body.pitch) * rotation_x(body.roll);
   options.color = body.color;
   options.present = body.present;
-  const ModelPtr own = body.shape ? scene_file::body_model(body) : models.robot(body.model, body.where).model;
+  const ModelPtr own = body.shape ? scene_file::body_model(body) : models.robot(body).model;
   models.check_materials(*own);
   return {models.changed_for(body.name, own), options};
 }

@@ -43,7 +43,7 @@ std::string fit_to_steps(sensors::SensorSpec& spec, double step_rate) {
 std::vector<sensors::SensorSpec> sensors_of(SceneParts& parts, ModelSource& models,
                                             const scene_file::RobotSpec& robot) {
   std::vector<sensors::SensorSpec> specs;
-  if (!robot.sensors.none) specs = models.robot(robot.model, robot.where).sensors;
+  if (!robot.sensors.none) specs = models.robot(robot).sensors;
   std::vector<SharedRemark> remarks;
   for (sensors::SensorSpec& spec : specs)
     add_remark(fit_to_steps(spec, step_rate(parts.spec, robot)), spec.name, remarks);

@@ -29,6 +29,19 @@ void read_link(const TomlTable& table, std::string_view key, RobotSpec& robot) {
   link_section().read(*link, robot.link);
 }
 
+/// Texts as they are; numbers and flags as xacro writes them.
+std::string xacro_text(const toml::node& value) {
+  if (const auto* text = value.as_string()) return text->get();
+  if (const auto* whole = value.as_integer()) return fmt::format("{}", whole->get());
+  if (const auto* number = value.as_floating_point()) return fmt::format("{}", number->get());
+  if (const auto* flag = value.as_boolean()) return flag->get() ? "true" : "false";
+  files::fail_at(value.source(), "arguments of xacro are texts, numbers, true or false");
+}
+
+void read_xacro(const TomlTable& table, std::string_view key, RobotSpec& robot) {
+  for (const auto& [name, value] : *table.table(key)) robot.xacro[std::string(name.str())] = xacro_text(value);
+}
+
 void read_attacks(const TomlTable& table, std::string_view key, TeamSpec& team) {
   std::string side;
   table.read(key, side);
@@ -81,6 +94,8 @@ const Section<RobotSpec>& robot_section() {
       {{"name", &RobotSpec::name, "", "of the entity", {}, "(needed)"},
        {"team", &RobotSpec::team, "", "one of [[teams]]", {}, "none"},
        {"model", &RobotSpec::model, "", "a name in models/, or a file", {}, "(needed)"},
+       {"body", &RobotSpec::body, "", "of several robots in its MJCF file that with this body", {}, "most joints"},
+       {"xacro", read_xacro, "", "arguments of its .xacro file: {side = \"left\"}", {}, "those of the file"},
        {"level", Name{&RobotSpec::level, "level", [] { return entry_names(catalog::levels()); }}, "",
         "murosimf list levels"},
        {"contact", Name{&RobotSpec::contact, "contact law", [] { return entry_names(catalog::contacts()); }}, "",

@@ -111,10 +111,12 @@ struct RobotSpec {
   Vec3d position;              ///< [m]
   double heading = 0;          ///< [rad]
   double roll = 0, pitch = 0;  ///< [rad] about the level robot's x, then its y; before the heading
-  std::string keyframe;        ///< of its file, at which it starts; empty: the pose of the file
-  Vec3d command;               ///< [m/s, m/s, rad/s]
-  bool present = true;         ///< at the start
-  bool accelerations = false;  ///< are worked out (motion/accelerations.h)
+  std::string body;            ///< of several robots in its file the one with this body; empty: the reader chooses
+  std::map<std::string, std::string> xacro;  ///< arguments of its file with macros, by name
+  std::string keyframe;                      ///< of its file, at which it starts; empty: the pose of the file
+  Vec3d command;                             ///< [m/s, m/s, rad/s]
+  bool present = true;                       ///< at the start
+  bool accelerations = false;                ///< are worked out (motion/accelerations.h)
   CollisionOptions collision;
   components::SensorChanges sensors;
   std::map<std::string, GivenKey> given;  ///< its keys that somebody has set

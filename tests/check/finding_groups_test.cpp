@@ -16,6 +16,15 @@ TEST(FindingGroups, AreOfOneKindWhateverTheirNamesAndNumbers) {
   EXPECT_EQ(to_line(groups[1]), "warning: r.xml:1: 'b' is odd; mend it");
 }
 
+TEST(FindingGroups, TellApostrophesFromQuotes) {
+  const auto groups = grouped({finding(Severity::warning, "the robot's base 'a' is odd, its hips' axis 'it's' too"),
+                               finding(Severity::warning, "the robot's arm 'b' is fine, its hips' axis 'c' too"),
+                               finding(Severity::warning, "the robot's base 'd' is odd, its hips' axis 'e' too")});
+  ASSERT_EQ(groups.size(), 2u);
+  EXPECT_EQ(groups[0].others, std::vector<std::string>{"'d' and 'e'"});
+  EXPECT_EQ(grouped({finding(Severity::note, "'tis a"), finding(Severity::note, "'tis b")}).size(), 2u);
+}
+
 TEST(FindingGroups, NameTheOthersInALine) {
   std::vector<Finding> findings;
   for (const char* name : {"a", "b", "c", "b", "d", "e"}) {

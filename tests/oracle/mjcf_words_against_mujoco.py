@@ -41,6 +41,8 @@ CASES = {
     "ctrlrange below": (WIDE, actuator(f"<position {PD} ctrlrange='-.2 .3'/>"), -0.9, -0.9),
     "gear": (WIDE, actuator("<position joint='j' kp='10' kv='1' ctrlrange='-.2 .6' gear='-2'/>"), 0.9, -0.45),
     "inheritrange": ("range='-.5 .3'", actuator(f"<position {PD} inheritrange='.5'/>"), 0.9, 0.9),
+    "inheritrange of an integral": ("range='-.5 .3'", actuator(f"<intvelocity {PD} inheritrange='.5' ctrlrange='-9 9'/>"), 9,
+                                    0.9),
     "affine": (WIDE, actuator("<general joint='j' gainprm='60' biastype='affine' biasprm='3 -30 -3' ctrlrange='-1 .2'/>"),
                0.9, (60 * 0.9 + 3) / 30),
     "rate": ("", actuator("<velocity joint='j' kv='5' ctrlrange='-1 .5'/>"), 3, 3),
@@ -48,6 +50,9 @@ CASES = {
     "force of joint": (f"{WIDE} actuatorfrcrange='-.4 .6'", actuator(f"<position {PD}/>"), -1.2, -1.2),
     "filter": (WIDE, actuator(f"<position {PD} timeconst='.2'/>"), 0.8, 0.8),
     "damping ratio": (WIDE, actuator("<position joint='j' kp='30' dampratio='1'/>"), 0.8, 0.8),
+    "tendon": ("", "<tendon><fixed name='t' stiffness='4' damping='.3' springlength='.2' armature='.002'>"
+               "<joint joint='j' coef='2'/></fixed></tendon>"
+               + actuator("<position tendon='t' kp='8' kv='.6' forcerange='-3 3'/>"), 0.8, 0.4),
     "reference": ("range='.2 2' ref='.8'", actuator(f"<position {PD}/>"), 0.8, None),
     "reference and spring": ("ref='.8' springref='-.3' stiffness='6'", actuator("<motor joint='j'/>"), 0, None),
     "key": (WIDE, actuator(f"<position {PD}/>") + "<keyframe><key name='k' qpos='{base}.7' ctrl='-.4'/></keyframe>", None, None),

@@ -104,14 +104,16 @@ INSTANTIATE_TEST_SUITE_P(Levels, ParallelAnkles,
                                          "articulated_dynamics"),
                          [](const auto& info) { return info.param; });
 
-// Limit: the project's own. 6 s of walking at 0.15 m/s; the servos at the cranks have other levers than those in the ankles.
+// 6 s of walking at 0.15 m/s, 0.6 m at least. Servos at cranks have other levers than those in ankles, so where forces act steps are a little
+// longer or shorter: after 12 steps 33 mm forward and 19 mm sideways, measured at articulated_dynamics, where the loops also give way under
+// a landing foot, by 0.09 mm. Elsewhere loops are solved to rounding. The limits are half as much again, or twice that.
 TEST_P(ParallelAnkles, Walk) {
   const Walk cranks = walk(write_robot().string(), GetParam()), plain = walk("kid21", GetParam());
   EXPECT_GT(plain.place.x, 0.6);
-  EXPECT_NEAR(cranks.place.x, plain.place.x, 0.1);
-  EXPECT_NEAR(cranks.place.y, plain.place.y, 0.15);
-  EXPECT_NEAR(cranks.place.z, plain.place.z, 0.01) << "it stands";
-  EXPECT_LT(cranks.gap, GetParam() == "articulated_dynamics" ? 5e-4 : 1e-8);
+  EXPECT_NEAR(cranks.place.x, plain.place.x, 0.05);
+  EXPECT_NEAR(cranks.place.y, plain.place.y, 0.03);
+  EXPECT_NEAR(cranks.place.z, plain.place.z, 0.001) << "it stands";
+  EXPECT_LT(cranks.gap, GetParam() == "articulated_dynamics" ? 2e-4 : 1e-11);
 }
 
 }  // namespace

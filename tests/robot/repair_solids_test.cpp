@@ -85,6 +85,25 @@ TEST(SolidRepair, RaisesANegativeMomentToTheLeastThatASolidHas) {
   EXPECT_TRUE(any_contains(robot.warnings, "robot.urdf:2: inertia of link 'limb' is not positive definite"));
 }
 
+TEST(SolidRepair, MakesASphereOfWhatHasNoPositiveMoment) {
+  for (const std::string tensor :
+       {"ixx='-1' iyy='-2' izz='-2'", "ixx='0' iyy='0' izz='-1'", "ixx='0' iyy='0' izz='-1e-9'"}) {
+    const auto robot = with_limb(inertial("0.5", tensor));
+    EXPECT_NEAR(robot.description.bodies.at(1).solid.inertia.xx, 4.849e-4, 1e-7) << "0.5 kg of water, as a ball";
+    EXPECT_TRUE(any_contains(robot.warnings, "robot.urdf:2: no principal moment of link 'limb' is positive")) << tensor;
+    EXPECT_FALSE(any_contains(robot.notes, "moves without inertia"));
+  }
+}
+
+TEST(SolidRepair, ForgetsWhatStandsForNoMass) {
+  const auto robot = read_whole(robot_xml(link("cross", inertial("1e-13", "ixx='1e-13' iyy='1e-13' izz='1e-13'")) +
+                                          link("limb", solid()) + joint("continuous", "base", "cross", "", "j1") +
+                                          joint("continuous", "cross", "limb", "<axis xyz='0 1 0'/>", "j2")));
+  EXPECT_EQ(robot.description.bodies.at(1).solid.mass, 0);
+  EXPECT_EQ(robot.description.bodies[1].solid.inertia.xx, 0);
+  EXPECT_FALSE(any_contains(robot.notes, "moves without"));
+}
+
 TEST(SolidRepair, GivesARodThickness) {
   const auto robot = with_limb(inertial("1", "ixx='2' iyy='2' izz='0'"));
   EXPECT_NEAR(robot.description.bodies.at(1).solid.inertia.zz, 2e-3, 1e-12);

@@ -285,7 +285,8 @@ TEST_P(AsUrdf, WithItsTableItIsTheSameRobot) {
   for (int k = 0; k < expected.size(); ++k) {
     const Object& object = expected.objects()[k];
     const auto i = found.find_object(object.name);
-    if (object.kind == Kind::fork || object.structural || !i) continue;
+    if (object.kind == Kind::fork || object.structural) continue;
+    ASSERT_TRUE(i) << object.name << " is lost";
     if (found.objects()[*i].kind != object.kind)
       continue;  // the frame of a body whose joint is elsewhere is at the joint now
     EXPECT_LT(fixtures::difference(poses.r[*i], right.r[k]), 1e-12) << object.name;

@@ -74,7 +74,17 @@ TEST(RobotFeet, AreNoneIfTheBaseIsAsLow) {
 }
 
 TEST(RobotFeet, AreBehindAsManyJointsEach) {
-  EXPECT_EQ(feet_of(limb("a", 0, 0.1) + part("c", "<sphere radius='.01'/>") + hinge("a", "c", "0 -.1 0")), Names{});
+  const std::string longer = part("c_up", "") + part("c_down", "") + part("c", "<sphere radius='.01'/>") +
+                             hinge("base", "c_up", "0 -.1 -.2") + hinge("c_up", "c_down", "0 0 -.1") +
+                             hinge("c_down", "c", "0 0 -.2");
+  EXPECT_EQ(feet_of(limb("a", 0, 0.1) + longer), Names{});
+}
+
+TEST(RobotFeet, HaveToes) {
+  const std::string toe = "<sphere radius='.01'/>";
+  EXPECT_EQ(feet_of(limb("a", 0, 0.1) + limb("b", 0, -0.1) + part("c", toe) + part("d", toe) +
+                    hinge("a", "c", "0.1 0 0") + hinge("b", "d", "0.1 0 0")),
+            (Names{"a", "b"}));
 }
 
 TEST(RobotHands, EndWhereFingersBegin) {

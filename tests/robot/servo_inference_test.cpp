@@ -66,5 +66,24 @@ TEST(ServoInference, WithoutTwoSolesAllTorqueIsAtATenthOfARadian) {
   EXPECT_NEAR(servo(robot, "shoulder").velocity_gain, 0.05 * 50, 1e-9);
 }
 
+std::string turntable(const std::string& base_inertia) {
+  const auto solid = [](const std::string& inertia) {
+    return "<inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='" + inertia + "'/></inertial>";
+  };
+  return "<robot name='r'><link name='base'>" + solid(base_inertia) + "</link><link name='arm'>" + solid("1e-4") +
+         "</link><joint name='j' type='continuous'><parent link='base'/><child link='arm'/><axis xyz='0 0 1'/><limit "
+         "effort='5' velocity='3'/></joint></robot>";
+}
+
+// Two bodies that turn freely about one axis against each other: I = I1 I2 / (I1 + I2) = 0.75e-4 kg m^2, and 5 N m / 0.1 rad is more
+// than I / (2 ms)^2.
+TEST(ServoInference, NoJointIsStifferThanWhatItMovesAllows) {
+  const RobotFile robot = read_robot(write("light.urdf", turntable("3e-4")));
+  EXPECT_NEAR(servo(robot, "j").position_gain, 0.75e-4 / 4e-6, 1e-9);
+  EXPECT_NEAR(servo(robot, "j").velocity_gain, 0.05 * 0.75e-4 / 4e-6, 1e-9);
+  EXPECT_EQ(servo(robot, "j").stall_torque, 5);
+  EXPECT_TRUE(any_contains(robot.notes, "guessed: 1 of these gains"));
+}
+
 }  // namespace
 }  // namespace murosimf::robot

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "murosimf/files/child_process.h"
 #include "murosimf/model/error.h"
 #include "murosimf/scene/scene.h"
 #include "tests/fixtures.h"
@@ -79,10 +80,46 @@ TEST(Assets, WhatCannotBeReadIsTriedAgain) {
   Assets assets;
   const auto file = fixtures::temp_folder() / "broken_asset.xml";
   std::ofstream(file) << "<mujoco";
-  EXPECT_THROW((void)assets.robot(file, false), SetupError);
+  EXPECT_THROW((void)assets.robot(file, {}), SetupError);
   std::ofstream(file)
       << "<mujoco><worldbody><body><freejoint/><geom type='sphere' size='0.1' mass='1'/></body></worldbody></mujoco>";
-  EXPECT_EQ(assets.robot(file, false)->model->bodies().size(), 1u);
+  EXPECT_EQ(assets.robot(file, {})->model->bodies().size(), 1u);
+}
+
+// Two robots of one file, and what cannot be meant.
+TEST(Assets, BodiesChooseAmongTheRobotsOfAFile) {
+  const auto folder = fixtures::temp_folder();
+  std::ofstream(folder / "two_robots.xml") << "<mujoco><worldbody><body name='a'><freejoint/><geom size='0.1' "
+                                              "mass='1'/></body><body name='b'><freejoint/><geom "
+                                              "size='0.1' mass='2'/></body></worldbody></mujoco>";
+  const auto robot = [&](const std::string& name, const std::string& more) {
+    return "[[robots]]\nname = '" + name + "'\nmodel = '" + (folder / "two_robots.xml").string() +
+           "'\nlevel = 'simplified_dynamics'\ncontroller = 'none'\n" + more;
+  };
+  Scene scene(fixtures::write_scene(robot("first", "") + robot("second", "body = 'b'\nposition = [1, 0]\n")));
+  const World& world = scene.simulation().world();
+  EXPECT_EQ(world.entity("first").model().tree().mass, 1);
+  EXPECT_EQ(world.entity("second").model().tree().mass, 2);
+  const auto complaint = [&](const std::string& more) {
+    return fixtures::error_of([&] { Scene wrong(fixtures::write_scene(robot("first", more))); });
+  };
+  EXPECT_TRUE(fixtures::says(complaint("body = 'c'\n"), {"unknown body 'c'"}));
+  EXPECT_TRUE(fixtures::says(complaint("xacro = {side = 'left'}\n"), {"it is no .xacro file"}));
+  EXPECT_TRUE(
+      fixtures::says(complaint("xacro = {side = [1]}\n"), {"arguments of xacro are texts, numbers, true or false"}));
+}
+
+TEST(Assets, ArgumentsOfXacroReachTheFile) {
+  const auto python = files::run_process({"python3", "-c", "import xacro"}, "");
+  if (!python || python->exit_code != 0) GTEST_SKIP() << "python3 has no package xacro: pip install xacro";
+  const auto file = fixtures::temp_folder() / "weighed.xacro";
+  std::ofstream(file)
+      << "<robot name='r' xmlns:xacro='http://ros.org/wiki/xacro'><xacro:arg name='mass' default='2'/><link "
+         "name='base'><inertial><mass value='$(arg mass)'/><inertia ixx='1' iyy='1' izz='1'/></inertial><collision>"
+         "<geometry><sphere radius='0.1'/></geometry></collision></link></robot>";
+  Scene scene(fixtures::write_scene("[[robots]]\nname = 'a'\nmodel = '" + file.string() +
+                                    "'\nlevel = 'simplified_dynamics'\ncontroller = 'none'\nxacro = {mass = 3.5}\n"));
+  EXPECT_EQ(scene.simulation().world().entity("a").model().tree().mass, 3.5);
 }
 
 TEST(Assets, ManyThreadsBuildWithTheSame) {

@@ -155,8 +155,8 @@ TEST(OutsideOverride, KeysThatAreClosed) {
   EXPECT_EQ(closed("", ""),
             (Keys{"name", "body_contact_options", "start", "air", "field", "view", "views", "light", "ball", "teams",
                   "defaults", "robots", "bodies", "materials", "events", "pushes", "communication", "league"}));
-  EXPECT_EQ(closed("robots", "robot."), (Keys{"name", "options", "level_options", "contact_options", "library",
-                                              "call_budget", "reload", "link", "keyframe", "no_contact"}));
+  EXPECT_EQ(closed("robots", "robot."), (Keys{"name", "body", "xacro", "options", "level_options", "contact_options",
+                                              "library", "call_budget", "reload", "link", "keyframe", "no_contact"}));
   EXPECT_EQ(closed("bodies", "box."), (Keys{"name", "file", "heights"}));
   EXPECT_EQ(closed("league", "league."), (Keys{"place_penalized", "answer_port"}));
   for (const char* section : {"start", "air", "field", "view", "light", "ball", "communication"}) {

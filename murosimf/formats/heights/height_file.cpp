@@ -1,13 +1,13 @@
 #include "murosimf/formats/heights/height_file.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "murosimf/files/csv_cells.h"
 #include "murosimf/files/input_file.h"
+#include "murosimf/files/lower_case.h"
 #include "murosimf/formats/heights/gray_png.h"
 #include "murosimf/formats/heights/npy_array.h"
 #include "murosimf/model/error.h"
@@ -54,8 +54,7 @@ void check_heights(std::string_view file, const HeightTable& table) {
 }
 
 HeightTable read_height_file(const std::filesystem::path& file) {
-  std::string kind = file.extension().string();
-  std::ranges::transform(kind, kind.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string kind = files::lower_case(file.extension().string());
   HeightTable table;
   if (kind == ".csv") {
     table = read_csv_heights(file);

@@ -1,10 +1,9 @@
 #include "murosimf/formats/mesh/mesh_file.h"
 
-#include <cctype>
-
 #include <fmt/format.h>
 
 #include "murosimf/files/input_file.h"
+#include "murosimf/files/lower_case.h"
 #include "murosimf/files/xml_element.h"
 #include "murosimf/formats/mesh/dae_file.h"
 #include "murosimf/formats/mesh/msh_file.h"
@@ -27,7 +26,7 @@ std::size_t checked_size(const std::filesystem::path& path) {
 }
 
 MeshFile read_any(const std::filesystem::path& path) {
-  const std::string extension = lower_case(path.extension().string());
+  const std::string extension = files::lower_case(path.extension().string());
   const bool known = extension == ".stl" || extension == ".obj" || extension == ".dae" || extension == ".msh";
   if (!known) fail(path, fmt::format("unknown kind of mesh file '{}'; convert it to .stl, .obj or .dae", extension));
   const std::size_t size = checked_size(path);
@@ -48,12 +47,6 @@ void tidy_parts(MeshFile& file) {
 std::string too_many(std::size_t count) {
   const std::string have = count > 0 ? std::to_string(count) : fmt::format("more than {}", most_triangles);
   return fmt::format("the mesh has {} triangles, at most {} are read; simplify it", have, most_triangles);
-}
-
-std::string lower_case(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return result;
 }
 
 MeshFile read_mesh_file(const std::filesystem::path& path) {

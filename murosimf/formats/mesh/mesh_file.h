@@ -24,9 +24,6 @@ constexpr std::size_t most_triangles = 1'000'000;
 /// What the readers say of such a mesh; with the number of its triangles if that is known before they are read.
 [[nodiscard]] std::string too_many(std::size_t count = 0);
 
-/// In small letters: words and extensions count in any case.
-[[nodiscard]] std::string lower_case(std::string_view text);
-
 struct MeshFile {
   geometry::TriangleMesh mesh;          ///< everything; corners at the same place are one vertex
   std::vector<std::size_t> part_begin;  ///< first triangle of each object, group or geometry that has triangles

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/files/lower_case.h"
 #include "murosimf/files/text_lines.h"
 #include "murosimf/files/xml_element.h"
 #include "murosimf/model/error.h"
@@ -107,7 +108,7 @@ class Ascii {
 
  private:
   void take(std::string_view word) {
-    const std::string lower = lower_case(word);
+    const std::string lower = files::lower_case(std::string(word));
     if (lower == "vertex") return take_vertex();
     if (lower == "endloop") return take_triangle();
     if (lower == "solid" || lower == "endsolid" || lower == "facet") {

@@ -32,10 +32,11 @@ Limits clamped(const Limits& limits, const Limits& by) {
 
 class ActuatorReader {
  public:
-  ActuatorReader(const MjcfAttributes& attributes, const MjcfGains& gains, const MjcfCompiler& compiler)
+  /// `moment`: of what it acts on, over the position of the joint; 1 for a joint.
+  ActuatorReader(const MjcfAttributes& attributes, const MjcfGains& gains, double moment, const MjcfCompiler& compiler)
       : attributes_(attributes), gains_(gains), compiler_(compiler) {
     const auto gears = attributes.numbers("gear", 1, 6);
-    gear_ = gears.empty() ? 1.0 : gears[0];
+    gear_ = moment * (gears.empty() ? 1.0 : gears[0]);
   }
 
   [[nodiscard]] MjcfActuator read() const {
@@ -78,11 +79,11 @@ class ActuatorReader {
 
   void set_target_range(MjcfActuator& actuator) const {
     if (is_motor() || per_target() == 0) return;
-    if (gains_.integrates) {
-      set_range_of_activation(actuator);
-    } else if (gains_.inherited_range > 0) {
+    if (gains_.inherited_range > 0) {
       actuator.inherited_range = gains_.inherited_range;
       actuator.per_range = gains_.gain / per_target();
+    } else if (gains_.integrates) {
+      set_range_of_activation(actuator);
     } else if (gains_.gain == 0) {  // the control has no say
       const double rest = gains_.bias[0] / per_target();
       actuator.target_range = Vec3d{rest, rest, 0};
@@ -139,8 +140,8 @@ std::string read_joint(const MjcfAttributes& attributes, const MjcfNames& names)
 class Reader {
  public:
   Reader(const MjcfDefaults& defaults, const MjcfCompiler& compiler, const MjcfNames& names,
-         description::RobotDescription& description)
-      : defaults_(defaults), compiler_(compiler), names_(names), description_(description) {}
+         const std::map<std::string, MjcfTendon>& tendons, description::RobotDescription& description)
+      : defaults_(defaults), compiler_(compiler), names_(names), tendons_(tendons), description_(description) {}
 
   void read(const files::XmlElement& element) {
     const auto name = element.attribute("name");
@@ -149,13 +150,30 @@ class Reader {
     if (!is_actuator(element.tag())) return leave_out(element, fmt::format("a {} is not simulated", element.tag()));
     const MjcfAttributes attributes = defaults_.resolve(element);
     const MjcfGains gains = read_gains(defaults_.settings(element), element);
-    if (!attributes.has("joint")) return leave_out(element, why_without_joint(attributes));
+    if (!attributes.has("joint")) return read_at_tendon(attributes, gains);
     if (names_.is_elsewhere("joint", attributes.text("joint")))
       return leave_out(element, "its joint is not the robot's");
     if (!gains.obstacle.empty()) return leave_out(element, gains.obstacle);
+    add_at(read_joint(attributes, names_), 1, attributes, gains);
+  }
+
+  [[nodiscard]] MjcfActuators result() && { return std::move(result_); }
+
+ private:
+  void read_at_tendon(const MjcfAttributes& attributes, const MjcfGains& gains) {
+    const files::XmlElement& element = attributes.element();
+    const auto tendon = tendons_.find(attributes.text("tendon"));
+    if (tendon == tendons_.end()) return leave_out(element, why_without_joint(attributes));
+    if (!gains.obstacle.empty()) return leave_out(element, gains.obstacle);
+    if (gains.inherited_range > 0) return leave_out(element, "inheritrange of a tendon is not supported");
+    if (gains.damping_ratio > 0) return leave_out(element, "dampratio at a tendon is not supported");
+    add_at(tendon->second.joint, tendon->second.gear, attributes, gains);
+  }
+
+  void add_at(const std::string& joint, double moment, const MjcfAttributes& attributes, const MjcfGains& gains) {
+    const files::XmlElement& element = attributes.element();
     if (gains.integrates) name_integral(element);
-    const ActuatorReader reader(attributes, gains, compiler_);
-    const std::string joint = read_joint(attributes, names_);
+    const ActuatorReader reader(attributes, gains, moment, compiler_);
     result_.controls.push_back(reader.control(joint));
     const auto [place, fresh] = result_.by_joint.emplace(joint, reader.read());
     if (fresh) return;
@@ -165,9 +183,6 @@ class Reader {
         element.where(), joint)));
   }
 
-  [[nodiscard]] MjcfActuators result() && { return std::move(result_); }
-
- private:
   void leave_out(const files::XmlElement& element, const std::string& reason) {
     description_.warnings.push_back(files::one_line(fmt::format("{}: actuator '{}' moves nothing: {}", element.where(),
                                                                 element.attribute("name").value_or(""), reason)));
@@ -196,6 +211,7 @@ class Reader {
   const MjcfDefaults& defaults_;
   const MjcfCompiler& compiler_;
   const MjcfNames& names_;
+  const std::map<std::string, MjcfTendon>& tendons_;
   description::RobotDescription& description_;
   std::set<std::string> taken_;
   MjcfActuators result_;
@@ -204,8 +220,9 @@ class Reader {
 }  // namespace
 
 MjcfActuators read_actuators(const files::XmlElement& root, const MjcfDefaults& defaults, const MjcfCompiler& compiler,
-                             const MjcfNames& names, description::RobotDescription& description) {
-  Reader reader(defaults, compiler, names, description);
+                             const MjcfNames& names, const std::map<std::string, MjcfTendon>& tendons,
+                             description::RobotDescription& description) {
+  Reader reader(defaults, compiler, names, tendons, description);
   for (const files::XmlElement& section : root.children("actuator")) {
     for (const files::XmlElement& element : section.children()) {
       reader.read(element);

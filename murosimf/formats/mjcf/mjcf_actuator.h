@@ -21,6 +21,7 @@
 #include "murosimf/description/robot_description.h"
 #include "murosimf/formats/mjcf/mjcf_frame.h"
 #include "murosimf/formats/mjcf/mjcf_names.h"
+#include "murosimf/formats/mjcf/mjcf_tendons.h"
 #include "murosimf/model/servo.h"
 
 namespace murosimf::formats::mjcf {
@@ -49,10 +50,11 @@ struct MjcfActuators {
 /// Torques [N m] that a servo can give, in any order.
 void set_torque_range(Servo& servo, double one, double other);
 
-/// Several actuators at one joint: the largest of each number counts, with a line in the notes of `description`. An actuator without a
-/// joint, or of a kind that is not simulated, moves nothing and is a warning. Throws SetupError for an unknown joint.
+/// Several actuators at one joint: the largest of each number counts, with a line in the notes of `description`. One at a tendon that acts
+/// at a joint (mjcf_tendons.h) counts as one at that joint. An actuator without a joint, or of a kind that is not simulated, moves nothing and is a warning. Throws SetupError for an unknown joint.
 [[nodiscard]] MjcfActuators read_actuators(const files::XmlElement& root, const MjcfDefaults& defaults,
                                            const MjcfCompiler& compiler, const MjcfNames& names,
+                                           const std::map<std::string, MjcfTendon>& tendons,
                                            description::RobotDescription& description);
 
 /// Once the bodies are read: actuators of what is no single joint of `description` (a ball, the base) move nothing, which is a warning.

@@ -61,6 +61,14 @@ void set_position_gains(const MjcfAttributes& attributes, State& state) {
   state.bias_type = "affine";
 }
 
+/// `range`: what takes the joint's range.
+void inherit_range(const MjcfAttributes& attributes, const char* range, State& state) {
+  state.inherited_range = positive_or_zero(attributes, "inheritrange", state.inherited_range);
+  if (state.inherited_range > 0 && attributes.has(range)) {
+    attributes.element().fail(fmt::format("both {} and inheritrange; keep one", range));
+  }
+}
+
 void set_position(const MjcfAttributes& attributes, State& state) {
   begin("position", state);
   set_position_gains(attributes, state);
@@ -68,10 +76,7 @@ void set_position(const MjcfAttributes& attributes, State& state) {
     state.dynamics[0] = positive_or_zero(attributes, "timeconst", 0);
     state.dynamics_type = state.dynamics[0] > 0 ? "filterexact" : "none";
   }
-  state.inherited_range = positive_or_zero(attributes, "inheritrange", state.inherited_range);
-  if (state.inherited_range > 0 && attributes.has("ctrlrange")) {
-    attributes.element().fail("both ctrlrange and inheritrange; keep one");
-  }
+  inherit_range(attributes, "ctrlrange", state);
 }
 
 /// A position actuator whose target is the integral of its control.
@@ -79,6 +84,7 @@ void set_integrated_velocity(const MjcfAttributes& attributes, State& state) {
   begin("intvelocity", state);
   set_position_gains(attributes, state);
   state.dynamics_type = "integrator";
+  inherit_range(attributes, "actrange", state);
 }
 
 void set_velocity(const MjcfAttributes& attributes, State& state) {
@@ -111,7 +117,7 @@ void set_general(const MjcfAttributes& attributes, State& state) {
 void apply(const files::XmlElement& element, State& state) {
   const MjcfAttributes attributes = own(element);
   const std::string tag = element.tag();
-  if (attributes.has("ctrlrange")) state.inherited_range = 0;
+  if (attributes.has(tag == "intvelocity" ? "actrange" : "ctrlrange")) state.inherited_range = 0;
   if (tag == "position") set_position(attributes, state);
   if (tag == "velocity") set_velocity(attributes, state);
   if (tag == "motor") set_motor(state);

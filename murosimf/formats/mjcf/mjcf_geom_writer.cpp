@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "murosimf/files/lower_case.h"
 #include "murosimf/formats/mesh/mesh_file.h"
 #include "murosimf/math/quaternion.h"
 
@@ -20,7 +21,7 @@ constexpr double same_place = 1e-9;  // [m] rounding stays far below it
 
 bool is_mesh_file(const fs::path& file) {
   std::error_code none;
-  const std::string extension = mesh::lower_case(file.extension().string());
+  const std::string extension = files::lower_case(file.extension().string());
   return (extension == ".stl" || extension == ".obj") && fs::is_regular_file(file, none);
 }
 

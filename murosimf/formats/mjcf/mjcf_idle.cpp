@@ -24,13 +24,23 @@ std::vector<std::string> deeds_of(const MjcfAttributes& tendon, const MjcfCompil
   return deeds;
 }
 
+bool has_actuator(const files::XmlElement& root, const std::string& tendon) {
+  for (const files::XmlElement& section : root.children("actuator")) {
+    for (const files::XmlElement& element : section.children()) {
+      if (element.attribute("tendon") == tendon) return true;
+    }
+  }
+  return false;
+}
+
+/// `acts`: at a joint, with all that it does.
 void name_tendon(const files::XmlElement& element, const MjcfDefaults& defaults, const MjcfCompiler& compiler,
-                 description::RobotDescription& description) {
+                 bool acts, description::RobotDescription& description) {
   const std::string name = files::one_line(fmt::format("tendon '{}'", element.attribute("name").value_or("")));
   const auto deeds = deeds_of(defaults.resolve(element), compiler);
   if (deeds.empty()) {
     description.unused.push_back({name, fmt::format("{}: {} only measures a length", element.where(), name)});
-  } else {
+  } else if (!acts) {
     description.warnings.push_back(
         fmt::format("{}: {} does not act: {}", element.where(), name, fmt::join(deeds, ", ")));
   }
@@ -73,10 +83,13 @@ bool is_idle_equality(const files::XmlElement& element, const MjcfNames& names) 
 }
 
 void name_idle_relations(const files::XmlElement& root, const MjcfContext& context,
-                         description::RobotDescription& description) {
+                         const std::map<std::string, MjcfTendon>& tendons, description::RobotDescription& description) {
   for (const files::XmlElement& section : root.children("tendon")) {
     for (const files::XmlElement& element : section.children()) {
-      name_tendon(element, context.defaults, context.compiler, description);
+      const std::string name = element.attribute("name").value_or(element.where());
+      const bool acts = tendons.contains(name);
+      if (acts && has_actuator(root, name)) continue;
+      name_tendon(element, context.defaults, context.compiler, acts, description);
     }
   }
   for (const files::XmlElement& section : root.children("equality")) {

@@ -17,6 +17,7 @@
 #include "murosimf/formats/mjcf/mjcf_relations.h"
 #include "murosimf/formats/mjcf/mjcf_replicate.h"
 #include "murosimf/formats/mjcf/mjcf_schema.h"
+#include "murosimf/formats/mjcf/mjcf_tendons.h"
 #include "murosimf/formats/mjcf/mjcf_trees.h"
 #include "murosimf/model/error.h"
 
@@ -71,7 +72,7 @@ description::RobotDescription read_mjcf(const std::filesystem::path& file, const
   expand_replicates(xml, root, compiler);
 
   const MjcfDefaults defaults(root);
-  const MjcfTrees trees = find_trees(root, defaults, compiler, description);
+  const MjcfTrees trees = find_trees(root, defaults, compiler, options.body, description);
   for (const files::XmlElement& world : root.children("worldbody")) {
     name_world(world, trees.bolted, description.unused);
   }
@@ -79,7 +80,8 @@ description::RobotDescription read_mjcf(const std::filesystem::path& file, const
   MjcfMeshes meshes(file, root, defaults, compiler, options.part_per_group, description.warnings);
   const MjcfMaterials materials(root, defaults);
   description.meshes = meshes.descriptions();
-  MjcfActuators actuators = read_actuators(root, defaults, compiler, names, description);
+  const auto tendons = find_tendons(root, defaults, compiler, names);
+  MjcfActuators actuators = read_actuators(root, defaults, compiler, names, tendons, description);
   std::vector<MjcfSpringDamper> springs;
   const MjcfContext context{.defaults = defaults,
                             .compiler = compiler,
@@ -94,9 +96,10 @@ description::RobotDescription read_mjcf(const std::filesystem::path& file, const
   read_bodies(root, trees, context, description);
   scale_masses(compiler, description);
   resolve_spring_dampers(springs, description);
+  apply_tendons(tendons, defaults, compiler, description);
   description::resolve_damping_ratios(description);
   drop_idle_controls(actuators, description);
-  name_idle_relations(root, context, description);
+  name_idle_relations(root, context, tendons, description);
   read_relations(root, names, defaults, description);
   read_loops(root, names, description);
   read_keyframes(root, trees, context, actuators, description);

@@ -150,16 +150,16 @@ files::XmlVocabulary make_rules() {
   const std::map<std::string_view, files::XmlWords> own{
       {"position", {"kp", "kv", "dampratio", "timeconst", "inheritrange"}},
       {"velocity", {"kv"}},
-      {"intvelocity", {"kp", "kv", "dampratio"}},
+      {"intvelocity", {"kp", "kv", "dampratio", "inheritrange"}},
       {"motor", {}},
       {"general", {"gainprm", "biasprm", "gaintype", "biastype", "dyntype", "dynprm"}}};
   // of a control that has several parts, or is called what it is
   const files::XmlWords labels{"input", "velrange", "ffrange"};
   for (const std::string_view actuator : actuators) {
-    const files::XmlWords common{"name", "class", "joint", "forcerange", "forcelimited", "gear"};
+    const files::XmlWords common{"name", "class", "joint", "tendon", "forcerange", "forcelimited", "gear"};
     const files::XmlWords control{"ctrlrange", "ctrllimited"}, activation{"actrange", "actlimited"};
     // without a joint it moves nothing, which is a warning
-    const files::XmlWords unused{"group", "user",    "lengthrange",   "actdim",     "actearly",  "tendon",     "site",
+    const files::XmlWords unused{"group", "user",    "lengthrange",   "actdim",     "actearly",  "site",
                                  "body",  "refsite", "jointinparent", "slidersite", "cranksite", "cranklength"};
     const bool general = actuator == "general", integrates = actuator == "intvelocity";
     rules[std::string(actuator)] = {.used = common + own.at(actuator) + (integrates ? files::XmlWords{} : control) +

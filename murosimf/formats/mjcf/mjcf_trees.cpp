@@ -6,6 +6,7 @@
 
 #include "murosimf/formats/mjcf/mjcf_body.h"
 #include "murosimf/formats/mjcf/mjcf_children.h"
+#include "murosimf/model/error.h"
 
 namespace murosimf::formats::mjcf {
 namespace {
@@ -48,6 +49,28 @@ MjcfTree* largest_floating(std::vector<MjcfTree>& trees) {
   return best;
 }
 
+bool has_body(const files::XmlElement& body, const std::string& name) {
+  const auto children = elements_in(body, "body");
+  return body.attribute("name") == name ||
+         std::ranges::any_of(children, [&](const files::XmlElement& child) { return has_body(child, name); });
+}
+
+/// Of a body that the user names.
+MjcfTree& tree_with(std::vector<MjcfTree>& trees, const std::string& name, const files::XmlElement& root) {
+  const bool is_world = name == world_name;
+  const auto found = std::ranges::find_if(trees, [&](const MjcfTree& tree) {
+    return is_world ? !tree.floats && !tree.mocap : has_body(tree.body, name);
+  });
+  if (found == trees.end() && is_world) root.fail("body 'world': nothing is bolted to the world");
+  if (found == trees.end()) {
+    std::vector<std::string> names;
+    for (const MjcfTree& tree : trees) names.push_back(tree.body.attribute("name").value_or(""));
+    root.fail(unknown_name("body", name, {names.begin(), names.end()}));
+  }
+  if (found->mocap) root.fail(fmt::format("body '{}' is no robot: software moves it (mocap)", files::one_line(name)));
+  return *found;
+}
+
 std::string name_of(const MjcfTree& tree) {
   return files::one_line(fmt::format("body '{}'", tree.body.attribute("name").value_or("")));
 }
@@ -77,7 +100,7 @@ void name_the_rest(const MjcfTrees& trees, description::RobotDescription& descri
 }  // namespace
 
 MjcfTrees find_trees(const files::XmlElement& root, const MjcfDefaults& defaults, const MjcfCompiler& compiler,
-                     description::RobotDescription& description) {
+                     const std::string& wanted, description::RobotDescription& description) {
   MjcfTrees trees{trees_in(root, defaults, compiler)};
   std::size_t bolted_joints = 0;
   bool any_bolted = false;
@@ -86,10 +109,14 @@ MjcfTrees find_trees(const files::XmlElement& root, const MjcfDefaults& defaults
     bolted_joints += tree.joints;
     any_bolted = true;
   }
-  MjcfTree* floating = largest_floating(trees.all);
-  if (!floating && !any_bolted) root.fail("there is no body in worldbody; a robot needs one");
-  trees.bolted = !floating || bolted_joints > floating->joints;
-  for (MjcfTree& tree : trees.all) tree.of_robot = trees.bolted ? !tree.floats && !tree.mocap : &tree == floating;
+  MjcfTree* chosen = largest_floating(trees.all);
+  if (!chosen && !any_bolted) root.fail("there is no body in worldbody; a robot needs one");
+  trees.bolted = !chosen || bolted_joints > chosen->joints;
+  if (!wanted.empty()) {
+    chosen = &tree_with(trees.all, wanted, root);
+    trees.bolted = !chosen->floats;
+  }
+  for (MjcfTree& tree : trees.all) tree.of_robot = trees.bolted ? !tree.floats && !tree.mocap : &tree == chosen;
   name_the_rest(trees, description);
   return trees;
 }

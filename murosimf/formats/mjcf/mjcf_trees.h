@@ -33,8 +33,10 @@ struct MjcfTrees {
   bool bolted = false;        ///< the robot hangs on the world; else it is one tree that floats
 };
 
-/// Throws SetupError if there is no body that can be a robot. What is left out is a line in `unused`; that a robot is bolted, in `notes`.
+/// `wanted`: a body of the robot, or world_name for what is bolted; empty: the rule above. Throws SetupError if there is no body that can
+/// be a robot, or no such one. What is left out is a line in `unused`; that a robot is bolted, in `notes`.
 [[nodiscard]] MjcfTrees find_trees(const files::XmlElement& root, const MjcfDefaults& defaults,
-                                   const MjcfCompiler& compiler, description::RobotDescription& description);
+                                   const MjcfCompiler& compiler, const std::string& wanted,
+                                   description::RobotDescription& description);
 
 }  // namespace murosimf::formats::mjcf

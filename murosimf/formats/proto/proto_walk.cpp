@@ -1,9 +1,8 @@
 #include "murosimf/formats/proto/proto_walk.h"
 
-#include <cctype>
-
 #include <fmt/format.h>
 
+#include "murosimf/files/lower_case.h"
 #include "murosimf/formats/proto/proto_joint.h"
 #include "murosimf/formats/proto/proto_physics.h"
 #include "murosimf/formats/proto/proto_schema.h"
@@ -14,10 +13,7 @@ namespace {
 
 /// Of a Solid without name: "solid", "camera", as in Webots.
 std::string name_of(const Node& solid) {
-  std::string usual = solid.def.empty() ? solid.type : solid.def;
-  if (solid.def.empty()) {
-    for (char& c : usual) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  }
+  const std::string usual = solid.def.empty() ? files::lower_case(solid.type) : solid.def;
   const std::string name = solid.text("name", usual);
   return name.empty() ? usual : name;
 }

@@ -70,9 +70,11 @@ std::optional<description::MimicDescription> read_mimic(const UrdfTree& tree, co
     warn_of_leader(tree, follower, mimic.leader, element, log);
     return std::nullopt;
   }
-  if (tree.joints[leader].type == "fixed" || tree.joints[leader].type == "floating") {
-    element.fail(fmt::format("joint '{}' mimics '{}', which is {}; name one that moves", follower.name, mimic.leader,
-                             tree.joints[leader].type));
+  if (tree.joints[leader].type == "floating") {
+    log.refuse(element,
+               fmt::format("joint '{}' mimics '{}', which is floating; name one that moves along or about an axis",
+                           follower.name, mimic.leader));
+    return std::nullopt;
   }
   return mimic;
 }

@@ -9,6 +9,7 @@
 #include "murosimf/formats/urdf/gazebo_schema.h"
 #include "murosimf/formats/urdf/urdf_noise.h"
 #include "murosimf/formats/urdf/urdf_value.h"
+#include "murosimf/math/roll_pitch_yaw.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::formats::urdf {

@@ -8,6 +8,7 @@
 
 #include "murosimf/formats/urdf/urdf_place_writer.h"
 #include "murosimf/formats/urdf/urdf_writer.h"
+#include "murosimf/math/roll_pitch_yaw.h"
 
 namespace murosimf::formats::urdf {
 namespace {

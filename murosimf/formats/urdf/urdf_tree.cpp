@@ -75,6 +75,28 @@ void fix_held(UrdfJoint& joint, UrdfLog& log) {
                                joint.name, lower));
 }
 
+/// A joint that follows one that cannot move is fixed where that puts it. True if it is one of these.
+bool fix_follower(UrdfJoint& joint, const std::vector<UrdfJoint>& joints, const Index& names, UrdfLog& log) {
+  const auto mimic =
+      joint.type == "fixed" || joint.type == "floating" ? std::nullopt : only_child(joint.element, "mimic");
+  const auto leader = mimic ? names.find(needed_text(*mimic, "joint")) : names.end();
+  if (leader == names.end() || joints[leader->second].type != "fixed") return false;
+  joint.type = "fixed";
+  joint.held_at = number_or(*mimic, "offset", 0) + number_or(*mimic, "multiplier", 1) * joints[leader->second].held_at;
+  log.warn(*mimic, fmt::format("joint '{}' cannot move: it mimics '{}', which is fixed; it is read as fixed at {}",
+                               joint.name, leader->first, joint.held_at));
+  return true;
+}
+
+/// Until there are no more: followers may be followed.
+void fix_followers(UrdfTree& tree, const Index& names, UrdfLog& log) {
+  bool more = true;
+  while (more) {
+    more = false;
+    for (UrdfJoint& joint : tree.joints) more = fix_follower(joint, tree.joints, names, log) || more;
+  }
+}
+
 void read_joints(const files::XmlElement& robot, UrdfTree& tree, const Index& links, UrdfLog& log) {
   Index names;
   for (const files::XmlElement& element : robot.children("joint")) {
@@ -87,6 +109,7 @@ void read_joints(const files::XmlElement& robot, UrdfTree& tree, const Index& li
     fix_held(tree.joints.back(), log);
     connect(tree, number);
   }
+  fix_followers(tree, names, log);
 }
 
 int find_root(const UrdfTree& tree) {

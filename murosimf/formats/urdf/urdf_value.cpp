@@ -1,4 +1,5 @@
 #include "murosimf/formats/urdf/urdf_value.h"
+#include "murosimf/math/roll_pitch_yaw.h"
 
 #include <fmt/format.h>
 
@@ -76,8 +77,6 @@ Vec3d needed_vector(const files::XmlElement& element, const char* attribute) {
 Vec3d vector_or(const files::XmlElement& element, const char* attribute, const Vec3d& fallback) {
   return element.attribute(attribute) ? needed_vector(element, attribute) : fallback;
 }
-
-Mat3d from_roll_pitch_yaw(const Vec3d& rpy) { return rotation_z(rpy.z) * rotation_y(rpy.y) * rotation_x(rpy.x); }
 
 Transformd read_origin(const files::XmlElement& owner) {
   const auto origin = only_child(owner, "origin");

@@ -1,7 +1,6 @@
 /// urdf_value.h - values of URDF elements and attributes. Each complaint has file, line, and what to do.
 ///
-/// SI units and radians. `rpy` are roll, pitch and yaw about the fixed axes x, y, z, in this order:
-/// R = R_z(yaw) R_y(pitch) R_x(roll). Source: URDF XML specification, "joint" and "link".
+/// SI units and radians. `rpy` are those of math/roll_pitch_yaw.h. Source: URDF XML specification, "joint" and "link".
 #pragma once
 
 #include <optional>
@@ -32,7 +31,6 @@ namespace murosimf::formats::urdf {
 [[nodiscard]] Vec3d needed_vector(const files::XmlElement& element, const char* attribute);
 [[nodiscard]] Vec3d vector_or(const files::XmlElement& element, const char* attribute, const Vec3d& fallback);
 
-[[nodiscard]] Mat3d from_roll_pitch_yaw(const Vec3d& rpy);
 /// The place that the `origin` of an element gives; the identity if it has none.
 [[nodiscard]] Transformd read_origin(const files::XmlElement& owner);
 

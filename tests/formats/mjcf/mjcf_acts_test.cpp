@@ -263,7 +263,10 @@ std::map<std::string, Place> make_places() {
   }
   places["key"] = {rest(servo_of_j + "<keyframe><key %/></keyframe>"), {{"qpos", "0 0 1 1 0 0 0 .1 .2"}}};
   for (const char* kind : {"position", "velocity", "intvelocity", "motor", "general"}) {
-    parts = rest(fmt::format("<actuator><{} %/></actuator><sensor><actuatorfrc actuator='b'/></sensor>", kind));
+    parts = rest(fmt::format(
+        "<actuator><{} %/></actuator><sensor><actuatorfrc actuator='b'/></sensor><tendon><fixed name='single'>"
+        "<joint joint='j' coef='1'/></fixed><fixed name='double'><joint joint='j' coef='2'/></fixed></tendon>",
+        kind));
     parts.defaults = fmt::format("<default><default class='c'><{} gear='2'/></default></default>", kind);
     places[kind] = {parts, {{"joint", "j"}}};
   }
@@ -309,9 +312,12 @@ Probes operator+(Probes a, const Probes& b) {
 }
 
 Probes of_actuator(const Attributes& gains) {
+  Attributes without_joint = gains;
+  without_joint["joint"] = "-";
   return {{"name", {"-", "b", gains}},
           {"class", {"-", "c", gains}},
           {"joint", {"j", "i", gains}},
+          {"tendon", {"single", "double", without_joint}},
           {"forcerange", {"-1 1", "-1 2", gains}},
           {"forcelimited", {"true", "false", {{"forcerange", "-1 1"}}}},
           {"ctrlrange", {"-1 1", "-1 2", gains}},
@@ -450,6 +456,7 @@ std::map<std::string, Probes> make_probes() {
   probes["intvelocity"] = of_actuator({{"kp", "3"}}) + Probes{{"kp", {"1", "2"}},
                                                               {"kv", {"0", "1"}},
                                                               {"dampratio", {"0", "1"}},
+                                                              {"inheritrange", {"0", "1"}},
                                                               {"actrange", {"-1 1", "-1 2"}},
                                                               {"actlimited", {"true", "false", held}}};
   probes["velocity"] = of_actuator({{"kv", "3"}}) + Probes{{"kv", {"1", "2"}}};

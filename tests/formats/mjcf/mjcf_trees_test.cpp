@@ -51,6 +51,33 @@ constexpr const char* arm =
     "size='.03'/></body>";
 constexpr const char* ball = "<body name='ball'><freejoint/><geom size='.1' mass='.4'/></body>";
 
+robot::RobotFile read_body(const std::string& text, const std::string& body) {
+  const auto file = fixtures::temp_folder() / "trees_body.xml";
+  std::ofstream(file) << text;
+  return robot::read_robot(file, {.body = body});
+}
+
+// Two robots that float, an arm on the ground, and a body that software moves.
+TEST(MjcfTrees, AnyOfSeveralRobotsCanBeChosen) {
+  const std::string two =
+      "<body name='two'><freejoint/><geom size='.1' mass='2'/><body name='limb'><joint name='k'/><geom "
+      "size='.1' mass='.5'/></body></body>";
+  const std::string text = world(ball + two + arm + "<body name='hand' mocap='true'><geom size='.1'/></body>");
+  EXPECT_NEAR(mass_of(read_body(text, "ball")), .4, 1e-12);
+  EXPECT_NEAR(mass_of(read_body(text, "limb")), 2.5, 1e-12) << "any body of it";
+  EXPECT_EQ(joints_of(read_body(text, "two")), Names{"k"});
+  for (const char* bolted : {"arm", "world"}) {
+    const auto robot = read_body(text, bolted);
+    EXPECT_EQ(joints_of(robot), Names{"j"});
+    EXPECT_TRUE(has_fixed_base(*robot.model));
+  }
+  const auto complaint = [&](const char* body) { return fixtures::error_of([&] { (void)read_body(text, body); }); };
+  EXPECT_TRUE(fixtures::says(complaint("bal"), {"trees_body.xml:1: unknown body 'bal'", "did you mean 'ball'?"}));
+  EXPECT_TRUE(fixtures::says(complaint("hand"), {"body 'hand' is no robot: software moves it (mocap)"}));
+  const auto alone = fixtures::error_of([&] { (void)read_body(world(two), "world"); });
+  EXPECT_TRUE(fixtures::says(alone, {"nothing is bolted to the world"}));
+}
+
 TEST(MjcfTrees, ABodyWithoutFreeJointIsBoltedToTheWorld) {
   const auto robot = read(world(std::string(arm) + "<site name='mark' pos='1 0 0'/><geom type='plane' size='1 1 1'/>"));
   const Model& model = *robot.model;
@@ -180,7 +207,7 @@ TEST(MjcfTrees, WhatHoldsThingsTogetherAndDoesNotActIsNamed) {
       read(world(std::string(arm) + "<body name='other'><joint name='k' axis='0 1 0'/><geom size='.1'/></body>"
                                     "<body name='hand' mocap='true'/>",
                  "<tendon><fixed name='idle'><joint joint='j' coef='1'/></fixed><fixed name='rope' range='0 1'><joint "
-                 "joint='j' coef='1'/></fixed>"
+                 "joint='j' coef='1'/><joint joint='k' coef='1'/></fixed>"
                  "<spatial name='rubber' class='c'><site site='s'/></spatial></tendon><equality><connect body1='arm' "
                  "body2='hand' anchor='0 0 0'/>"
                  "<weld body1='arm' body2='other' active='false'/><joint joint1='j'/></equality>",

@@ -78,6 +78,7 @@ TEST(MjcfWords, CtrlrangesAreTargetsOfTheJoint) {
   expect_range("<velocity joint='j' kv='3' ctrlrange='-2 4' gear='2'/>", -1, 2);
   expect_range("<position joint='j' kp='3' inheritrange='.5'/>", -1.25, .25);
   expect_range("<position joint='j' kp='3' inheritrange='.5' gear='2'/>", -.625, .125);
+  expect_range("<intvelocity joint='j' kp='3' inheritrange='.5' ctrlrange='-9 9'/>", -1.25, .25);
   // force = 6 u + 1 - 3 q
   expect_range("<general joint='j' gainprm='6' biastype='affine' biasprm='1 -3' ctrlrange='-1 1'/>", -5.0 / 3, 7.0 / 3);
   expect_range("<general joint='j' gainprm='0' biastype='affine' biasprm='1 -4'/>", .25, .25);
@@ -88,6 +89,8 @@ TEST(MjcfWords, CtrlrangesAreTargetsOfTheJoint) {
   }
   EXPECT_TRUE(contains(complaint(arm("<position joint='j' ctrllimited='true'/>")), "ctrllimited is true"));
   EXPECT_TRUE(contains(complaint(arm("<position joint='j' inheritrange='1' ctrlrange='-1 1'/>")), "keep one"));
+  EXPECT_TRUE(contains(complaint(arm("<intvelocity joint='j' inheritrange='1' actrange='-1 1'/>")),
+                       "both actrange and inheritrange; keep one"));
 }
 
 TEST(MjcfWords, TorquesAreThoseOfControlForceAndJoint) {

@@ -71,7 +71,7 @@ TEST(ProtoPhysics, ScalesAndMirrorsMeshes) {
                  "\"tetra.obj\" } ] } ] }",
                  "density 1"));
   EXPECT_NEAR(solid_of(description).mass, 1, 1e-12);
-  expect_near(solid_of(description).center, {2 + 2.0 / 4, -1 - 1.0 / 4, 1 + 3 + 3.0 / 4}, 1e-6);
+  expect_near(solid_of(description).center, {2 + 2.0 / 4, -1 - 1.0 / 4, 1 + 3 + 3.0 / 4});
 }
 
 TEST(ProtoPhysics, ReadsMeshesBesideTheFile) {

@@ -8,6 +8,11 @@ namespace {
 
 using namespace urdf_files;
 
+const description::BodyDescription& body_named(const description::RobotDescription& description,
+                                               const std::string& name) {
+  return *std::ranges::find(description.bodies, name, &description::BodyDescription::name);
+}
+
 TEST(UrdfHeldJoints, AreFixedWhereTheirLimitsHoldThem) {
   for (const std::string type : {"revolute", "prismatic"}) {
     const auto description = read(with_joint(type,
@@ -35,6 +40,23 @@ TEST(UrdfMimic, IsLeftOutWithoutItsLeader) {
   EXPECT_TRUE(description.mimics.empty());
   EXPECT_TRUE(
       any_contains(description.warnings, "robot.urdf:3: joint 'j' moves by itself: it mimics an unknown joint 'k'"));
+}
+
+// k at 0.25 of 2 x 0.5 + 0.1: two joints in a row that follow one that stands.
+TEST(UrdfMimic, HoldsWhatFollowsAHeldJoint) {
+  const std::string held = "<limit lower='0.5' upper='0.5' effort='1' velocity='1'/>";
+  const auto description =
+      read(robot_xml(link("a", solid()) + link("b", solid()) + link("c", solid()) + link("d", solid()) +
+                     joint("continuous", "b", "c", "<mimic joint='k' multiplier='0.5'/>", "l") +
+                     joint("prismatic", "a", "b", any_limit + "<mimic joint='j' multiplier='2' offset='0.1'/>", "k") +
+                     joint("revolute", "base", "a", held, "j") +
+                     joint("revolute", "base", "d", any_limit + "<mimic joint='j' multiplier='-1'/>", "m")));
+  EXPECT_TRUE(description.mimics.empty());
+  for (const description::BodyDescription& body : description.bodies) EXPECT_TRUE(body.joints.empty()) << body.name;
+  expect_near(body_named(description, "b").place.position, {1.1, 0, 0});
+  expect_near(body_named(description, "c").place.orientation.y, {0, std::cos(0.55), std::sin(0.55)});
+  expect_near(body_named(description, "d").place.orientation.y, {0, std::cos(0.5), -std::sin(0.5)});
+  EXPECT_TRUE(any_contains(description.warnings, "joint 'l' cannot move: it mimics 'k', which is fixed"));
 }
 
 }  // namespace

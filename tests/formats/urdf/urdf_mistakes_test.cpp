@@ -105,10 +105,11 @@ std::vector<Mistake> mistakes() {
        "folder of package 'gone'"},
       {"LeaderOfItself", two_limbs("", "<mimic joint='jb'/>"), 5, "mimicking itself"},
       {"LeadersInACircle", two_limbs("<mimic joint='jb'/>", "<mimic joint='ja'/>"), 4, "mimicking itself"},
-      {"FixedLeader",
-       robot_xml(link("a") + link("b", solid()) + joint("fixed", "base", "a", "", "ja") +
-                 joint("continuous", "a", "b", "<mimic joint='ja'/>", "jb")),
-       5, "which is fixed"},
+      {"FloatingLeader",
+       "<robot name='r'><link name='world'/><link name='a'/>\n" + link("b", solid()) +
+           joint("floating", "world", "a", "", "ja") + joint("continuous", "a", "b", "<mimic joint='ja'/>", "jb") +
+           "</robot>",
+       4, "which is floating"},
       {"MacroElement", "<robot name='r' xmlns:xacro='x'>\n<xacro:property name='a' value='1'/></robot>", 2,
        "expand it first"},
       {"MacroInANumber", inertial("${m}", unit), 2, "expand it first"},

@@ -22,27 +22,6 @@ using urdf_files::write;
 
 double difference(const Mat3d& a, const Mat3d& b) { return fixtures::difference(a, b); }
 
-// Rounding of atan2 and of three products: some 1e-16 each. The inverse is checked by the reader's own product of three turns.
-TEST(RollPitchYaw, TurnsAsTheMatrixDoes) {
-  RandomStream random(3, "turns");
-  for (std::uint64_t i = 0; i < 1000; ++i) {
-    const Vec3d rpy{random.uniform(3 * i, -pi, pi), random.uniform(3 * i + 1, -pi, pi),
-                    random.uniform(3 * i + 2, -pi, pi)};
-    const Mat3d R = from_roll_pitch_yaw(rpy);
-    EXPECT_LT(difference(from_roll_pitch_yaw(roll_pitch_yaw(R)), R), 2e-15);
-  }
-}
-
-// Where roll and yaw are about the same axis, the usual formulas lose half of the digits.
-TEST(RollPitchYaw, IsAsExactAtARightAngle) {
-  for (const double pitch : {pi / 2, -pi / 2, pi / 2 - 1e-9, pi / 2 - 1e-15}) {
-    for (const double roll : {0.0, 0.3, -2.0}) {
-      const Mat3d R = from_roll_pitch_yaw({roll, pitch, 0.7});
-      EXPECT_LT(difference(from_roll_pitch_yaw(roll_pitch_yaw(R)), R), 2e-15) << pitch << ' ' << roll;
-    }
-  }
-}
-
 description::BodyDescription body_of(const std::string& name, int parent, double mass) {
   description::BodyDescription body;
   body.name = name;
