@@ -12,7 +12,7 @@ set(murosimf_cold_folders files description formats/mjcf formats/urdf formats/pr
   scene_file scene logging compare web)
 
 # Where the time of a step goes. Nine of their sources are compiled as one, so that what is inlined, and the counted instructions
-# (tests/instruction_counts.txt), do not change with the other folders. Of others eighteen are: a seventh to a third less to compile.
+# (tests/instruction_counts.txt), do not change with the other folders. Of others eighteen are: an eighth to three tenths less to compile.
 set(murosimf_hot_folders math model geometry multibody collision collision/relief motion air runtime imaging sensors locomotion
   perception behavior)
 # The thread sanitizer sees the same accesses in code that is not optimized, and that compiles in three fifths of the time.
