@@ -32,7 +32,7 @@ constexpr double small_text = 14;                                     // [px] of
 constexpr int corners = 48;                                           // of a circle
 constexpr std::uint64_t delete_all = 1, line_loop = 1;
 // Fields of foxglove.SceneEntity.
-constexpr int spheres = 9, lines = 11, triangles = 12, texts = 13;
+constexpr int drawn_spheres = 9, drawn_lines = 11, drawn_triangles = 12, drawn_texts = 13;
 
 void put_ink(ProtobufWriter& out, int field, const DrawnShape& shape) {
   out.message(field, [&](ProtobufWriter& in) {
@@ -45,7 +45,7 @@ void put_ink(ProtobufWriter& out, int field, const DrawnShape& shape) {
 
 void put_line(ProtobufWriter& out, const DrawnShape& shape, const std::vector<Vec3d>& points, bool closed,
               double width) {
-  out.message(lines, [&](ProtobufWriter& in) {
+  out.message(drawn_lines, [&](ProtobufWriter& in) {
     if (closed) in.varint(1, line_loop);
     in.number(3, width > 0 ? width : thin);
     in.varint(4, width > 0 ? 0 : 1);
@@ -55,7 +55,7 @@ void put_line(ProtobufWriter& out, const DrawnShape& shape, const std::vector<Ve
 }
 
 void put_ball(ProtobufWriter& out, const DrawnShape& shape, const Vec3d& center, double width) {
-  out.message(spheres, [&](ProtobufWriter& in) {
+  out.message(drawn_spheres, [&](ProtobufWriter& in) {
     put_pose(in, 1, {center, {}}, pose_step);
     put_vector(in, 2, {width, width, width});
     put_ink(in, 3, shape);
@@ -67,7 +67,7 @@ void put_area(ProtobufWriter& out, const DrawnShape& shape) {
   for (const auto& triangle : render::polygon_triangles(shape.points)) {
     corners_of_triangles.insert(corners_of_triangles.end(), triangle.begin(), triangle.end());
   }
-  out.message(triangles, [&](ProtobufWriter& in) {
+  out.message(drawn_triangles, [&](ProtobufWriter& in) {
     for (const Vec3d& point : shape.points) put_vector(in, 2, point);
     put_ink(in, 3, shape);
     in.packed_fixed32(5, corners_of_triangles);
@@ -75,7 +75,7 @@ void put_area(ProtobufWriter& out, const DrawnShape& shape) {
 }
 
 void put_words(ProtobufWriter& out, const DrawnShape& shape) {
-  out.message(texts, [&](ProtobufWriter& in) {
+  out.message(drawn_texts, [&](ProtobufWriter& in) {
     put_pose(in, 1, {shape.points.front(), {}}, pose_step);
     in.varint(2, 1);
     in.number(3, shape.size > 0 ? shape.size : small_text);

@@ -81,7 +81,7 @@ bool overlap(const description::BodyDescription& a, const Transformd& at_a, cons
 }
 
 /// [m] of all shapes that collide, in the frame of the base turned as in the file; infinite without any.
-double lowest_point(const description::RobotDescription& description, const Mat3d& turn) {
+double lowest_point_turned(const description::RobotDescription& description, const Mat3d& turn) {
   const auto places = body_places(description);
   double z = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -169,7 +169,7 @@ void exclude_overlaps(description::RobotDescription& description) {
 void give_key(description::RobotDescription& description) {
   if (!description.keyframes.empty()) return;
   const description::BodyDescription& base = description.bodies[0];
-  const double lowest = lowest_point(description, base.place.orientation);
+  const double lowest = lowest_point_turned(description, base.place.orientation);
   description::KeyframeDescription key;
   key.name = "stand";
   key.where = base.where;

@@ -20,7 +20,7 @@
 namespace murosimf::scene_file {
 namespace {
 
-constexpr double farthest_place = 1e5;  // [m]
+constexpr double farthest_new_place = 1e5;  // [m]
 
 void check_time(double time, const std::string& where) {
   if (std::isfinite(time) && time >= 0 && time <= longest_duration) return;
@@ -62,10 +62,10 @@ std::vector<std::string> names_of(const std::vector<toml::table*>& robots) {
 /// [x, y], [x, y, z] or [x, y, z, heading].
 Placement read_place(const Assignment& change) {
   const std::vector<double> numbers = property_setting(change, 0, {}).numbers;
-  const auto reaches = [](double x) { return std::abs(x) <= farthest_place; };
+  const auto reaches = [](double x) { return std::abs(x) <= farthest_new_place; };
   if (numbers.size() < 2 || numbers.size() > 4 || !std::ranges::all_of(numbers, reaches)) {
     throw SetupError(fmt::format("{}: write [x, y], [x, y, z] (m) or [x, y, z, heading] (rad), at most {} each",
-                                 change.where, farthest_place));
+                                 change.where, farthest_new_place));
   }
   Placement place{.position = {numbers[0], numbers[1], 0}};
   if (numbers.size() > 2) place.position.z = numbers[2];

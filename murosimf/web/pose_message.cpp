@@ -14,7 +14,7 @@ constexpr double finest_step = 0x1p-13;  // [m]
 constexpr double most_steps = 32767;
 
 /// NaN of one that is frozen is 0.
-std::int16_t rounded(double value) {
+std::int16_t nearest_i16(double value) {
   return std::isfinite(value) ? static_cast<std::int16_t>(std::lround(std::clamp(value, -most_steps, most_steps))) : 0;
 }
 
@@ -23,10 +23,10 @@ void put_vector(std::string& out, const Vec3d& v) {
 }
 
 void put_body(std::string& out, const Vec3d& offset, const Mat3d& orientation, double step) {
-  for (const double number : {offset.x, offset.y, offset.z}) put_i16(out, rounded(number / step));
+  for (const double number : {offset.x, offset.y, offset.z}) put_i16(out, nearest_i16(number / step));
   Quaterniond q = from_matrix(orientation);
   const double sign = q.w < 0 ? -1 : 1;  // of two that mean the same, the one that changes little while something moves
-  for (const double number : {q.x, q.y, q.z, q.w}) put_i16(out, rounded(sign * number * most_steps));
+  for (const double number : {q.x, q.y, q.z, q.w}) put_i16(out, nearest_i16(sign * number * most_steps));
 }
 
 void put_entity(std::string& out, const ShownEntity& shown, const PoseFrame& frame) {

@@ -54,7 +54,7 @@ void note_other(const files::XmlElement& element, UrdfLog& log) {
   }
 }
 
-double at_least_zero(const files::XmlElement& element) {
+double text_at_least_zero(const files::XmlElement& element) {
   const double number = text_number(element);
   if (number < 0) element.fail(fmt::format("<{}> is negative; it must be at least 0", element.tag()));
   return number;
@@ -65,8 +65,8 @@ void read_friction(const files::XmlElement& block, const char* first, descriptio
                    UrdfLog& log) {
   const auto mu1 = only_child(block, first), mu2 = only_child(block, "mu2");
   if (!mu1 && !mu2) return;
-  const double friction = at_least_zero(mu1 ? *mu1 : *mu2);
-  if (mu2 && at_least_zero(*mu2) != friction) {
+  const double friction = text_at_least_zero(mu1 ? *mu1 : *mu2);
+  if (mu2 && text_at_least_zero(*mu2) != friction) {
     log.warn(*mu2, fmt::format("friction of link '{}' differs by direction; {} is taken for all", body.name, first));
   }
   for (description::ShapeDescription& shape : body.shapes) shape.placed.surface.friction = friction;
@@ -128,7 +128,7 @@ void read_joint_block(const files::XmlElement& block, const SensorPlace& at, des
   for (const files::XmlElement& element : block.children()) {
     const std::string tag = element.tag();
     if (tag == "springStiffness" && joint) {
-      joint->stiffness = at_least_zero(element);
+      joint->stiffness = text_at_least_zero(element);
     } else if (tag == "springReference" && joint) {
       joint->spring_reference = text_number(element);
     } else if (tag == "sensor") {

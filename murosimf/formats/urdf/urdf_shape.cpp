@@ -8,8 +8,6 @@
 namespace murosimf::formats::urdf {
 namespace {
 
-constexpr double standard_friction = 1.0;  // [1] what Gazebo and MuJoCo take where a URDF file is silent
-
 std::optional<Color> own_color(const files::XmlElement& material) {
   const auto color = only_child(material, "color");
   if (!color) return std::nullopt;

@@ -16,6 +16,8 @@ namespace murosimf::formats::urdf {
 using UrdfColors = std::map<std::string, Color>;
 [[nodiscard]] UrdfColors read_colors(const files::XmlElement& robot);
 
+inline constexpr double standard_friction = 1.0;  ///< [1] what Gazebo and MuJoCo take where a URDF file is silent
+
 class UrdfShapes {
  public:
   UrdfShapes(UrdfColors colors, UrdfMeshes meshes, UrdfLog& log)

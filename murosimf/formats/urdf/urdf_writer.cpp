@@ -9,13 +9,13 @@
 
 #include "murosimf/formats/urdf/urdf_place_writer.h"
 #include "murosimf/formats/urdf/urdf_sensor_writer.h"
+#include "murosimf/formats/urdf/urdf_shape.h"
 #include "murosimf/formats/urdf/urdf_shape_writer.h"
 
 namespace murosimf::formats::urdf {
 namespace {
 
 constexpr double least_inertia = 1e-13;      // [kg m^2] readers refuse a mass without inertia
-constexpr double standard_friction = 1.0;    // [1] what read_urdf takes where a file is silent
 constexpr const char* world_link = "world";  // an empty root of this name bolts a robot
 constexpr double endless = 1e3;              // [m] range of a slider that has none: URDF wants one
 
