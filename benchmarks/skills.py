@@ -176,7 +176,8 @@ class Bench:
         if not self.engine():
             return self.run(level, "keyframes", self.duration(motion) + afterwards, perturbed,
                             [f"robot.motion={motion}", *changes], logs=logs), 0.0
-        return self.run(level, "motions", self.duration(motion) + afterwards + 3, perturbed, changes, at=[f"1:robot.play={name}"], logs=logs), 1.0
+        asked = [f"1:robot.play={name}"]
+        return self.run(level, "motions", self.duration(motion) + afterwards + 3, perturbed, changes, at=asked, logs=logs), 1.0
 
     def table(self, experiment, case, one, figure=None):
         """A row for each level: `one(level, perturbation)` says whether a run is good, and a number or None."""

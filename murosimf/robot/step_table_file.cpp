@@ -16,7 +16,7 @@ using namespace locomotion;
 
 constexpr std::array<std::string_view, 2> joint_kinds{"rigid", "compliant"};
 constexpr std::array<std::string_view, 7> step_columns{"joints",  "bin",      "signal", "constant",
-                                                  "forward", "sideways", "turning"};
+                                                       "forward", "sideways", "turning"};
 constexpr std::size_t first_factor = 3;
 
 class StepTableReader {
@@ -43,7 +43,8 @@ class StepTableReader {
   }
 
   void read_line(const std::vector<files::CsvCell>& line) {
-    if (line.size() != step_columns.size()) cells_.fail(1, fmt::format("{} cells, not {}", line.size(), step_columns.size()));
+    if (line.size() != step_columns.size())
+      cells_.fail(1, fmt::format("{} cells, not {}", line.size(), step_columns.size()));
     const std::size_t kind = one_of(line[0], joint_kinds), signal = one_of(line[2], signal_names);
     const double bin = cells_.number(line[1]);
     if (!(bin >= 0 && bin < step_bins) || bin != std::floor(bin))

@@ -1,5 +1,4 @@
 #include "murosimf/scene/scene_exchange.h"
-#include "murosimf/scene/scene_algorithms.h"
 
 #include <algorithm>
 #include <exception>
@@ -8,6 +7,8 @@
 
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/collision/ground_contact.h"
+#include "murosimf/locomotion/gait_properties.h"
+#include "murosimf/model/error.h"
 #include "murosimf/motion/saturation_watch.h"
 #include "murosimf/motion/servo_law.h"
 #include "murosimf/motion/torque_watch.h"

@@ -181,7 +181,8 @@ const Section<EventTable>& event_section() {
 }
 
 const std::vector<std::string_view>& exchangeable_keys() {
-  static const std::vector<std::string_view> keys{"level", "contact", "servo_law", "command", "play", "present", "place"};
+  static const std::vector<std::string_view> keys{"level", "contact", "servo_law", "command",
+                                                  "play",  "present", "place"};
   return keys;
 }
 
