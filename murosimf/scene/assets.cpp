@@ -6,11 +6,14 @@
 
 namespace murosimf::scene {
 
+Assets::RobotKey Assets::key_of(const std::filesystem::path& file, const description::ReaderOptions& options) {
+  return {std::filesystem::absolute(file), options.lenient, options.body, options.xacro};
+}
+
 std::shared_ptr<const RobotKind> Assets::robot(const std::filesystem::path& file,
                                                const description::ReaderOptions& options) {
   const std::lock_guard lock(mutex_);
-  std::shared_ptr<const RobotKind>& known =
-      robots_[{std::filesystem::absolute(file), options.lenient, options.body, options.xacro}];
+  std::shared_ptr<const RobotKind>& known = robots_[key_of(file, options)];
   if (known) return known;
   robot::RobotFile read =
       robot::read_robot(file, {.lenient = options.lenient, .xacro = options.xacro, .body = options.body});
@@ -22,9 +25,9 @@ std::shared_ptr<const RobotKind> Assets::robot(const std::filesystem::path& file
   return known;
 }
 
-void Assets::put(const std::filesystem::path& file, bool lenient, RobotKind kind) {
+void Assets::put(const std::filesystem::path& file, const description::ReaderOptions& options, RobotKind kind) {
   const std::lock_guard lock(mutex_);
-  robots_[{std::filesystem::absolute(file), lenient}] = std::make_shared<const RobotKind>(std::move(kind));
+  robots_[key_of(file, options)] = std::make_shared<const RobotKind>(std::move(kind));
 }
 
 ModelPtr Assets::model(const std::string& key, const std::function<ModelPtr()>& make) {

@@ -37,15 +37,17 @@ class Assets {
   [[nodiscard]] std::shared_ptr<const RobotKind> robot(const std::filesystem::path& file,
                                                        const description::ReaderOptions& options);
 
-  /// What robot() returns for this file from now on, whatever stands in it: a robot that is not quite as its file says.
-  void put(const std::filesystem::path& file, bool lenient, RobotKind kind);
+  /// What robot() returns for this file and these options from now on, whatever stands in it: a robot that is not quite as its file says.
+  void put(const std::filesystem::path& file, const description::ReaderOptions& options, RobotKind kind);
 
   /// What `make` returns for the first who asks with this key, from which it must follow. Throws what make() throws.
   [[nodiscard]] ModelPtr model(const std::string& key, const std::function<ModelPtr()>& make);
 
  private:
-  std::mutex mutex_;
   using RobotKey = std::tuple<std::filesystem::path, bool, std::string, std::map<std::string, std::string>>;
+  static RobotKey key_of(const std::filesystem::path& file, const description::ReaderOptions& options);
+
+  std::mutex mutex_;
   std::map<RobotKey, std::shared_ptr<const RobotKind>> robots_;
   std::map<std::string, ModelPtr> models_;
 };

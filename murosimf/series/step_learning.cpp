@@ -100,7 +100,7 @@ class StepLearner {
     common_.assets = std::make_shared<scene::Assets>();
     const locomotion::StepTablePtr known =
         round == 0 ? nullptr : std::make_shared<const locomotion::StepTable>(learning_.table);
-    locomotion::take_steps(*common_.assets->robot(file_, common_.lenient)->model, known);
+    locomotion::take_steps(*common_.assets->robot(file_, {.lenient = common_.lenient})->model, known);
     std::mutex mutex;
     run_in_parallel(walks.size(), options_.common.threads, common_.stop, [&](std::size_t i) {
       take_walk(options_, with(walks[i]), walks[i]);

@@ -106,13 +106,13 @@ double mean_and_worst(const std::vector<double>& costs, std::size_t levels) {
 
 VariedRobot::VariedRobot(const std::string& model, bool lenient)
     : file_(files::find_data_file(model, "models", ".xml")) {
-  const auto kind = std::make_shared<scene::Assets>()->robot(file_, lenient);
+  const auto kind = std::make_shared<scene::Assets>()->robot(file_, {.lenient = lenient});
   model_ = kind->model;
   for (const ModelError& error : model_errors) {
     scene::RobotKind varied = *kind;
     if (error.mass != 1 || error.gain != 1) varied.model = with_errors(*model_, error);
     const auto assets = std::make_shared<scene::Assets>();
-    assets->put(file_, lenient, std::move(varied));
+    assets->put(file_, {.lenient = lenient}, std::move(varied));
     assets_.emplace(std::pair(error.mass, error.gain), assets);
   }
 }

@@ -55,7 +55,7 @@ TEST(MotionSpace, HasTheNumbersOfAllFramesButTheLastValues) {
 }
 
 TEST(MotionSpace, KeepsToTheServosWhateverTheNumbersAre) {
-  const KeyframeMotion motion = scene_file::read_motion(hasty_file());
+  const KeyframeMotion motion = robot::read_motion(hasty_file());
   const MotionSpace space(kid21().model(), motion);
   EXPECT_NEAR(space.largest_rate(motion), pi / 2 * 3.093 / 0.158, 0.05) << "shoulders, in the fifth frame";
   CmaEs numbers(space.space());
@@ -124,7 +124,7 @@ TEST(TuningCases, AreTheSameAtEveryLevelAndSpread) {
 TEST(TuningCases, MeanAndWorstLevelCount) { EXPECT_DOUBLE_EQ(mean_and_worst({1, 3, 0, 0}, 2), 0.5 * (1 + 2)); }
 
 TEST(VariedRobot, IsHeavierAndStiffer) {
-  const auto heavy = kid21().assets(1.1, 0.9)->robot(kid21().file(), false);
+  const auto heavy = kid21().assets(1.1, 0.9)->robot(kid21().file(), {});
   const Model& model = kid21().model();
   for (const int object : model.having(properties::mass))
     EXPECT_DOUBLE_EQ(*heavy->model->find(properties::mass, object), 1.1 * *model.find(properties::mass, object));
