@@ -8,6 +8,7 @@
 
 #include "murosimf/components/sensor_toml.h"
 #include "murosimf/components/servo_description.h"
+#include "murosimf/files/data_path.h"
 #include "murosimf/locomotion/gait_feedback.h"
 #include "murosimf/locomotion/walk_options.h"
 #include "murosimf/model/error.h"
@@ -149,7 +150,9 @@ class Reader {
     for (const auto& [key, value] : balance) {
       if (key == "steps") {
         const TableName file = name_of("steps", value);
-        table_.steps = with_context(file.where, [&] { return read_step_table(folder_ / file.name); });
+        table_.steps = with_context(file.where, [&] {
+          return read_step_table(files::find_data_file(file.name, "models", ".csv", folder_));
+        });
       } else {
         read_number("balance", locomotion::balanced_walk_options(), key, value, table_.balance);
       }
