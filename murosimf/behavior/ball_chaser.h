@@ -2,8 +2,8 @@
 ///
 /// Decides from the sensor `ground_truth` (sensors/ground_truth.h) and writes `walk_command`. The robot of a team that is nearest to
 /// the ball goes for it; the others follow it at a distance. Robots steer around each other, and push
-/// each other only where they fight for the ball. With a motion engine (`kicks`) it stops behind the ball and kicks it with the nearer foot,
-/// and waits for nothing: a robot that has fallen gets up by itself.
+/// each other only where they fight for the ball. With a motion engine (`kicks`) it stops behind the ball and kicks it with the nearer foot;
+/// after a fall the engine gets up. The place from which it kicks is that of kid21's motions.
 #pragma once
 
 #include <array>

@@ -30,10 +30,6 @@ std::string_view side_down(const Vec3d& up) noexcept {
 
 double smooth(double s) noexcept { return 0.5 * (1 - std::cos(pi * std::clamp(s, 0.0, 1.0))); }
 
-}  // namespace
-
-namespace {
-
 /// Kept by the model.
 StepTablePtr steps_of(const Model& model, const std::function<StepTablePtr()>& make) {
   return *model.derived().get<StepTablePtr>("steps", make);
@@ -101,7 +97,7 @@ void MotionEngine::step(const Instant& instant) noexcept {
   if (mode() == MotionMode::walk) {
     walk(dt);
   } else {
-    play(dt);
+    play();
   }
   limit_rates(dt);
 }
@@ -189,9 +185,7 @@ double MotionEngine::way_time() const noexcept {
 void MotionEngine::walk(double dt) noexcept {
   if (state_.time < state_.blend) {
     write_walk(gait_.stance());
-    const double share = smooth(state_.time / state_.blend);
-    for (const int joint : joints_) next_[joint] = start_[joint] + share * (next_[joint] - start_[joint]);
-    return;
+    return come_from_start();
   }
   GaitPose last;
   for (std::size_t side = 0; side < 2; ++side) {
@@ -202,10 +196,17 @@ void MotionEngine::walk(double dt) noexcept {
   write_walk(gait_.step(dt, clock_, senses_, gait_state_, last, {.stops = waits, .answers = can_fall()}));
 }
 
-void MotionEngine::play(double) noexcept {
-  if (state_.motion < 0) return;  // lies: targets stay
+void MotionEngine::play() noexcept {
+  if (state_.motion < 0) {  // lies, or falls without a motion for it: targets stay
+    std::ranges::copy(target_, next_.begin());
+    return;
+  }
   write_motion(motions_[static_cast<int>(state_.motion)], state_.time - state_.blend);
-  if (state_.time >= state_.blend) return;
+  if (state_.time < state_.blend) come_from_start();
+}
+
+/// Part of the way from where the joints were to what stands in `next_`.
+void MotionEngine::come_from_start() noexcept {
   const double share = smooth(state_.time / state_.blend);
   for (const int joint : joints_) next_[joint] = start_[joint] + share * (next_[joint] - start_[joint]);
 }

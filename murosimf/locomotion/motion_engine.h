@@ -65,7 +65,8 @@ class MotionEngine final : public Algorithm {
   void begin(MotionMode mode, int motion) noexcept;
   void lie_down() noexcept;
   void walk(double dt) noexcept;
-  void play(double dt) noexcept;
+  void play() noexcept;
+  void come_from_start() noexcept;
   void write_motion(PlayedMotion& played, double time) noexcept;
   void write_walk(const GaitPose& pose) noexcept;
   void limit_rates(double dt) noexcept;
@@ -81,7 +82,7 @@ class MotionEngine final : public Algorithm {
   std::vector<PlayedMotion> motions_;
   std::vector<int> joints_;
   std::vector<double> rates_;  // [rad/s | m/s] by object
-  std::vector<double> next_;   // [rad | m] targets of this cycle, by object
+  std::vector<double> next_;   // [rad | m] targets of this cycle, by object; made anew in each
   const double& dynamic_;      // 0: at kinematic_walking, which cannot fall, nothing that the sensors say is answered
   const MotionRequests& requests_;
   GaitState& gait_state_;

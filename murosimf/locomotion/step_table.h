@@ -1,7 +1,7 @@
 /// step_table.h - how the steady walk looks to the robot's own sensors: six signals over the phase of a step.
 ///
-/// Signals are seen from the foot that stands and mirrored for the right one: xi_x, xi_y [m], y outward; pitch, roll [rad], roll
-/// outward; rates of roll and pitch [rad/s]. In each of the bins of a step, s_k = a + b_x v_x + b_y v_y + b_z w_z, with the walking
+/// Signals are seen from the foot that stands and mirrored for the right one: xi_x, xi_y [m], y outward; pitch [rad] forward, roll
+/// [rad] towards the foot that swings (while the left one stands: to the right, about +x); rates of roll and pitch [rad/s]. In each of the bins of a step, s_k = a + b_x v_x + b_y v_y + b_z w_z, with the walking
 /// velocity, mirrored too. Between the middles of the bins it is linear.
 ///
 /// A robot whose servos follow their targets at once walks otherwise than one whose servos lag, so there are two tables: rigid and

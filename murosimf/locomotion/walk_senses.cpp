@@ -22,7 +22,7 @@ std::span<const double> inertial(Setup& setup, const char* output) {
                       [&] { return sensors::read_output(setup, output); });
 }
 
-/// The joints of all sensors that report positions.
+/// The first sensor that reports positions of joints.
 const sensors::Reading& encoders_of(Setup& setup) {
   for (const sensors::Reading* reading : sensors::readings_of(setup.entity())) {
     if (reading->info->type == "joint_position") return sensors::read_reading(setup, reading->info->name);

@@ -225,6 +225,21 @@ TEST(MotionEngine, GoesOnFromASavedState) {
   EXPECT_EQ(first.scene.simulation().state_hash(), second.scene.simulation().state_hash());
 }
 
+TEST(MotionEngine, GoesOnFromAStateInWhichItLies) {
+  const std::vector<std::string> on_its_front{"walker.pitch_deg=90"};
+  Walker first(articulated, "[0,0,0]", on_its_front);
+  first.run(300ms);
+  ASSERT_EQ(first.mode(), MotionMode::lie);
+  const std::vector<std::byte> state = first.scene.save();
+  first.run(1s);
+  Walker second(articulated, "[0.2,0,0]", on_its_front);
+  second.run(2s);  // another history
+  second.scene.load(state);
+  second.robot.base().set(properties::walk_command, Vec3d{});
+  second.run(1s);
+  EXPECT_EQ(first.scene.simulation().state_hash(), second.scene.simulation().state_hash());
+}
+
 TEST(MotionEngine, RefusesARobotWithoutLegs) {
   const std::string error = fixtures::error_of(
       [] { const scene::Scene scene("car_crash", {.overrides = {"car.controller=motions"}, .cameras = false}); });
