@@ -92,8 +92,8 @@ void AnkleStrategy::write_targets() noexcept {
                       leg.ankle_height - stance_.hip_height};
     const FootTarget target{.ankle = level_to_pelvis * ankle, .sole = level_to_pelvis * rotation_y(sole)};
     bend(leg, target, std::span(pose.q[side]).first(leg.joints.size()));
-    for (std::size_t i = 0; i < leg.joints.size(); ++i) target_[leg.joints[i]] = pose.q[side][i];
   }
+  write_pose(legs_, pose, target_);
 }
 
 }  // namespace murosimf::locomotion

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "murosimf/locomotion/stride.h"
-
 namespace murosimf::locomotion {
 namespace {
 
@@ -142,29 +140,16 @@ void BalancedGait::place_steps(double dt, const GaitClock& clock, std::size_t st
   standing = std::max(0.0, 1 - dt / f.step_decay) * standing;
 }
 
-BalancedGait::Feet BalancedGait::open_loop(const GaitClock& clock, const GaitState& state) const noexcept {
-  const double d = walk_.double_support * pi / 2;
-  const double stance_time = walk_.period * (pi + 2 * d) / (2 * pi) * feedback_.stride_gain;
-  const double amplitude = clock.amplitude(), phase = clock.phase();
-  const double sway = amplitude * walk_.sway * std::sin(phase + walk_.lead);
+GaitFeet BalancedGait::open_loop(const GaitClock& clock, const GaitState& state) const noexcept {
   const Vec3d& velocity = clock.velocity();
-  Feet feet;
-  for (std::size_t side = 0; side < 2; ++side) {
-    const Leg& leg = legs_[side];
-    const Stride s = stride(side == 0 ? phase - pi : phase, d);
-    feet.ankle[side] = Vec3d{s.xi * velocity.x * stance_time - walk_.setback - feedback_.setback_per_speed * velocity.x,
-                             outward(side) * walk_.half_width - leg.hip.y + s.xi * velocity.y * stance_time - sway,
-                             -walk_.hip_height + leg.ankle_height + amplitude * walk_.lift * s.lift} +
-                       state.offset[side];
-    feet.sole[side] = rotation_z(s.xi * velocity.z * stance_time);
-    const double standing = outward(side) * std::sin(phase);
-    feet.roll[side] = standing > 0 ? outward(side) * amplitude * walk_.hip_roll * standing : 0;
-  }
+  GaitFeet feet = gait_feet(legs_, walk_, clock.phase(), clock.amplitude(), velocity, feedback_.stride_gain,
+                            feedback_.setback_per_speed * velocity.x);
+  for (std::size_t side = 0; side < 2; ++side) feet.ankle[side] += state.offset[side];
   return feet;
 }
 
 /// The swinging foot goes to where it belongs seen from the standing one, and its sole is level; the ankle of the other one presses.
-void BalancedGait::turn_feet(const GaitClock& clock, const GaitState& state, Feet& feet) const noexcept {
+void BalancedGait::turn_feet(const GaitClock& clock, const GaitState& state, GaitFeet& feet) const noexcept {
   const GaitFeedback& f = feedback_;
   const StepSignals& e = state.deviation;
   const std::size_t standing = clock.standing(), swinging = 1 - standing;
@@ -186,7 +171,7 @@ void BalancedGait::turn_feet(const GaitClock& clock, const GaitState& state, Fee
   if (clock.amplitude() == 0) feet.sole[swinging] = press * feet.sole[swinging];  // both stand
 }
 
-GaitPose BalancedGait::bend_legs(const GaitClock& clock, const Feet& feet, GaitState& state,
+GaitPose BalancedGait::bend_legs(const GaitClock& clock, const GaitFeet& feet, GaitState& state,
                                  const GaitPose& start) const noexcept {
   constexpr double most_lag = 0.15;  // [rad]
   const Mat3d level_to_pelvis = rotation_y(-walk_.pitch - feedback_.lean_per_speed * clock.velocity().x);
@@ -216,7 +201,7 @@ GaitPose BalancedGait::step(double dt, GaitClock& clock, const WalkSenses& sense
   clock.advance(dt, {walk_.period, walk_.slew, intent.stops ? Vec3d{} : walk_.fastest}, rate, state.alarm > 0);
   place_steps(dt, clock, stood, left, state);
   if (clock.standing() != stood) senses.change_foot(clock.standing(), state);
-  Feet feet = open_loop(clock, state);
+  GaitFeet feet = open_loop(clock, state);
   turn_feet(clock, state, feet);
   return bend_legs(clock, feet, state, start);
 }

@@ -30,19 +30,13 @@ class BalancedGait {
                               const GaitPose& start, const Intent& intent) const noexcept;
 
  private:
-  struct Feet {
-    std::array<Vec3d, 2> ankle;    // [m] from the hip center, level axes of the pelvis
-    std::array<Mat3d, 2> sole;     // level axes of the pelvis
-    std::array<double, 2> roll{};  // [rad] at the hip
-  };
-
   void find_deviation(const GaitClock& clock, GaitState& state) const noexcept;
   void watch(double dt, GaitClock& clock, GaitState& state) const noexcept;
   [[nodiscard]] double phase_rate(const GaitState& state) const noexcept;
   void place_steps(double dt, const GaitClock& clock, std::size_t stood, double left, GaitState& state) const noexcept;
-  [[nodiscard]] Feet open_loop(const GaitClock& clock, const GaitState& state) const noexcept;
-  void turn_feet(const GaitClock& clock, const GaitState& state, Feet& feet) const noexcept;
-  [[nodiscard]] GaitPose bend_legs(const GaitClock& clock, const Feet& feet, GaitState& state,
+  [[nodiscard]] GaitFeet open_loop(const GaitClock& clock, const GaitState& state) const noexcept;
+  void turn_feet(const GaitClock& clock, const GaitState& state, GaitFeet& feet) const noexcept;
+  [[nodiscard]] GaitPose bend_legs(const GaitClock& clock, const GaitFeet& feet, GaitState& state,
                                    const GaitPose& start) const noexcept;
 
   const std::array<Leg, 2>& legs_;

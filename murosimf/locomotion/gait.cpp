@@ -13,25 +13,53 @@ GaitPose home_pose(const std::array<Leg, 2>& legs) noexcept {
   return pose;
 }
 
+GaitPose pose_among(const std::array<Leg, 2>& legs, std::span<const double> values) noexcept {
+  GaitPose pose;
+  for (std::size_t side = 0; side < 2; ++side) {
+    const auto& joints = legs[side].joints;
+    for (std::size_t i = 0; i < joints.size(); ++i) pose.q[side][i] = values[joints[i]];
+  }
+  return pose;
+}
+
+void write_pose(const std::array<Leg, 2>& legs, const GaitPose& pose, std::span<double> values) noexcept {
+  for (std::size_t side = 0; side < 2; ++side) {
+    const auto& joints = legs[side].joints;
+    for (std::size_t i = 0; i < joints.size(); ++i) values[joints[i]] = pose.q[side][i];
+  }
+}
+
+GaitFeet gait_feet(const std::array<Leg, 2>& legs, const WalkParameters& p, double phase, double amplitude,
+                   const Vec3d& velocity, double gain, double setback) noexcept {
+  const double d = p.double_support * pi / 2;
+  const double stance_time = p.period * (pi + 2 * d) / (2 * pi) * gain;
+  const double sway = amplitude * p.sway * std::sin(phase + p.lead);
+  GaitFeet feet;
+  for (std::size_t side = 0; side < 2; ++side) {
+    const Leg& leg = legs[side];
+    const double outward = side == 0 ? 1 : -1;
+    const Stride s = stride(side == 0 ? phase - pi : phase, d);
+    feet.ankle[side] = {s.xi * velocity.x * stance_time - p.setback - setback,
+                        outward * p.half_width - leg.hip.y + s.xi * velocity.y * stance_time - sway,
+                        -p.hip_height + leg.ankle_height + amplitude * p.lift * s.lift};
+    feet.sole[side] = rotation_z(s.xi * velocity.z * stance_time);
+    const double standing = side == 0 ? std::sin(phase) : -std::sin(phase);
+    feet.roll[side] = standing > 0 ? outward * amplitude * p.hip_roll * standing : 0;
+  }
+  return feet;
+}
+
 GaitPose gait_pose(const std::array<Leg, 2>& legs, const WalkParameters& p, double phase, double amplitude,
                    const Vec3d& velocity, const GaitPose& start) noexcept {
-  const double d = p.double_support * pi / 2;
-  const double stance_time = p.period * (pi + 2 * d) / (2 * pi);
-  const double sway = amplitude * p.sway * std::sin(phase + p.lead);
+  const GaitFeet feet = gait_feet(legs, p, phase, amplitude, velocity);
   const Mat3d level_to_pelvis = rotation_y(-p.pitch);
   GaitPose pose = start;
   pose.reachable = true;
   for (std::size_t side = 0; side < 2; ++side) {
     const Leg& leg = legs[side];
-    const double outward = side == 0 ? 1 : -1;
-    const Stride s = stride(side == 0 ? phase - pi : phase, d);
-    const Vec3d ankle{s.xi * velocity.x * stance_time - p.setback,
-                      outward * p.half_width - leg.hip.y + s.xi * velocity.y * stance_time - sway,
-                      -p.hip_height + leg.ankle_height + amplitude * p.lift * s.lift};
-    const double standing = side == 0 ? std::sin(phase) : -std::sin(phase);
-    const FootTarget target{.ankle = level_to_pelvis * ankle,
-                            .sole = level_to_pelvis * rotation_z(s.xi * velocity.z * stance_time),
-                            .roll = standing > 0 ? outward * amplitude * p.hip_roll * standing : 0};
+    const FootTarget target{.ankle = level_to_pelvis * feet.ankle[side],
+                            .sole = level_to_pelvis * feet.sole[side],
+                            .roll = feet.roll[side]};
     const bool reached = bend(leg, target, std::span(pose.q[side]).first(leg.joints.size()));
     pose.reachable = pose.reachable && reached;
   }

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "murosimf/locomotion/leg.h"
 
@@ -35,6 +36,21 @@ struct GaitPose {
   std::array<std::array<double, most_hinges>, 2> q{};
   bool reachable = true;
 };
+
+/// Where the feet are, by side, left first.
+struct GaitFeet {
+  std::array<Vec3d, 2> ankle;    ///< [m] from the hip center, level axes of the pelvis
+  std::array<Mat3d, 2> sole;     ///< their axes in those
+  std::array<double, 2> roll{};  ///< [rad] added at the hip
+};
+
+/// The equations from above; strides `gain` [1] times as long, feet `setback` [m] farther behind.
+[[nodiscard]] GaitFeet gait_feet(const std::array<Leg, 2>& legs, const WalkParameters& parameters, double phase,
+                                 double amplitude, const Vec3d& velocity, double gain = 1, double setback = 0) noexcept;
+
+/// The joints of the legs among `values` [rad] of all objects, and back.
+[[nodiscard]] GaitPose pose_among(const std::array<Leg, 2>& legs, std::span<const double> values) noexcept;
+void write_pose(const std::array<Leg, 2>& legs, const GaitPose& pose, std::span<double> values) noexcept;
 
 /// Both legs at home.
 [[nodiscard]] GaitPose home_pose(const std::array<Leg, 2>& legs) noexcept;

@@ -17,9 +17,7 @@ std::vector<double> joint_positions(const Model& model, const std::array<Leg, 2>
   for (const int joint : model.joints()) {
     if (const Vec3d* range = model.find(properties::joint_range, joint)) q[joint] = std::clamp(0.0, range->x, range->y);
   }
-  for (std::size_t side = 0; side < 2; ++side) {
-    for (std::size_t i = 0; i < legs[side].joints.size(); ++i) q[legs[side].joints[i]] = pose.q[side][i];
-  }
+  write_pose(legs, pose, q);
   return q;
 }
 

@@ -42,8 +42,8 @@ void KeyframeTargets::place_feet(std::span<const double> values, std::span<doubl
                       z - stance_.hip_height + leg.ankle_height};
     const FootTarget target{.ankle = level_to_pelvis * ankle, .sole = level_to_pelvis * rotation_y(pitch)};
     bend(leg, target, std::span(pose.q[side]).first(leg.joints.size()));
-    for (std::size_t i = 0; i < leg.joints.size(); ++i) targets[leg.joints[i]] = pose.q[side][i];
   }
+  write_pose(legs_, pose, targets);
 }
 
 }  // namespace murosimf::locomotion

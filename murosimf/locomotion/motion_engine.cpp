@@ -187,13 +187,9 @@ void MotionEngine::walk(double dt) noexcept {
     write_walk(gait_.stance());
     return come_from_start();
   }
-  GaitPose last;
-  for (std::size_t side = 0; side < 2; ++side) {
-    const auto& joints = legs_[side].joints;
-    for (std::size_t i = 0; i < joints.size(); ++i) last.q[side][i] = target_[joints[i]];
-  }
   const bool waits = state_.motion >= 0;
-  write_walk(gait_.step(dt, clock_, senses_, gait_state_, last, {.stops = waits, .answers = can_fall()}));
+  write_walk(gait_.step(dt, clock_, senses_, gait_state_, pose_among(legs_, target_),
+                        {.stops = waits, .answers = can_fall()}));
 }
 
 void MotionEngine::play() noexcept {
@@ -218,10 +214,7 @@ void MotionEngine::write_motion(PlayedMotion& played, double time) noexcept {
 
 void MotionEngine::write_walk(const GaitPose& pose) noexcept {
   std::ranges::fill(next_, 0.0);
-  for (std::size_t side = 0; side < 2; ++side) {
-    const auto& joints = legs_[side].joints;
-    for (std::size_t i = 0; i < joints.size(); ++i) next_[joints[i]] = pose.q[side][i];
-  }
+  write_pose(legs_, pose, next_);
 }
 
 void MotionEngine::limit_rates(double dt) noexcept {

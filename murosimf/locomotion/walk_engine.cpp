@@ -21,25 +21,13 @@ void WalkEngine::initialize() {
 
 void WalkEngine::step(const Instant& instant) noexcept {
   clock_.advance(seconds(instant.period), {parameters_.period, parameters_.slew, parameters_.fastest});
-  write_targets(last_pose());
+  write_targets(pose_among(legs_, target_));
 }
 
-/// As the targets are: what was looked for in the cycle before.
-GaitPose WalkEngine::last_pose() const noexcept {
-  GaitPose pose;
-  for (std::size_t side = 0; side < 2; ++side) {
-    const auto& joints = legs_[side].joints;
-    for (std::size_t i = 0; i < joints.size(); ++i) pose.q[side][i] = target_[joints[i]];
-  }
-  return pose;
-}
-
+/// Legs without a closed form begin to look where the targets of the cycle before are.
 void WalkEngine::write_targets(const GaitPose& start) noexcept {
-  const GaitPose pose = gait_pose(legs_, parameters_, clock_.phase(), clock_.amplitude(), clock_.velocity(), start);
-  for (std::size_t side = 0; side < 2; ++side) {
-    const auto& joints = legs_[side].joints;
-    for (std::size_t i = 0; i < joints.size(); ++i) target_[joints[i]] = pose.q[side][i];
-  }
+  write_pose(legs_, gait_pose(legs_, parameters_, clock_.phase(), clock_.amplitude(), clock_.velocity(), start),
+             target_);
 }
 
 }  // namespace murosimf::locomotion

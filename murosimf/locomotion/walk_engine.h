@@ -27,7 +27,6 @@ class WalkEngine final : public Algorithm {
   static constexpr double rate_hz = 100;
 
  private:
-  [[nodiscard]] GaitPose last_pose() const noexcept;
   void write_targets(const GaitPose& start) noexcept;
 
   const std::array<Leg, 2>& legs_;  // the model's
