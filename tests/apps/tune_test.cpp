@@ -5,10 +5,10 @@
 namespace murosimf::test {
 namespace {
 
-/// Of the file of the running test.
+/// Of the file of the running test; two generations.
 std::string small_search() {
   return "tune " + write("hasty.toml", fixtures::hasty_motion).string() +
-         " --model kid21 --from back --levels full_dynamics --evaluations 60 --threads 2";
+         " --model kid21 --from back --levels full_dynamics --evaluations 34 --threads 2";
 }
 
 /// What stands below the head.
