@@ -84,6 +84,7 @@ bool Recorder::on_file(const Call& call) {
 }
 
 void Recorder::start() {
+  if (finished_) return;
   if (frames_) throw SetupError("a recording is of one run: this one began anew");
   const World& world = scene_.simulation().world();
   entities_ = recorded_entities(world);
@@ -139,6 +140,7 @@ Duration Recorder::next_look() const {
 
 /// Between two steps: what is due is taken.
 void Recorder::look() {
+  if (finished_) return;
   Simulation& simulation = scene_.simulation();
   const Duration now = simulation.now();
   if (now >= next_frame_) {
@@ -266,6 +268,7 @@ void Recorder::write(const RecordingThread::Batch& batch) {
 
 void Recorder::finish(const scene::RunReport& report) {
   if (!frames_ && trouble().empty()) start();  // of a run without steps
+  finished_ = true;
   if (!frames_) return;
 
   // after the last step
