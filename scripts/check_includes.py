@@ -3,8 +3,9 @@
 
 Each folder of murosimf/ may include itself, the folders that stand after its USES in murosimf/CMakeLists.txt, and what
 those use, nothing else; a folder may use only what stands above it there. Programs, tests, examples and benchmarks may
-include everything. The public headers, include/murosimf/, include each other and the standard library alone; of the library only the
-folder `api`, which implements them, includes them, as "murosimf/scene.h". No two headers of the library have one name. Every header begins with `/// name.h - what it is for`
+include everything. The public headers, include/murosimf/, include each other and the standard library alone (those of plug-ins, in its folder plugin,
+also those of the library); of the library only the folder `api`, which implements them, includes them, as "murosimf/scene.h". No two
+headers of the library have one name. Every header begins with `/// name.h - what it is for`
 and has `#pragma once`. Who names a property includes, directly or not, the header that has it: a precompiled header hides that
 some do not. Prints each violation as file:line: message and exits with 1 if there is one.
 
@@ -18,6 +19,7 @@ from pathlib import Path
 folder_line = re.compile(r"^\s*murosimf_folder\(([\w/]+)((?:\s+[^\s()]+)*)\s*\)", re.MULTILINE)
 outside = ["apps", "python", "tests", "examples", "benchmarks"]
 public = "include"  # murosimf/*.h in it
+public_of_plugins = "include/murosimf/plugin"
 implements_public = "api"
 
 property_line = re.compile(r"^inline constexpr Property<[^;{}]*>\s+(\w+)\s*\{", re.MULTILINE)
@@ -74,6 +76,8 @@ def check_include(root, file, folder, path, quoted, allowed):
     is_public = (root / public / path).is_file()
     if not is_public and not (root / path).is_file():
         return f'"{path}" does not exist'
+    if file.is_relative_to(root / public_of_plugins):
+        return None
     if file.is_relative_to(root / public):
         return None if is_public else f"a public header may not include {path}, which is not installed"
     if is_public:

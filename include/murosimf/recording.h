@@ -22,11 +22,12 @@ struct RecordingInside;
 
 inline namespace v0 {
 
-/// Recording changes no result.
+/// Recording changes no result. `murosimf rerun` repeats the run and what Scene::change did; what a program sets otherwise (targets, poses,
+/// controllers of its own) is not in the file.
 class MUROSIMF_API Recorder {
  public:
-  /// Before the first step, with which the file begins; `rate` [Hz] of poses, joints and contacts, sensors have their own. Throws
-  /// InputError for a file that cannot be written, an impossible rate, and a scene that has begun.
+  /// The file begins with the next step; `rate` [Hz] of poses, joints and contacts, sensors have their own. A reset ends what is recorded.
+  /// Throws InputError for a file that cannot be written, and for an impossible rate.
   Recorder(const Scene& scene, const std::string& file, double rate = 100);
   /// Finishes, if that was not done; trouble is not told then.
   ~Recorder();

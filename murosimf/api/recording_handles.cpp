@@ -36,6 +36,8 @@ namespace {
 
 recording::RunDescription description_of(const SceneInside& inside) {
   const SceneOptions& options = inside.origin.options;
+  std::vector<std::string> outside;
+  if (!inside.controllers.empty()) outside.emplace_back("control software of a program (Robot::set_controller)");
   return {.scene = inside.origin.name,
           .seed = inside.scene.spec().seed,
           .overrides = options.set,
@@ -45,6 +47,7 @@ recording::RunDescription description_of(const SceneInside& inside) {
           .lenient = options.lenient,
           .cameras = options.cameras,
           .pushable = true,
+          .outside = std::move(outside),
           .names = inside.origin.files ? inside.origin.files->names() : files::FoundNames{}};
 }
 
@@ -64,15 +67,13 @@ using api::told;
 
 Recorder::Recorder(const Scene& scene, const std::string& file, double rate) {
   api::SceneInside& inside = scene.inside();
-  if (inside.simulation().now() > Duration{}) {
-    throw InputError(fmt::format("{}: the scene has begun; record before its first step", file));
-  }
   auto recorder = told([&] {
     recording::RecorderOptions options{.file = file,
                                        .rate = rate,
                                        .program = fmt::format("libmurosimf {}", version()),
                                        .run = api::description_of(inside),
-                                       .files = inside.origin.files.get()};
+                                       .files = inside.origin.files.get(),
+                                       .in_the_middle = inside.begun};
     return std::make_unique<recording::Recorder>(inside.scene, options);
   });
   inside_ = std::make_unique<api::RecorderInside>(api::RecorderInside{scene.inside_, recorder.get()});

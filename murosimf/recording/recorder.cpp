@@ -53,7 +53,9 @@ Recorder::Recorder(scene::Scene& scene, const RecorderOptions& options)
   if (what_.contains("pictures")) want_pictures(scene.simulation().world());
   thread_ = std::make_unique<RecordingThread>([this](const RecordingThread::Batch& batch) { write(batch); });
   // later than the simulation's schedule is made: a state that is loaded knows nothing of the recorder
-  scene.simulation().after_start([this] { scene_.simulation().at(Duration{}, [this] { start(); }); });
+  const auto begin = [this] { scene_.simulation().at(Duration{}, [this] { start(); }); };
+  scene.simulation().after_start(begin);
+  if (options.in_the_middle) begin();
 }
 
 Recorder::~Recorder() = default;

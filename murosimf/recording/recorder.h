@@ -57,6 +57,8 @@ struct RecorderOptions {
   const files::FilesRead* files = nullptr;
   /// Instead, the recording that it repeats, whose `run` has the names, too.
   const McapReader* files_of = nullptr;
+  bool in_the_middle =
+      false;  ///< the scene is initialized already: the file begins with its next step, as one that went on from a state
   /// What other programs draw, a part of "drawings"; must outlive the run. Null: nobody else draws.
   const connect::DrawingBoard* others = nullptr;
 };
