@@ -20,7 +20,8 @@ struct ControlCycle {
 };
 
 /// An exception that leaves a call ends the step or run in which it was thrown with that exception; the robot keeps its last targets.
-/// Nothing of it is part of Scene::save(): its memory is its own.
+/// Nothing of it is part of Scene::save(): its memory is its own. In a call the robot's sensors may be read, and nothing of the scene changed.
+/// One that keeps handles of its own scene (Robot, Sensor) keeps that alive until Robot::set_controller(nullptr).
 class MUROSIMF_API Controller {
  public:
   virtual ~Controller();

@@ -5,7 +5,7 @@
 ///     const murosimf::Vector3 head = scene.robot("walker").pose("head").position;
 ///
 /// A scene is for one thread at a time; several scenes run at the same time in several threads. The same scene, seed and calls give
-/// the same states, bit for bit, for any number of threads. All calls throw what error.h says; a call that throws changes nothing.
+/// the same states, bit for bit, for any number of threads. All calls throw what error.h says; one that throws an InputError has changed nothing.
 #pragma once
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 /// world.h - robots, ball, bodies and field by name: where they are, how they move, what they touch; properties by their names.
 ///
 /// A handle is a small value. It keeps the scene's insides alive and stays valid whatever is added, leaves or is exchanged, and after
-/// its Scene was moved. Handles of one scene are for one thread at a time, and to be used between two steps or inside of a Controller.
+/// its Scene was moved. Handles of one scene are for one thread at a time, and to be used between two steps.
 #pragma once
 
 #include <cstddef>

@@ -48,7 +48,7 @@ recording::RunDescription description_of(const SceneInside& inside) {
           .cameras = options.cameras,
           .pushable = true,
           .outside = std::move(outside),
-          .names = inside.origin.files ? inside.origin.files->names() : files::FoundNames{}};
+          .names = inside.origin.files->names()};
 }
 
 /// "walker.torso.position.z [m]"

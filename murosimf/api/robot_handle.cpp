@@ -138,13 +138,15 @@ void Robot::set_controller(std::shared_ptr<Controller> controller, double rate) 
   if (old == scene_->controllers.end() && controller) scene_->check_targets_are_free(number_);
   scene_->begin();
   told([&] {
+    api::ControllerTask* task = nullptr;  // before the old one goes: it may be refused
+    if (controller) {
+      task = &simulation.attach<api::ControllerTask>("controller", entity, rate, *scene_, std::move(controller));
+    }
     if (old != scene_->controllers.end()) {
       simulation.detach(*old->second);
       scene_->controllers.erase(old);
     }
-    if (!controller) return;
-    auto& task = simulation.attach<api::ControllerTask>("controller", entity, rate, *scene_, std::move(controller));
-    scene_->controllers[number_] = &task;
+    if (task) scene_->controllers[number_] = task;
   });
   scene_->targets_are_free.erase(number_);
 }

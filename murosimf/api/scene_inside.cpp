@@ -122,7 +122,7 @@ void SceneInside::check_targets_are_free(int number) {
 std::shared_ptr<SceneInside> open_scene(const std::string& name, const SceneOptions& options) {
   check_threads(options);
   return told([&] {
-    SceneOrigin origin{name, options, std::make_unique<files::FilesRead>(), nullptr};
+    SceneOrigin origin{name, options, std::make_shared<files::FilesRead>(), nullptr};
     return open(files::find_data_file(name, "scenes", ".toml"), std::move(origin));
   });
 }
@@ -133,7 +133,7 @@ std::shared_ptr<SceneInside> open_text(const std::string& toml, const SceneOptio
   const std::filesystem::path file = folder->path() / "scene.toml";
   if (!(std::ofstream(file) << toml).flush()) throw Error(fmt::format("{} cannot be written", file.string()));
   try {
-    SceneOrigin origin{file.string(), options, std::make_unique<files::FilesRead>(), folder};
+    SceneOrigin origin{file.string(), options, std::make_shared<files::FilesRead>(), folder};
     return open(file, std::move(origin));
   } catch (const SetupError& error) {
     std::string text = error.what();
@@ -146,7 +146,7 @@ std::shared_ptr<SceneInside> open_text(const std::string& toml, const SceneOptio
 }
 
 std::shared_ptr<SceneInside> another_scene(SceneInside& like, std::optional<std::uint64_t> seed) {
-  SceneOrigin origin{like.origin.name, like.origin.options, nullptr, like.origin.text_file};
+  SceneOrigin origin = like.origin;
   if (seed) origin.options.seed = seed;
   return told([&] { return std::make_shared<SceneInside>(like.scene.spec(), std::move(origin), like.assets); });
 }

@@ -37,7 +37,7 @@ struct JointRows {
 struct SceneOrigin {
   std::string name;  ///< as the user has named it
   SceneOptions options;
-  std::unique_ptr<files::FilesRead> files;              ///< null: of a copy
+  std::shared_ptr<files::FilesRead> files;              ///< shared by copies, read by the first
   std::shared_ptr<recording::ScratchFolder> text_file;  ///< where a text stands while it is read
 };
 

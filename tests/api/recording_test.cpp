@@ -73,6 +73,21 @@ TEST(ApiRecording, BeginsInTheMiddle) {
   EXPECT_EQ(again->simulation().state_hash(), scene.state_hash());
 }
 
+TEST(ApiRecording, OfACopyIsRepeated) {
+  const std::string file = file_of("copy");
+  Scene first = Scene::of_text("[[robots]]\nname = \"a\"\nmodel = \"kid21\"\n");
+  first.run(0.1);
+  Scene scene = first.copy();
+  Recorder recorder(scene, file);
+  scene.run(0.1);
+  recorder.finish();
+  const recording::RecordedRun run(file);
+  const auto again = run.build({});
+  run.begin(*again, std::chrono::milliseconds(100));
+  again->simulation().run(std::chrono::milliseconds(100));
+  EXPECT_EQ(again->simulation().state_hash(), scene.state_hash());
+}
+
 TEST(ApiRecording, SaysWhatIsWrong) {
   Scene scene("walk");
   EXPECT_THROW(Recorder(scene, "/no/such/folder/a.mcap"), InputError);

@@ -266,7 +266,10 @@ TEST(ApiController, WhatItThrowsEndsTheStep) {
   swing->throws_at = 1e9;
   scene.step();
   EXPECT_EQ(robot.joint_target()[0], target) << "its last targets hold until its next cycle";
-  EXPECT_NE(thrown_text<InputError>([&] { robot.set_controller(swing, 0); }), "");
+  EXPECT_NE(thrown_text<InputError>([&] { robot.set_controller(std::make_shared<Swing>(), 0); }), "");
+  const int steps = swing->steps;
+  scene.run(0.1);
+  EXPECT_GT(swing->steps, steps) << "the one before is still there";
   Scene walk("walk");
   EXPECT_NE(thrown_text<InputError>([&] { walk.robot().set_controller(swing); }).find("'none'"), std::string::npos);
 }
