@@ -57,6 +57,7 @@ function(murosimf_folder folder)
   list(TRANSFORM arg_USES REPLACE "/" "_")
   list(TRANSFORM arg_USES PREPEND "murosimf_")
   add_library(${target} ${sources})
+  set_target_properties(${target} PROPERTIES MUROSIMF_USES "${arg_USES}")
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_include_directories(${target} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)

@@ -3,28 +3,20 @@
 //     example_change_levels
 #include <cstdio>
 
-#include <murosimf/collision/contact_properties.h>
-#include <murosimf/model/properties.h>
-#include <murosimf/scene/scene.h>
+#include <murosimf/scene.h>
 
 int main() {
-  using namespace murosimf;
-  using namespace std::chrono_literals;
-  scene::Scene scene("walk");  // a kinematic walker
-  Simulation& simulation = scene.simulation();
-  Entity& robot = simulation.world().entity("walker");
-  const auto push = [&](double newtons) { robot.base().set(properties::applied_force, {{}, {0, newtons, 0}}); };
+  murosimf::Scene scene("walk");  // a kinematic walker
+  murosimf::Robot robot = scene.robot("walker");
 
-  simulation.run(3s);
-  scene.exchange_level("walker", "articulated_dynamics");
-  push(10);
-  simulation.run(100ms);
-  push(0);
-  simulation.run(2s);
-  scene.exchange_level("walker", "kinematic_walking");  // throws if the push has thrown it over
-  simulation.run(2s);
+  scene.run(3.0);
+  robot.set_level("articulated_dynamics");
+  robot.push("", {0, 10, 0}, 0.1);
+  scene.run(2.1);
+  robot.set_level("kinematic_walking");  // throws if the push has thrown it over
+  scene.run(2.0);
 
-  for (const Event& event : simulation.events()) std::printf("%.1f s: %s\n", seconds(event.time), event.text.c_str());
-  const Vec3d r = robot.base().get(properties::position);
-  std::printf("%.1f s: at (%.2f, %.2f) m\n", seconds(simulation.now()), r.x, r.y);
+  for (const murosimf::RunEvent& event : scene.events()) std::printf("%.1f s: %s\n", event.time, event.text.c_str());
+  const murosimf::Vector3 r = robot.pose().position;
+  std::printf("%.1f s: at (%.2f, %.2f) m\n", scene.time(), r.x, r.y);
 }

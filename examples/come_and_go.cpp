@@ -3,38 +3,32 @@
 //     example_come_and_go
 #include <cstdio>
 
-#include <murosimf/model/properties.h>
-#include <murosimf/scene/scene.h>
+#include <murosimf/scene.h>
 
 int main() {
   using namespace murosimf;
-  using namespace std::chrono_literals;
-  scene::Scene scene("walk");
-  Simulation& simulation = scene.simulation();
-  simulation.run(2s);
+  Scene scene("walk");
+  scene.run(2.0);
 
-  scene_file::RobotSpec robot = scene.spec().robots[0];  // as the walker, but beside it, and exact
-  robot.name = "second";
-  robot.level = "full_dynamics";
-  robot.position.y += 0.8;
-  Entity& second = scene.add(robot);
-
-  scene_file::BodySpec box;
-  box.name = "box";
-  box.shape = Box{{0.1, 0.3, 0.1}};  // half of its edges
-  box.mass = 1;
-  box.position = robot.position + Vec3d{0.35, 0, 0.5};
-  scene.add(box);
-  simulation.run(4s);
-  const Vec3d at_the_box = second.base().get(properties::position);
+  const Vector3 begin{-2, 0.8, 0};
+  Robot second = scene.add(
+      NewRobot{.name = "second", .model = "kid21", .level = "full_dynamics", .controller = "walk", .position = begin});
+  second.set_command(0.15, 0, 0);
+  scene.add(NewBody{.name = "box",
+                    .shape = NewBody::Shape::box,
+                    .size = {0.2, 0.6, 0.2},
+                    .mass = 1,
+                    .position = {begin.x + 0.35, begin.y, 0.5}});
+  scene.run(4.0);
+  const double at_the_box = second.pose().position.x;
 
   scene.leave("box");
-  simulation.run(2s);
-  const Vec3d in_the_end = second.base().get(properties::position);
+  scene.run(2.0);
+  const double in_the_end = second.pose().position.x;
   scene.leave("second");
-  simulation.run(1s);
+  scene.run(1.0);
 
-  for (const Event& event : simulation.events()) std::printf("%.1f s: %s\n", seconds(event.time), event.text.c_str());
-  std::printf("second: %.2f m with the box in its way, %.2f m without\n", at_the_box.x - robot.position.x,
-              in_the_end.x - at_the_box.x);
+  for (const RunEvent& event : scene.events()) std::printf("%.1f s: %s\n", event.time, event.text.c_str());
+  std::printf("second: %.2f m with the box in its way, %.2f m without\n", at_the_box - begin.x,
+              in_the_end - at_the_box);
 }

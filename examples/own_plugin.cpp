@@ -3,13 +3,11 @@
 //   murosimf list options --plugin build/release/own_plugin.so
 //   murosimf run walk --plugin build/release/own_plugin.so --set walker.controller=circle --set walker.options.radius=0.5
 //   murosimf --plugin build/release/own_plugin.so weigh kid21 --gravity 1.62
-#include <murosimf/catalog/plugin_interface.h>
-#include <murosimf/collision/contact_law_parts.h>
-#include <murosimf/files/data_path.h>
-#include <murosimf/locomotion/gait_properties.h>
-#include <murosimf/locomotion/walk_engine.h>
-#include <murosimf/robot/robot_reader.h>
-#include <murosimf/sensors/mounting.h>
+#include <murosimf/plugin/command.h>
+#include <murosimf/plugin/contact_law.h>
+#include <murosimf/plugin/controller.h>
+#include <murosimf/plugin/format.h>
+#include <murosimf/plugin/sensor.h>
 
 #include <fstream>
 #include <iostream>

@@ -3,7 +3,9 @@
 
 Each folder of murosimf/ may include itself, the folders that stand after its USES in murosimf/CMakeLists.txt, and what
 those use, nothing else; a folder may use only what stands above it there. Programs, tests, examples and benchmarks may
-include everything. No two headers of the library have one name. Every header begins with `/// name.h - what it is for`
+include everything. The public headers, include/murosimf/, include each other and the standard library alone (those of plug-ins, in its folder plugin,
+also those of the library); of the library only the folder `api`, which implements them, includes them, as "murosimf/scene.h". No two
+headers of the library have one name. Every header begins with `/// name.h - what it is for`
 and has `#pragma once`. Who names a property includes, directly or not, the header that has it: a precompiled header hides that
 some do not. Prints each violation as file:line: message and exits with 1 if there is one.
 
@@ -16,6 +18,9 @@ from pathlib import Path
 
 folder_line = re.compile(r"^\s*murosimf_folder\(([\w/]+)((?:\s+[^\s()]+)*)\s*\)", re.MULTILINE)
 outside = ["apps", "python", "tests", "examples", "benchmarks"]
+public = "include"  # murosimf/*.h in it
+public_of_plugins = "include/murosimf/plugin"
+implements_public = "api"
 
 property_line = re.compile(r"^inline constexpr Property<[^;{}]*>\s+(\w+)\s*\{", re.MULTILINE)
 property_use = re.compile(r"\bproperties::(\w+)")
@@ -61,13 +66,22 @@ def includes(lines):
 def check_include(root, file, folder, path, quoted, allowed):
     """The message of what is wrong with one #include in `file`, or None. `folder` is None outside the library."""
     if not path.startswith("murosimf/"):
+        if file.is_relative_to(root / public) and "." in path:
+            return f"<{path}>: a public header includes the standard library alone"
         if folder is None or not quoted:
             return None
         return f'"{path}": write <{path}> for other libraries and "murosimf/..." for our own headers'
     if not quoted and not file.is_relative_to(root / "examples"):  # examples are written as users write
         return f"<{path}>: our own headers stand in quotes"
-    if not (root / path).is_file():
+    is_public = (root / public / path).is_file()
+    if not is_public and not (root / path).is_file():
         return f'"{path}" does not exist'
+    if file.is_relative_to(root / public_of_plugins):
+        return None
+    if file.is_relative_to(root / public):
+        return None if is_public else f"a public header may not include {path}, which is not installed"
+    if is_public:
+        return None if folder in (None, implements_public) else f"murosimf/{folder} may not include the public header {path}"
     target = folder_of(path.removeprefix("murosimf/"), allowed)
     if folder is None or target == folder or target in allowed[folder]:
         return None
@@ -97,7 +111,9 @@ class Includes:
     def of(self, path):
         if path not in self.known:
             self.known[path] = found = {path}
-            file = self.root / path
+            file = self.root / public / path
+            if not file.is_file():
+                file = self.root / path
             lines = file.read_text(encoding="utf-8").splitlines() if file.is_file() else []
             for _, included, quoted in includes(lines):
                 if quoted or included.startswith("murosimf/"):
@@ -121,7 +137,7 @@ def violations(root):
     allowed, mistakes = folders(root)
     yield from (("murosimf/CMakeLists.txt", 1, mistake) for mistake in mistakes)
     headers = {}
-    for file in sources(library) + [file for name in outside for file in sources(root / name)]:
+    for file in sources(library) + [file for name in [public, *outside] for file in sources(root / name)]:
         relative = file.relative_to(root)
         folder = None
         if relative.parts[0] == "murosimf":

@@ -21,7 +21,7 @@
 namespace murosimf::catalog {
 namespace {
 
-static_assert(std::string_view(plugin_version).starts_with("murosimf " MUROSIMF_VERSION ","),
+static_assert(std::string_view(plugin_version).find(" of murosimf " MUROSIMF_VERSION ",") != std::string_view::npos,
               "plugin_interface.h names another version than CMakeLists.txt");
 
 [[noreturn]] void fail(const std::filesystem::path& file, std::string_view message) {

@@ -28,10 +28,18 @@ namespace murosimf::catalog {
 #define MUROSIMF_STANDARD_LIBRARY "another standard library"
 #endif
 
-/// Version of the library, then what decides how its types lie in memory. Internal linkage: every plug-in has its own copy.
-constexpr const char* plugin_version =
-    "murosimf 0.1.0, " MUROSIMF_ABI ", " MUROSIMF_STANDARD_LIBRARY ", " MUROSIMF_ASSERTS;
+/// Number of the interface of plug-ins, include/murosimf/plugin: it grows with every change there, and of what these headers include,
+/// that makes plug-ins wrong which are not built anew.
+#define MUROSIMF_PLUGIN_INTERFACE 1
+constexpr int plugin_interface = MUROSIMF_PLUGIN_INTERFACE;
 
+/// That number, the version of the library, then what decides how its types lie in memory. Internal linkage: every plug-in has its own
+/// copy.
+constexpr const char* plugin_version =
+    "plug-in interface " MUROSIMF_TEXT(MUROSIMF_PLUGIN_INTERFACE) " of murosimf 0.1.0, " MUROSIMF_ABI
+                                                                  ", " MUROSIMF_STANDARD_LIBRARY ", " MUROSIMF_ASSERTS;
+
+#undef MUROSIMF_PLUGIN_INTERFACE
 #undef MUROSIMF_STANDARD_LIBRARY
 #undef MUROSIMF_ABI
 #undef MUROSIMF_ASSERTS

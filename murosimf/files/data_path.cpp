@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <set>
 
+#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include "murosimf/files/allowed_files.h"
@@ -33,6 +34,16 @@ std::optional<fs::path> look_for(std::string_view name, std::string_view kind, s
   return std::nullopt;
 }
 
+/// The shared library that this code is in; empty: it is in the program itself.
+fs::path own_library() {
+  static const int here = 0;
+  Dl_info info{};
+  std::error_code error;
+  if (dladdr(&here, &info) == 0 || !info.dli_fname) return {};
+  const fs::path file = fs::canonical(info.dli_fname, error);
+  return error || file.string().find(".so") == std::string::npos ? fs::path() : file;
+}
+
 }  // namespace
 
 std::vector<fs::path> data_folders() {
@@ -41,6 +52,11 @@ std::vector<fs::path> data_folders() {
   std::error_code error;
   if (const fs::path program = fs::read_symlink("/proc/self/exe", error); !error) {
     roots.push_back(program.parent_path().parent_path() / "share" / "murosimf");
+  }
+  if (const fs::path library = own_library(); !library.empty()) {  // in lib/, or in lib/x86_64-linux-gnu/
+    const fs::path folder = library.parent_path().parent_path();
+    roots.push_back(folder / "share" / "murosimf");
+    roots.push_back(folder.parent_path() / "share" / "murosimf");
   }
   roots.emplace_back(MUROSIMF_INSTALL_DATA_DIR);
   roots.emplace_back(MUROSIMF_SOURCE_DIR);

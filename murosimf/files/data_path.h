@@ -10,7 +10,7 @@
 namespace murosimf::files {
 
 /// The folders of what comes with the program, in the order in which they are looked through: the one that MUROSIMF_DATA names,
-/// share/murosimf of the installation, the source tree.
+/// share/murosimf beside the program, beside the shared library that is loaded, and of the installation, the source tree.
 [[nodiscard]] std::vector<std::filesystem::path> data_folders();
 
 /// The file that `name` means. Tried in this order: the name as it is; the name in `beside`; the name, alone and in the

@@ -53,7 +53,9 @@ Recorder::Recorder(scene::Scene& scene, const RecorderOptions& options)
   if (what_.contains("pictures")) want_pictures(scene.simulation().world());
   thread_ = std::make_unique<RecordingThread>([this](const RecordingThread::Batch& batch) { write(batch); });
   // later than the simulation's schedule is made: a state that is loaded knows nothing of the recorder
-  scene.simulation().after_start([this] { scene_.simulation().at(Duration{}, [this] { start(); }); });
+  const auto begin = [this] { scene_.simulation().at(Duration{}, [this] { start(); }); };
+  scene.simulation().after_start(begin);
+  if (options.in_the_middle) begin();
 }
 
 Recorder::~Recorder() = default;
@@ -84,6 +86,7 @@ bool Recorder::on_file(const Call& call) {
 }
 
 void Recorder::start() {
+  if (finished_) return;
   if (frames_) throw SetupError("a recording is of one run: this one began anew");
   const World& world = scene_.simulation().world();
   entities_ = recorded_entities(world);
@@ -139,6 +142,7 @@ Duration Recorder::next_look() const {
 
 /// Between two steps: what is due is taken.
 void Recorder::look() {
+  if (finished_) return;
   Simulation& simulation = scene_.simulation();
   const Duration now = simulation.now();
   if (now >= next_frame_) {
@@ -266,6 +270,7 @@ void Recorder::write(const RecordingThread::Batch& batch) {
 
 void Recorder::finish(const scene::RunReport& report) {
   if (!frames_ && trouble().empty()) start();  // of a run without steps
+  finished_ = true;
   if (!frames_) return;
 
   // after the last step

@@ -57,6 +57,8 @@ struct RecorderOptions {
   const files::FilesRead* files = nullptr;
   /// Instead, the recording that it repeats, whose `run` has the names, too.
   const McapReader* files_of = nullptr;
+  bool in_the_middle =
+      false;  ///< the scene is initialized already: the file begins with its next step, as one that went on from a state
   /// What other programs draw, a part of "drawings"; must outlive the run. Null: nobody else draws.
   const connect::DrawingBoard* others = nullptr;
 };
@@ -72,7 +74,7 @@ class Recorder {
   Recorder(const Recorder&) = delete;  // the simulation calls back
   Recorder& operator=(const Recorder&) = delete;
 
-  /// The last frame, the report and the summary.
+  /// The last frame, the report and the summary. Steps that follow are not recorded.
   void finish(const scene::RunReport& report);
   /// With record_on: from now on all is recorded, with what was kept before, or no longer, as often as one likes. Between two steps.
   void ask(bool on);
@@ -147,7 +149,7 @@ class Recorder {
   connect::OutsideNotes* outside_;                                  // null: it is not written down
   std::vector<std::pair<std::string, connect::OutsideNote>> outside_between_;
   Duration write_until_{-1};
-  bool began_ = false, asked_ = false, newly_asked_ = false;
+  bool began_ = false, asked_ = false, newly_asked_ = false, finished_ = false;
   std::size_t happened_ = 0;
   std::chrono::steady_clock::time_point synced_{};  // of the thread
   std::string file_trouble_;                        // besides that of the thread

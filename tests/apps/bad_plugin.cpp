@@ -3,12 +3,10 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "murosimf/catalog/plugin_interface.h"
-#include "murosimf/locomotion/gait_properties.h"
-#include "murosimf/locomotion/walk_engine.h"
+#include "murosimf/plugin/controller.h"
 
 #ifdef MISTAKE_other_version
-extern "C" const char* murosimf_plugin_version() { return "murosimf 0.0.9, C++ ABI 1"; }
+extern "C" const char* murosimf_plugin_version() { return "plug-in interface 0 of murosimf 0.0.9, C++ ABI 1"; }
 #elif !defined(MISTAKE_no_version)
 extern "C" const char* murosimf_plugin_version() { return murosimf::catalog::plugin_version; }
 #endif

@@ -140,7 +140,8 @@ TEST(Plugin, MistakesAreOneLine) {
   refused(write("text.so", "no library").string(), {"cannot be loaded"});
   refused(bad_plugin("no_version"), {"no_version.so: this is no plug-in", "murosimf_plugin_version"});
   refused(bad_plugin("no_entry"), {"this is no plug-in", "murosimf_register"});
-  refused(bad_plugin("other_version"), {"made for 'murosimf 0.0.9, C++ ABI 1'", "build it anew"});
+  refused(bad_plugin("other_version"), {"made for 'plug-in interface 0 of murosimf 0.0.9, C++ ABI 1'",
+                                        "this program is 'plug-in interface 1 of murosimf", "build it anew"});
   refused(bad_plugin("unknown_symbol"), {"cannot be loaded", "nobody_has_defined_this"});
   refused(bad_plugin("throws"), {"throws.so: the license has expired"});
   refused(bad_plugin("throws_a_number"), {"no std::exception"});

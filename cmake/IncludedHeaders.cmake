@@ -1,0 +1,30 @@
+# What headers of the project include of the project, directly or not.
+
+# murosimf_find_header(<variable> murosimf/...): where it stands.
+function(murosimf_find_header variable header)
+  set(file ${PROJECT_SOURCE_DIR}/include/${header})
+  if(NOT EXISTS ${file})
+    set(file ${PROJECT_SOURCE_DIR}/${header})
+  endif()
+  set(${variable} ${file} PARENT_SCOPE)
+endfunction()
+
+# murosimf_included_headers(<variable> murosimf/... ...): these and all that they include.
+function(murosimf_included_headers variable)
+  set(found ${ARGN})
+  set(open ${ARGN})
+  while(open)
+    list(POP_FRONT open header)
+    murosimf_find_header(file ${header})
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+    file(STRINGS ${file} lines REGEX "^#include \"murosimf/")
+    foreach(line IN LISTS lines)
+      string(REGEX REPLACE "^#include \"([^\"]+)\".*" "\\1" included ${line})
+      if(NOT included IN_LIST found)
+        list(APPEND found ${included})
+        list(APPEND open ${included})
+      endif()
+    endforeach()
+  endwhile()
+  set(${variable} ${found} PARENT_SCOPE)
+endfunction()

@@ -1,0 +1,12 @@
+# cmake -DAR=... -DOUTPUT=libmurosimf.a -DARCHIVES="a.a;b.a" -P JoinArchives.cmake: one archive of the members of several.
+set(script "CREATE ${OUTPUT}\n")
+foreach(archive IN LISTS ARCHIVES)
+  string(APPEND script "ADDLIB ${archive}\n")
+endforeach()
+string(APPEND script "SAVE\nEND\n")
+file(WRITE ${OUTPUT}.mri "${script}")
+file(REMOVE ${OUTPUT})
+execute_process(COMMAND ${AR} -M INPUT_FILE ${OUTPUT}.mri RESULT_VARIABLE result)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "${AR} could not write ${OUTPUT}")
+endif()

@@ -1,0 +1,8 @@
+/// contact_law.h - for plug-ins with a law of contact with the ground (`registries.contacts`) or between bodies
+/// (`registries.body_contacts`): force and linearisation of what touches.
+#pragma once
+
+#include "murosimf/collision/body_contact_law.h"
+#include "murosimf/collision/contact_law.h"
+#include "murosimf/collision/contact_law_parts.h"
+#include "murosimf/plugin/interface.h"

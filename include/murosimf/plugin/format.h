@@ -1,0 +1,8 @@
+/// format.h - for plug-ins with a format of robot files: `registries.formats.add({...})`, with a reader that returns a
+/// RobotDescription.
+#pragma once
+
+#include "murosimf/description/reader_options.h"
+#include "murosimf/description/robot_description.h"
+#include "murosimf/plugin/interface.h"
+#include "murosimf/robot/robot_reader.h"

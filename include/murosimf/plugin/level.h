@@ -1,0 +1,9 @@
+/// level.h - for plug-ins with a level of detail: `registries.levels.add({name, meaning, traits, keys, inputs, make})`, where make()
+/// returns a MotionLevel that writes the poses and velocities of its entity's objects.
+#pragma once
+
+#include "murosimf/model/motion_level.h"
+#include "murosimf/model/properties.h"
+#include "murosimf/motion/joint_reference.h"
+#include "murosimf/motion/pose_columns.h"
+#include "murosimf/plugin/interface.h"

@@ -1,0 +1,91 @@
+/// scene_inside.h - what stands behind the handles of include/murosimf: a scene, and what they remember of it.
+#pragma once
+
+#include <atomic>
+#include <exception>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "murosimf/collision/queries.h"
+#include "murosimf/files/files_read.h"
+#include "murosimf/recording/recorder.h"
+#include "murosimf/recording/scratch_folder.h"
+#include "murosimf/robot.h"
+#include "murosimf/scene.h"
+#include "murosimf/scene/assets.h"
+#include "murosimf/scene/scene.h"
+#include "murosimf/scene/scene_pictures.h"
+
+namespace murosimf::api {
+
+class ControllerTask;  // controller_algorithm.h
+
+/// A robot's joints as rows without the objects between them.
+struct JointRows {
+  explicit JointRows(const Model& model);
+
+  std::vector<int> objects;  ///< by joint
+  std::vector<JointInfo> infos;
+  std::vector<double> position, velocity, torque, target;  ///< memory of Robot's spans
+};
+
+/// How a scene came to be: what its recording says, and a copy needs.
+struct SceneOrigin {
+  std::string name;  ///< as the user has named it
+  SceneOptions options;
+  std::shared_ptr<files::FilesRead> files;              ///< shared by copies, read by the first
+  std::shared_ptr<recording::ScratchFolder> text_file;  ///< where a text stands while it is read
+};
+
+struct SceneInside {
+  SceneInside(const scene_file::SceneSpec& spec, SceneOrigin from, std::shared_ptr<scene::Assets> assets);
+  ~SceneInside();
+
+  [[nodiscard]] Simulation& simulation() { return scene.simulation(); }
+  [[nodiscard]] World& world() { return scene.simulation().world(); }
+  [[nodiscard]] Entity& entity(int number) { return *world().entities()[static_cast<std::size_t>(number)]; }
+  /// Its number. Throws UnknownName.
+  [[nodiscard]] int number_of(std::string_view entity);
+  /// All that is read is there from now on; cameras that nobody has asked for are not drawn.
+  void begin();
+  void step();
+  /// Throws what a controller of the program has thrown.
+  void check_failure();
+  /// From any thread.
+  void fail(std::exception_ptr reason);
+
+  [[nodiscard]] JointRows& joints(int number);
+  /// As the world is now.
+  [[nodiscard]] collision::QueryScene& fresh_queries();
+  /// Throws InputError if an algorithm of the scene writes them.
+  void check_targets_are_free(int number);
+
+  SceneOrigin origin;
+  std::shared_ptr<scene::Assets> assets;
+  std::atomic<bool> failed = false;
+  scene::Scene scene;
+  bool begun = false;
+  std::map<int, JointRows> joint_rows;
+  std::map<int, ControllerTask*> controllers;                   ///< of the program
+  std::map<int, bool> targets_are_free;                         ///< of those that were asked for
+  std::unique_ptr<collision::QueryScene> queries;               ///< null: nobody has asked yet
+  std::unique_ptr<scene::ScenePainter> painter;                 ///< likewise
+  std::vector<std::unique_ptr<recording::Recorder>> recorders;  ///< the simulation calls them
+
+ private:
+  std::mutex failing_;
+  std::exception_ptr failure_;
+};
+
+/// Of a file or name.
+[[nodiscard]] std::shared_ptr<SceneInside> open_scene(const std::string& name, const SceneOptions& options);
+/// Of a text as of a file.
+[[nodiscard]] std::shared_ptr<SceneInside> open_text(const std::string& toml, const SceneOptions& options);
+/// Another one of a spec, with the same options.
+[[nodiscard]] std::shared_ptr<SceneInside> another_scene(SceneInside& like, std::optional<std::uint64_t> seed);
+
+}  // namespace murosimf::api
