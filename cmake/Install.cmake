@@ -18,6 +18,9 @@ if(TARGET murosimf_app)
   install(FILES ${CMAKE_BINARY_DIR}/share/_murosimf DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions OPTIONAL)
   install(FILES ${CMAKE_BINARY_DIR}/share/murosimf.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 OPTIONAL)
 endif()
+if(TARGET murosimf_sdf_frames)
+  install(TARGETS murosimf_sdf_frames RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/murosimf DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
   FILES_MATCHING PATTERN "*.h" PATTERN "*.proto")
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/lenses ${PROJECT_SOURCE_DIR}/models ${PROJECT_SOURCE_DIR}/motions ${PROJECT_SOURCE_DIR}/parts ${PROJECT_SOURCE_DIR}/scenes ${PROJECT_SOURCE_DIR}/servos
