@@ -163,7 +163,7 @@ void define(const Command& command, ListOptions& options) {
                                        "servo_laws",  "controllers", "sensors",       "parts",      "lenses",
                                        "materials",   "scenes",      "models",        "properties", "keys",
                                        "options",     "formats",     "commands",      "plan",       "joint_references",
-                                       "viewer_keys", "mjcf",        "urdf"};
+                                       "viewer_keys", "mjcf",        "urdf",          "sdf"};
   command.add("what", options.what, fmt::format("{}", fmt::join(kinds, ", "))).required().one_of(kinds).offers(kinds);
   command.add("scene", options.scene, "of 'plan': whose algorithms, in the order of a tick");
   add_plugins(command, options.plugins);

@@ -8,7 +8,7 @@ set_source_files_properties(behavior/localize.cpp components/sensor_keys.cpp com
   PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 
 # They read, check and write, and no step of a simulation runs through them: optimizing them fully is a fifth of their time.
-set(murosimf_cold_folders files description formats/mjcf formats/urdf formats/proto formats/servo_log components robot check catalog
+set(murosimf_cold_folders files description formats/mjcf formats/urdf formats/proto formats/sdf formats/servo_log components robot check catalog
   scene_file scene logging compare web)
 
 # Where the time of a step goes. Nine of their sources are compiled as one, so that what is inlined, and the counted instructions

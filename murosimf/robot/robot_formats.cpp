@@ -10,6 +10,8 @@
 #include "murosimf/formats/mjcf/mjcf_reader.h"
 #include "murosimf/formats/mjcf/mjcf_schema.h"
 #include "murosimf/formats/proto/proto_reader.h"
+#include "murosimf/formats/sdf/sdf_reader.h"
+#include "murosimf/formats/sdf/sdf_schema.h"
 #include "murosimf/formats/urdf/gazebo_schema.h"
 #include "murosimf/formats/urdf/urdf_reader.h"
 #include "murosimf/formats/urdf/xacro_file.h"
@@ -24,6 +26,8 @@ std::vector<RobotFormat> built_in_formats() {
                   formats::mjcf::mjcf_schema},
       RobotFormat{"urdf", "the format of ROS, with gazebo blocks", ".urdf .xml", "robot", formats::urdf::read_urdf,
                   formats::urdf::urdf_words},
+      RobotFormat{"sdf", "the format of Gazebo, models and worlds", ".sdf .world", "sdf", formats::sdf::read_sdf,
+                  formats::sdf::sdf_schema},
       RobotFormat{"xacro", "URDF with macros, by the program xacro", ".xacro", "", formats::urdf::read_xacro},
       RobotFormat{"proto", "PROTO files of Webots, and worlds with one robot", ".proto .wbt", "",
                   formats::proto::read_proto},

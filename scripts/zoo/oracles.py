@@ -50,6 +50,8 @@ def of_urdf(file):
 
 
 def of(kind, file, base):
+    if kind == "sdf":  # Pinocchio's wheels are built without SDF
+        return None
     return of_mjcf(file, base) if kind == "mjcf" else of_urdf(file)
 
 

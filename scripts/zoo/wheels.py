@@ -50,11 +50,13 @@ def files(folder, name):
     a joint, are not robots; a file that includes others may have its joints there."""
     found = []
     for file in sorted((folder / name).rglob("*")):
-        if file.suffix not in (".urdf", ".xml"):
+        if file.suffix not in (".urdf", ".xml", ".sdf"):
             continue
         tag, elements = root_element(file)
         if tag == "robot" and "link" in elements:
             found.append(("urdf", file))
+        elif tag == "sdf" and "link" in elements:
+            found.append(("sdf", file))
         elif tag == "mujoco" and elements & {"joint", "freejoint", "include", "attach"}:
             found.append(("mjcf", file))
     return found

@@ -45,6 +45,7 @@ class Cases:
         self.robots = texts("models/*.xml") + texts("tests/fuzz/seeds/*.mjcf")
         self.urdfs = texts("tests/fuzz/seeds/*.urdf")
         self.protos = texts("tests/fuzz/seeds/*.proto")
+        self.sdfs = texts("tests/fuzz/seeds/*.sdf")
         self.tables = texts("models/*.toml")
         self.motions = texts("motions/*.toml")
         self.parts = texts("parts/*.toml")
@@ -55,8 +56,8 @@ class Cases:
                        for file in sorted(ROOT.glob(f"tests/fuzz/seeds/*.{pattern}"))}
         properties = subprocess.run([program, "list", "properties"], capture_output=True, text=True, check=True).stdout
         self.properties = re.findall(r"^([a-z_]+)", properties, re.MULTILINE)
-        self.kinds = [(self.scene, 24), (self.mjcf, 14), (self.urdf, 8), (self.proto, 6), (self.table, 9),
-                      (self.motion, 6), (self.part, 6), (self.servo, 4), (self.lens, 4), (self.log, 4), (self.mesh, 5),
+        self.kinds = [(self.scene, 24), (self.mjcf, 14), (self.urdf, 8), (self.proto, 6), (self.sdf, 3),
+                      (self.table, 9), (self.motion, 6), (self.part, 6), (self.servo, 4), (self.lens, 4), (self.log, 4), (self.mesh, 5),
                       (self.numbers, 3), (self.options, 24)]
 
     def make(self, rng):
@@ -86,6 +87,9 @@ class Cases:
 
     def proto(self, rng):
         return self.robot(rng, "robot.proto", {"robot.proto": mutated(rng, rng.choice(self.protos))})
+
+    def sdf(self, rng):
+        return self.robot(rng, "robot.sdf", {"robot.sdf": mutated(rng, rng.choice(self.sdfs))})
 
     def table(self, rng):
         which = rng.choice(["kid21", "quadruped", "spark_nao0", "car"])

@@ -21,9 +21,14 @@ std::string file_name(const files::XmlElement& mesh) {
 }  // namespace
 
 std::optional<description::MeshDescription> UrdfMeshes::find(const files::XmlElement& mesh) {
-  const auto file = paths_.find(file_name(mesh));
+  return find(file_name(mesh), vector_or(mesh, "scale", {1, 1, 1}), mesh.where());
+}
+
+std::optional<description::MeshDescription> UrdfMeshes::find(const std::string& name, const Vec3d& scale,
+                                                             const std::string& where) {
+  const auto file = paths_.find(name);
   if (!file) return std::nullopt;
-  return description::mesh_entry(description_, *file, vector_or(mesh, "scale", {1, 1, 1}), mesh.where());
+  return description::mesh_entry(description_, *file, scale, where);
 }
 
 const std::vector<formats::mesh::ConvexPart>& UrdfMeshes::parts(const description::MeshDescription& mesh,
@@ -39,8 +44,9 @@ const std::vector<formats::mesh::ConvexPart>& UrdfMeshes::parts(const descriptio
   return solid.parts;
 }
 
-std::string UrdfMeshes::complaint(const files::XmlElement& mesh) const {
-  const std::string name = file_name(mesh);
+std::string UrdfMeshes::complaint(const files::XmlElement& mesh) const { return complaint(file_name(mesh)); }
+
+std::string UrdfMeshes::complaint(const std::string& name) const {
   return fmt::format("there is no mesh file '{}'; {}", name, paths_.advice(name));
 }
 

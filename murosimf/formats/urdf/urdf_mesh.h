@@ -23,6 +23,9 @@ class UrdfMeshes {
 
   /// The entry among the description's meshes for a `mesh` element; nothing if its file is not there.
   [[nodiscard]] std::optional<description::MeshDescription> find(const files::XmlElement& mesh);
+  /// The same of a file by its name, at a scale; `where` [file:line] names it.
+  [[nodiscard]] std::optional<description::MeshDescription> find(const std::string& name, const Vec3d& scale,
+                                                                 const std::string& where);
 
   /// What contact sees of it. Throws SetupError: the line of the element, then what is wrong with the mesh.
   [[nodiscard]] const std::vector<formats::mesh::ConvexPart>& parts(const description::MeshDescription& mesh,
@@ -30,6 +33,7 @@ class UrdfMeshes {
 
   /// That there is no such file, and what to do. Of the element looked for last.
   [[nodiscard]] std::string complaint(const files::XmlElement& mesh) const;
+  [[nodiscard]] std::string complaint(const std::string& name) const;
 
  private:
   UrdfMeshPaths paths_;

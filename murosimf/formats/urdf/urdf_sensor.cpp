@@ -168,9 +168,7 @@ void read_force_torque(const files::XmlElement& sensor, const SensorPlace& at,
   for (const char* quantity : {"force", "torque"}) read_axes(*element, quantity, quantity, description, log);
 }
 
-/// What has no effect, and what nobody knows.
-void name_the_rest(const files::XmlElement& sensor, UrdfLog& log) {
-  log.take(files::validate(sensor, gazebo_schema()));
+void name_plugins(const files::XmlElement& sensor, UrdfLog& log) {
   for (const files::XmlElement& plugin : sensor.children("plugin")) {
     log.unused(plugin, "sensor/plugin", "plugins of sensors are not used, but for the distortion of cameras");
   }
@@ -185,12 +183,13 @@ double text_number(const files::XmlElement& element) {
 }
 
 description::SensorDescription read_sensor(const files::XmlElement& sensor, const SensorPlace& at, UrdfLog& log) {
-  name_the_rest(sensor, log);
+  if (!at.place) log.take(files::validate(sensor, gazebo_schema()));
+  name_plugins(sensor, log);
   description::SensorDescription description{sensor.attribute("type").value_or(""),
                                              sensor.attribute("name").value_or(""),
                                              at.frame,
                                              sensor.where(),
-                                             read_pose(sensor),
+                                             at.place ? *at.place : read_pose(sensor),
                                              child_number(sensor, "update_rate")};
   const auto cameras = sensor.children("camera");
   if (!cameras.empty()) {

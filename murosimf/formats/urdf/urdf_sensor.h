@@ -6,6 +6,7 @@
 /// Source: SDFormat documentation, "sensor".
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "murosimf/description/robot_description.h"
@@ -22,6 +23,8 @@ struct SensorPlace {
   std::string frame;  ///< link or joint
   std::string parent,
       child;  ///< links on both sides of the joint, or of the one above the link; parent empty: there is none
+  /// In that frame, where the reader has worked it out and has checked the element's words (SDF); nothing: as `pose` says.
+  std::optional<Transformd> place{};
 };
 
 /// A sensor on a link or joint. Throws SetupError with file:line for numbers and words that are impossible.
