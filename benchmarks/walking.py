@@ -8,16 +8,18 @@ and whether it goes on after a fall.
 
 Runs are perturbed as those of skills.py are: run k has its own seed, lean, heading, friction (0.5 to 1.0), masses and gains.
 
-    ground   20 s at --speed on carpet, artificial grass, a mat (it gives way by 2 mm under the robot's weight), 3 degrees up and
-             down, over plates of 5 mm (0.2 m long, 0.2 m apart), each reached from 0.5 m of level ground. Runs without a fall;
-             their mean speed, of the command; slip: how far a sole's center gets, in the horizontal, from where it was when the
-             other foot lost the ground, until that comes back: mean of all steps, and what 95 % of them stay below
+    ground   20 s at --speed on carpet, on artificial grass whose pile leans, on a mat (it gives way by 2 mm under the robot's
+             weight), 3 degrees up and down, and over plates of 5 mm (0.2 m long, 0.2 m apart), each reached from 0.5 m of level
+             ground. Runs without a fall; their mean speed, of the command; slip: how far a sole's center gets, in the
+             horizontal, from where it was when the other foot lost the ground, until that comes back: mean of all steps, and
+             what 95 % of them stay below
     effort   at the last of --levels: standing, walking and every motion of the robot's file, each from 1 s before it begins.
-             Share of its time in which the busiest servo gives all that it has; mechanical power that servos put into their joints (no
-             credit for braking); largest change of a target between two control cycles, of what the servo turns in one without
-             load. The worst of all runs
-    chain    pushes of 0.1 s at the torso that nothing survives (--hard m/s times the mass), while it walks, to 4 sides at 3 instants
-             of a step: it falls, protects itself, gets up, and walks on: at least half as fast as it should in the last 5 of 25 s
+             Share of its time in which the busiest servo gives all that it has; mechanical power that servos put into their
+             joints (no credit for braking); largest change of a target between two control cycles, of what the servo turns in
+             one without load. The worst of all runs
+    chain    pushes of 0.1 s at the torso (--hard m/s times the mass) that no step answers, while it walks, to 4 sides at 3
+             instants of a step: it falls, protects itself, gets up, and walks on: at least half as fast as it should in the last
+             5 of 25 s
 """
 import argparse
 import concurrent.futures
@@ -42,6 +44,7 @@ bodies = [{bodies}]
 [field]
 size = "kid_size_2023"
 surface = "{surface}"
+{pile}
 goals = false
 [[robots]]
 name = "robot"
@@ -127,6 +130,7 @@ class Bench:
         scene = Path(self.folder) / f"{level}.{ground.replace(' ', '_')}.toml"
         if not scene.is_file():
             scene.write_text(SCENE.format(model=self.robot.model, level=level, surface=surface, material=material,
+                                          pile="friction_direction = [0.8, 0.6]" if surface == "grass" else "",
                                           bodies=", ".join(bodies), height=height), encoding="utf-8")
         friction = [f"materials.rubber.{surface}.friction={change.partition('=')[2]}" for change in perturbed
                     if change.startswith("field.friction=")]
@@ -136,7 +140,7 @@ class Bench:
     def find_feet(self):
         """The two bodies that carry it while it stands, in the order of the soles."""
         run = self.run("full_dynamics", "carpet", 1, [], ["robot.command=[0, 0, 0]"], logs=[
-            *(f"robot.{body}.external_force" for body in self.robot.masses), *(f"robot.{body}.position" for body in self.robot.masses),
+            *(f"robot.{body}.{what}" for body in self.robot.masses for what in ("external_force", "position")),
             *(f"robot.{sole}.position" for sole in self.soles)])
         last = {name: run.rows[-1][at] for name, at in run.names.items()}
         carried = sorted(self.robot.masses, key=lambda body: last[f"robot.{body}.external_force.fz"])[-2:]

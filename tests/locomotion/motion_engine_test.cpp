@@ -5,7 +5,6 @@
 
 #include "murosimf/collision/contact_properties.h"
 #include "murosimf/motion/motion_properties.h"
-#include "murosimf/motion/rate_limit.h"
 #include "murosimf/scene/scene.h"
 #include "tests/fixtures.h"
 
@@ -181,7 +180,7 @@ TEST(MotionEngine, DivesAtOnceAndStandsUpAgain) {
   EXPECT_EQ(walker.mode(), MotionMode::walk);
 }
 
-TEST(MotionEngine, NeverAsksAJointForMoreThanItsLargestRate) {
+TEST(MotionEngine, NeverAsksAJointForMoreThanItsServoTurnsWithoutLoad) {
   Walker walker(articulated, "[0.35,0,0]");
   const Model& model = walker.robot.model();
   const auto targets = [&] {
@@ -197,7 +196,7 @@ TEST(MotionEngine, NeverAsksAJointForMoreThanItsLargestRate) {
     walker.run(10ms);
     const std::vector<double> now = targets();
     for (std::size_t k = 0; k < now.size(); ++k) {
-      const double most = motion::joint_rate_limit(model, model.joints()[k]) * 0.01;
+      const double most = model.find(properties::servo, model.joints()[k])->no_load_speed * 0.01;
       EXPECT_LE(std::abs(now[k] - before[k]), most * (1 + 1e-9))
           << i << ", " << model.objects()[model.joints()[k]].name;
     }
