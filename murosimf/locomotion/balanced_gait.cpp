@@ -76,18 +76,20 @@ void BalancedGait::feel(double dt, const GaitClock& clock, std::span<const doubl
 
 void BalancedGait::find_deviation(const GaitClock& clock, GaitState& state) const noexcept {
   state.deviation = {};
+  double zone = feedback_.dead_zone;
   if (clock.amplitude() > 0) {
     if (!table_) return;
     const double mirror = outward(clock.standing());
     const Vec3d& v = clock.velocity();
+    if (norm(v) > 0) zone += (1 - state.compliance) * feedback_.rigid_dead_zone;
     const StepSignals steady =
         steady_signals(*table_, state.compliance, clock.share(), {v.x, mirror * v.y, mirror * v.z});
     state.deviation = scaled(std::min(1.0, clock.amplitude()), difference(state.signals, steady));
   } else if (state.settled > 0) {
     state.deviation = difference(state.signals, state.upright);
   }
-  state.deviation.forward = cut(state.deviation.forward, feedback_.dead_zone);
-  state.deviation.outward = cut(state.deviation.outward, feedback_.dead_zone);
+  state.deviation.forward = cut(state.deviation.forward, zone);
+  state.deviation.outward = cut(state.deviation.outward, zone);
 }
 
 /// What it does of itself: learns how it stands, steps where ankles are not enough, and stands again when nothing is left of it.

@@ -48,6 +48,8 @@ const std::array rows{
     Row{"slowest", &GaitFeedback::slowest, none, "1", "of the phase", 0, 1},
     Row{"quickest", &GaitFeedback::quickest, none, "1", "of the phase", 1, 10},
     Row{"dead_zone", &GaitFeedback::dead_zone, length, "m", "of deviations", 0, farthest},
+    Row{"rigid_dead_zone", &GaitFeedback::rigid_dead_zone, length, "m",
+        "more, while it walks with joints that follow at once", 0, farthest},
     Row{"most_forward", &GaitFeedback::most_forward, length, "m", "that a foot is placed beside its stride", 0,
         farthest},
     Row{"most_sideways", &GaitFeedback::most_sideways, length, "m", "the same outward", 0, farthest},

@@ -44,6 +44,7 @@ struct GaitFeedback {
   double slowest = 0.80712;            ///< [1] of the phase
   double quickest = 1.9618;            ///< [1]
   double dead_zone = 0.0061561;        ///< [m] of e
+  double rigid_dead_zone = 0.02;       ///< [m] more where joints follow their targets at once: steps jar such a robot
   double most_forward = 0.12477;       ///< [m] of a foot's offset
   double most_sideways = 0.11787;      ///< [m]
   double most_inward = 0.02;           ///< [m] the same, towards the foot that stands

@@ -66,7 +66,7 @@ MotionEngine::MotionEngine(Setup& setup, const Vec3d& command, const MotionEngin
       target_(setup.write(properties::joint_target)) {
   for (const int joint : setup.model().joints()) {
     joints_.push_back(joint);
-    rates_[joint] = motion::joint_rate_limit(setup.model(), joint);
+    rates_[joint] = motion::fastest_rate(setup.model(), joint);
   }
   if (options.motions.size() > most_motions)
     throw SetupError(fmt::format("a robot has at most {} motions, not {}", most_motions, options.motions.size()));

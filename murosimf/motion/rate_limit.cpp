@@ -31,4 +31,10 @@ double joint_rate_limit(const Model& model, int joint) {
                   model.name(), model.objects()[joint].name, *rate));
 }
 
+double fastest_rate(const Model& model, int joint) {
+  const double limit = joint_rate_limit(model, joint);
+  const Servo* servo = model.find(properties::servo, joint);
+  return servo && servo->no_load_speed > 0 ? std::min(limit, servo->no_load_speed) : limit;
+}
+
 }  // namespace murosimf::motion

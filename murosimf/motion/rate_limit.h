@@ -34,6 +34,8 @@ struct RateLimit {
 
 /// [rad/s | m/s] of a joint (an object of the model); infinite: none, as is a limit of 0. Throws SetupError for a negative one.
 [[nodiscard]] double joint_rate_limit(const Model& model, int joint);
+/// [rad/s | m/s] that a joint can come to: what its servo turns without load, at most joint_rate_limit; infinite: neither is known. Throws as above.
+[[nodiscard]] double fastest_rate(const Model& model, int joint);
 
 /// The line of the limit in one direction, where the motor has the `bound`; and what it makes now.
 template <class S>
