@@ -9,6 +9,7 @@
 #include "apps/standard_output.h"
 #include "murosimf/files/data_path.h"
 #include "murosimf/files/file_roles.h"
+#include "murosimf/files/input_file.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/model/error.h"
 #include "murosimf/robot/robot_conversion.h"
@@ -17,6 +18,8 @@ namespace murosimf::app {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::uintmax_t most_copied_bytes = 100'000'000;
 
 struct ConvertOptions {
   std::string model;
@@ -75,14 +78,33 @@ std::string fits_text(const std::vector<robot::MeshFit>& fits) {
   return text;
 }
 
-/// A TOML file that is there already has somebody's work in it.
+/// What the TOML file names: motions, the table of steps, servos, parts.
+std::string copy_table_files(const fs::path& folder, const robot::RobotConversion& robot) {
+  std::string text;
+  for (const auto& [from, place] : robot.files) {
+    const fs::path to = folder / place;
+    std::error_code error;
+    if (fs::exists(to, error)) {
+      if (!fs::equivalent(from, to, error)) text += fmt::format("{}: was there, kept as it is\n", to.string());
+      continue;
+    }
+    fs::create_directories(to.parent_path(), error);  // what keeps it from being there, write_file says
+    files::claim_output("--out", to);
+    files::write_file(to, files::read_input_file(from, most_copied_bytes));
+    text += fmt::format("{}: copied from beside the robot file\n", to.string());
+  }
+  return text;
+}
+
+/// A TOML file that is there already has somebody's work in it, and names files of its own.
 std::string write_table(const fs::path& file, const robot::RobotConversion& robot) {
   std::error_code error;
   if (fs::exists(file, error)) return fmt::format("{}: was there, kept as it is\n", file.string());
   files::write_file(file, robot.toml);
   return fmt::format("{}: {}\n", file.string(),
                      robot.own_table ? "copied from beside the robot file"
-                                     : "soles, frames and servos, partly guessed; correct it");
+                                     : "soles, frames and servos, partly guessed; correct it") +
+         copy_table_files(file.parent_path(), robot);
 }
 
 /// Of shapes that no file holds.

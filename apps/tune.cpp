@@ -1,4 +1,5 @@
-// `murosimf tune walk` and `murosimf tune MOTION`: search numbers of a walk or a key-frame motion for one robot, by playing it.
+// `murosimf tune walk`, `tune balance` and `tune MOTION`: search numbers of a walk, of one with feedback, or a key-frame motion for one
+// robot, by playing it.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -20,6 +21,8 @@
 #include "murosimf/files/file_roles.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/model/error.h"
+#include "murosimf/robot/step_table_file.h"
+#include "murosimf/series/balance_tuning.h"
 #include "murosimf/series/walk_tuning.h"
 
 namespace murosimf::app {
@@ -28,8 +31,9 @@ namespace {
 struct TuneArguments {
   std::string what, model;
   std::string goal, from, ball;           // of a motion
-  std::optional<double> toward;           // [deg] likewise
+  std::optional<double> toward, fastest;  // [deg], [rad/s] likewise
   std::optional<double> speed, duration;  // [m/s], [s] of a walk
+  std::optional<double> impulse;          // [N s] of pushes
   std::vector<std::string> levels;
   int evaluations = 480;
   std::optional<double> minutes;
@@ -43,9 +47,10 @@ struct TuneArguments {
 void define(const Command& command, TuneArguments& arguments) {
   command
       .add("what", arguments.what,
-           "walk, or a key-frame motion: a file, or the name of one that comes with the program")
+           "walk, balance (the walk with feedback), or a key-frame motion: a file, or the name of one that comes with "
+           "the program")
       .required()
-      .offers({"walk"});
+      .offers({"walk", "balance"});
   command
       .add("--model", arguments.model,
            "Robot file ('murosimf list formats'), or the name of one that comes with the program")
@@ -63,8 +68,19 @@ void define(const Command& command, TuneArguments& arguments) {
       .within(0.0, 360.0);
   command.add("--ball", arguments.ball,
               "X,Y in m: where the ball of a kick lies, from the robot; 0.2,-0.056 if not given");
-  command.add("--speed", arguments.speed, "m/s, of a walk forward; 0.1 if not given").within(0.001, 10.0);
-  command.add("--duration", arguments.duration, "Simulated seconds of each walk; 8 if not given").within(1.0, 1000.0);
+  command
+      .add("--fastest", arguments.fastest,
+           "rad/s, of the targets of a motion's joints for which the robot's files know no largest rate; any if not "
+           "given")
+      .within(0.1, 1000.0);
+  command.add("--speed", arguments.speed, "m/s, of a walk forward; 0.1 if not given, 0.15 with balance")
+      .within(0.001, 10.0);
+  command.add("--duration", arguments.duration, "Simulated seconds of each walk; 8 if not given, 7 with balance")
+      .within(1.0, 1000.0);
+  command
+      .add("--impulse", arguments.impulse,
+           "N s, of the pushes of a balance; 0.45 m sqrt(g l) with mass m and length of the legs l if not given")
+      .within(1e-3, 1e5);
   command.add("--levels", arguments.levels, "Levels, separated by commas; all but kinematic_walking if not given")
       .separated_by(',')
       .offers_list("levels");
@@ -78,9 +94,11 @@ void define(const Command& command, TuneArguments& arguments) {
   command.add("--threads", arguments.threads, "Runs at a time; as many as the machine has processors if not given")
       .within(1, 256);
   command.add("--out", arguments.out,
-              "File to write (TOML): the motion, or section [walk] for the file beside the robot. FILE.state beside it "
-              "is what the same "
-              "command goes on with after it was ended");
+              "File to write (TOML): the motion, or section [walk] or [balance] for the file beside the robot, the "
+              "latter with its "
+              "table of steps in a file of its own (FILE_steps.csv). FILE.state beside it is what the same command "
+              "goes on with "
+              "after it was ended");
   add_lenient(command, arguments.lenient);
   add_plugins(command, arguments.plugins);
 }
@@ -91,11 +109,14 @@ void refuse(bool given, const char* option, const char* what) {
 }
 
 void check(const TuneArguments& arguments) {
-  if (arguments.what == "walk") {
+  refuse(arguments.what != "balance" && arguments.impulse.has_value(), "--impulse",
+         "a walk without pushes or a motion");
+  if (arguments.what == "walk" || arguments.what == "balance") {
     refuse(!arguments.goal.empty(), "--goal", "a walk");
     refuse(!arguments.from.empty(), "--from", "a walk");
     refuse(arguments.toward.has_value(), "--toward", "a walk");
     refuse(!arguments.ball.empty(), "--ball", "a walk");
+    refuse(arguments.fastest.has_value(), "--fastest", "a walk");
     return;
   }
   refuse(arguments.speed.has_value(), "--speed", "a motion");
@@ -137,14 +158,24 @@ series::MotionTask task_of(const TuneArguments& arguments) {
   task.pitch = starts.at(arguments.from).pitch;
   task.direction = degree * arguments.toward.value_or(0);
   task.ball = place_of_ball(arguments.ball);
+  task.fastest = arguments.fastest.value_or(0);
   task.ball_options.mass = 0.3;      // [kg] as of scene `kick`
   task.ball_options.radius = 0.065;  // [m]
   return task;
 }
 
+bool is_device(const std::string& out) { return out.starts_with("/dev/"); }
+
+/// Of a balance, beside --out; empty: it goes nowhere.
+std::filesystem::path steps_file(const TuneArguments& arguments) {
+  if (arguments.what != "balance" || arguments.out.empty() || is_device(arguments.out)) return {};
+  const std::filesystem::path out = arguments.out;
+  return out.parent_path() / (out.stem().string() + "_steps.csv");
+}
+
 /// None for what is written to a device or a pipe.
 std::filesystem::path state_file(const std::string& out) {
-  return out.empty() || out.starts_with("/dev/") ? std::filesystem::path() : std::filesystem::path(out + ".state");
+  return out.empty() || is_device(out) ? std::filesystem::path() : std::filesystem::path(out + ".state");
 }
 
 series::TuningBudget budget_of(const TuneArguments& arguments, Progress& progress) {
@@ -166,6 +197,22 @@ std::string how_it_was_found() {
   return "found by: murosimf" + (end == std::string::npos ? "" : line.substr(end)) + "\n" + this_program();
 }
 
+/// With the head, which says how it was found.
+template <class Tuning>
+std::string toml_of(const TuneArguments&, const Tuning& tuning, const std::string& head) {
+  return to_toml(tuning, head);
+}
+std::string toml_of(const TuneArguments& arguments, const series::BalanceTuning& tuning, const std::string& head) {
+  const std::string steps = steps_file(arguments).filename().string();
+  return to_toml(tuning, head, steps.empty() ? "steps.csv" : steps);
+}
+
+template <class Tuning>
+void write_steps(const TuneArguments&, const Tuning&) {}
+void write_steps(const TuneArguments& arguments, const series::BalanceTuning& tuning) {
+  if (tuning.steps) files::write_file(steps_file(arguments), robot::to_csv(*tuning.steps));
+}
+
 /// Shows and writes what was found.
 template <class Tuning>
 int finish(const TuneArguments& arguments, const Tuning& tuning) {
@@ -174,12 +221,14 @@ int finish(const TuneArguments& arguments, const Tuning& tuning) {
   if (search.taken_over > 0)
     say_note(fmt::format("went on after {} evaluations with what was in '{}'", search.taken_over, state.string()));
   const bool found = search.evaluations > 0;
-  const std::string toml = to_toml(tuning, how_it_was_found() + (search.stopped ? "\nnot yet at its end" : ""));
+  const std::string toml =
+      toml_of(arguments, tuning, how_it_was_found() + (search.stopped ? "\nnot yet at its end" : ""));
   Results results;
   if (found && arguments.out.empty()) results.write([&] { write_standard_output(to_text(tuning) + "\n" + toml); });
   if (found && !arguments.out.empty()) {
     results.write([&] { write_standard_output(to_text(tuning)); });
     results.write([&] { files::write_file(arguments.out, toml); });
+    if (!is_device(arguments.out)) results.write([&] { write_steps(arguments, tuning); });
   }
   std::error_code ignored;
   if (!search.stopped && !state.empty() && results.exit_code(0) == 0) std::filesystem::remove(state, ignored);
@@ -195,6 +244,7 @@ int tune(const TuneArguments& arguments) {
   check(arguments);
   if (!arguments.out.empty()) files::claim_output("--out", arguments.out);
   if (!state_file(arguments.out).empty()) files::claim_continued("the state of --out", state_file(arguments.out));
+  if (!steps_file(arguments).empty()) files::claim_output("the table of --out", steps_file(arguments));
   load_plugins(arguments.plugins);
   end_gently();
   scene::SceneOptions common;
@@ -210,6 +260,17 @@ int tune(const TuneArguments& arguments) {
                                                          .duration = arguments.duration.value_or(8),
                                                          .budget = budget_of(arguments, *progress),
                                                          .common = common});
+    progress.reset();
+    return finish(arguments, tuning);
+  }
+  if (arguments.what == "balance") {
+    const series::BalanceTuning tuning = series::tune_balance({.model = arguments.model,
+                                                               .levels = levels,
+                                                               .speed = arguments.speed.value_or(0.15),
+                                                               .impulse = arguments.impulse,
+                                                               .duration = arguments.duration.value_or(7),
+                                                               .budget = budget_of(arguments, *progress),
+                                                               .common = common});
     progress.reset();
     return finish(arguments, tuning);
   }

@@ -4,6 +4,7 @@
     benchmarks/skills.py --program build/release/murosimf
     benchmarks/skills.py --program build/release/murosimf --only get_up kick --levels articulated_dynamics --out skills.json
     benchmarks/skills.py --program build/release/murosimf --controller motions --model spark_nao0
+    benchmarks/skills.py --program build/release/murosimf --controller motions --model K1_22dof.xml --only kick --ball 0.28 0.106
 
 Every experiment has --runs runs at each level; run k has its own seed, lean (up to 2 degrees), heading, friction (0.5 to
 1.0), and factors of all masses and gains of servos (0.9 to 1.1). Sensors have their noise.
@@ -11,8 +12,8 @@ Every experiment has --runs runs at each level; run k has its own seed, lean (up
     walk     20 s at 0.1, 0.2, 0.35, 0.45 m/s, 0.15 m/s to the left, 1 rad/s: runs without a fall; their mean speed, of the
              command
     get_up   from front, back, left, right: runs that end standing
-    kick     every motion `*kick_*`, with a ball where its foot is: standing after a ball of more than 1.5 m/s; mean speed of
-             the ball
+    kick     every motion `*kick_*`, with a ball where its foot is (--ball, --side-ball): standing after a ball of more than
+             1.5 m/s; mean speed of the ball
     dive     to both sides: torso down within 0.8 s; with `motions` also up again 15 s later
     protect  from a lean of 35 degrees to front and back: the head's largest deceleration (4 ms) is less than half of that of
              a robot that keeps its stance (not with `motions`); mean deceleration
@@ -218,7 +219,7 @@ class Bench:
     def kick(self):
         for name in [name for name in self.robot.motions if "kick_" in name]:
             side = -1 if name.endswith("right") else 1
-            place = (0.02, 0.23) if name.startswith("side") else (0.2, 0.056)
+            place = self.arguments.side_ball if name.startswith("side") else self.arguments.ball
 
             def one(level, perturbed, name=name, place=(place[0], side * place[1])):
                 ball = [f"ball={{position=[{place[0]}, {place[1]}], mass=0.3, radius=0.065}}", "start.jitter_heading_deg=1"]
@@ -294,6 +295,9 @@ def arguments_of():
     parser.add_argument("--only", nargs="+", choices=EXPERIMENTS, help="these experiments")
     parser.add_argument("--levels", nargs="+", choices=LEVELS, default=LEVELS)
     parser.add_argument("--runs", type=int, default=20)
+    parser.add_argument("--ball", nargs=2, type=float, default=(0.2, 0.056), metavar=("X", "Y"),
+                        help="m, of kick_SIDE: before the robot and to that side")
+    parser.add_argument("--side-ball", nargs=2, type=float, default=(0.02, 0.23), metavar=("X", "Y"), help="m, of side_kick_SIDE")
     parser.add_argument("--walk-s", type=float, default=20.0, help="seconds of each walk")
     parser.add_argument("--phases", type=int, default=8, help="instants of a step at which a push begins")
     parser.add_argument("--largest", type=float, default=LARGEST_NS, help="N s: the end of the ladder of pushes")

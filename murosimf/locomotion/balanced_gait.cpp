@@ -36,8 +36,8 @@ StepSignals blended(const StepSignals& a, const StepSignals& b, double share) no
 }  // namespace
 
 BalancedGait::BalancedGait(const std::array<Leg, 2>& legs, const WalkParameters& walk, const GaitFeedback& feedback,
-                           StepTablePtr table)
-    : legs_(legs), walk_(walk), feedback_(feedback), table_(std::move(table)) {
+                           double stance, StepTablePtr table)
+    : legs_(legs), walk_(walk), feedback_(feedback), stands_wider_(stance - walk.half_width), table_(std::move(table)) {
   for (std::size_t side = 0; side < 2; ++side) {
     constexpr double like = 0.7;  // [1]
     const std::vector<double> zero(legs_[side].joints.size());
@@ -50,7 +50,25 @@ BalancedGait::BalancedGait(const std::array<Leg, 2>& legs, const WalkParameters&
   }
 }
 
-GaitPose BalancedGait::stance() const noexcept { return gait_pose(legs_, walk_, 0, 0, {}); }
+GaitPose BalancedGait::stance() const noexcept {
+  WalkParameters walk = walk_;
+  walk.half_width += stands_wider_;
+  return gait_pose(legs_, walk, 0, 0, {});
+}
+
+bool BalancedGait::has_width(const GaitState& state, double width) const noexcept {
+  constexpr double near_enough = 1e-3;  // [m]
+  return std::ranges::all_of(state.width, [&](double own) { return std::abs(own - width) < near_enough; });
+}
+
+/// Each foot while it is lifted, so that the middle stays where it is: feet that stand would be dragged, and stay somewhere on the way.
+void BalancedGait::move_apart(double dt, const GaitClock& clock, double width, GaitState& state) const noexcept {
+  constexpr double lifted = 0.5, leaves = 0.1, lands = 0.9;  // [1] of the amplitude, of a step
+  constexpr double speed = 0.4;                              // [m/s]
+  if (clock.amplitude() < lifted || clock.share() < leaves || clock.share() > lands) return;
+  double& own = state.width[1 - clock.standing()];
+  own += std::clamp(width - own, -speed * dt, speed * dt);
+}
 
 void BalancedGait::feel(double dt, const GaitClock& clock, std::span<const double> targets, WalkSenses& senses,
                         GaitState& state) const noexcept {
@@ -84,7 +102,9 @@ void BalancedGait::find_deviation(const GaitClock& clock, GaitState& state) cons
     if (norm(v) > 0) zone += (1 - state.compliance) * feedback_.rigid_dead_zone;
     const StepSignals steady =
         steady_signals(*table_, state.compliance, clock.share(), {v.x, mirror * v.y, mirror * v.z});
-    state.deviation = scaled(std::min(1.0, clock.amplitude()), difference(state.signals, steady));
+    StepSignals off = difference(state.signals, steady);
+    off.outward += state.width[clock.standing()];  // from an ankle that is farther outside all is farther inside
+    state.deviation = scaled(std::min(1.0, clock.amplitude()), off);
   } else if (state.settled > 0) {
     state.deviation = difference(state.signals, state.upright);
   }
@@ -146,7 +166,8 @@ GaitFeet BalancedGait::open_loop(const GaitClock& clock, const GaitState& state)
   const Vec3d& velocity = clock.velocity();
   GaitFeet feet = gait_feet(legs_, walk_, clock.phase(), clock.amplitude(), velocity, feedback_.stride_gain,
                             feedback_.setback_per_speed * velocity.x);
-  for (std::size_t side = 0; side < 2; ++side) feet.ankle[side] += state.offset[side];
+  for (std::size_t side = 0; side < 2; ++side)
+    feet.ankle[side] += state.offset[side] + Vec3d{0, outward(side) * state.width[side], 0};
   return feet;
 }
 
@@ -200,7 +221,10 @@ GaitPose BalancedGait::step(double dt, GaitClock& clock, const WalkSenses& sense
   const double rate = phase_rate(state);
   const std::size_t stood = clock.standing();
   const double left = (1 - clock.share()) * walk_.period / 2 / std::max(0.5, rate);
-  clock.advance(dt, {walk_.period, walk_.slew, intent.stops ? Vec3d{} : walk_.fastest}, rate, state.alarm > 0);
+  const Vec3d fastest = intent.stops ? Vec3d{} : walk_.fastest;
+  const double width = state.alarm > 0 || !clock.is_idle(fastest) ? 0 : stands_wider_;
+  clock.advance(dt, {walk_.period, walk_.slew, fastest}, rate, state.alarm > 0 || !has_width(state, width));
+  move_apart(dt, clock, width, state);
   place_steps(dt, clock, stood, left, state);
   if (clock.standing() != stood) senses.change_foot(clock.standing(), state);
   GaitFeet feet = open_loop(clock, state);

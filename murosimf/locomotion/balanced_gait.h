@@ -2,6 +2,7 @@
 ///
 /// While it walks, deviations count from the steady walk (step_table.h); a robot without a table walks without feedback. While it
 /// stands, they count from how it stood still, ankles answer, and what ankles cannot hold makes it step (gait_feedback.h).
+/// It may stand narrower than it walks: each foot goes there in its last steps, and back in its first ones.
 #pragma once
 
 #include "murosimf/locomotion/gait_clock.h"
@@ -12,10 +13,12 @@ namespace murosimf::locomotion {
 
 class BalancedGait {
  public:
-  /// `table` may be null.
-  BalancedGait(const std::array<Leg, 2>& legs, const WalkParameters& walk, const GaitFeedback& feedback,
+  /// `stance` [m]: the ankles from the middle while it stands; `table` may be null.
+  BalancedGait(const std::array<Leg, 2>& legs, const WalkParameters& walk, const GaitFeedback& feedback, double stance,
                StepTablePtr table);
 
+  /// From now on it stands so.
+  void stand(GaitState& state) const noexcept { state.width.fill(stands_wider_); }
   /// How it stands.
   [[nodiscard]] GaitPose stance() const noexcept;
   /// What the robot feels after a cycle of `dt` [s] in which its joints were asked for `targets` [rad] by object.
@@ -31,6 +34,8 @@ class BalancedGait {
 
  private:
   void find_deviation(const GaitClock& clock, GaitState& state) const noexcept;
+  [[nodiscard]] bool has_width(const GaitState& state, double width) const noexcept;
+  void move_apart(double dt, const GaitClock& clock, double width, GaitState& state) const noexcept;
   void watch(double dt, GaitClock& clock, GaitState& state) const noexcept;
   [[nodiscard]] double phase_rate(const GaitState& state) const noexcept;
   void place_steps(double dt, const GaitClock& clock, std::size_t stood, double left, GaitState& state) const noexcept;
@@ -42,6 +47,7 @@ class BalancedGait {
   const std::array<Leg, 2>& legs_;
   WalkParameters walk_;
   GaitFeedback feedback_;
+  double stands_wider_;  // [m] than it walks, of each ankle
   StepTablePtr table_;
   std::array<std::size_t, 2> roll_hinge_{};  // of the legs' hinges: the first about the forward axis
   std::array<double, 2> roll_sign_{};        // 1: it turns about +x; 0: the leg has none

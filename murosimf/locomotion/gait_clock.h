@@ -27,6 +27,8 @@ class GaitClock {
   /// At once.
   void start_at(double phase, double amplitude) noexcept;
 
+  /// Nothing moves, nor shall it: no command is left within `fastest` [m/s, m/s, rad/s].
+  [[nodiscard]] bool is_idle(const Vec3d& fastest) const noexcept;
   [[nodiscard]] const Vec3d& velocity() const noexcept { return velocity_; }           ///< [m/s, m/s, rad/s]
   [[nodiscard]] double phase() const noexcept { return phase_; }                       ///< [rad] 0 to 2 pi
   [[nodiscard]] std::size_t standing() const noexcept { return phase_ < pi ? 0 : 1; }  ///< 0: left
@@ -35,6 +37,8 @@ class GaitClock {
   [[nodiscard]] double amplitude() const noexcept { return amplitude_; }  ///< [1] 0 stands, 1 walks
 
  private:
+  [[nodiscard]] Vec3d goal(const Vec3d& fastest) const noexcept;
+
   const Vec3d& command_;
   const double& halted_;  // 1: a referee wants it to stand
   Vec3d& velocity_;

@@ -75,6 +75,12 @@ const std::vector<OptionInfo>& feedback_options() {
   return infos;
 }
 
+OptionValues feedback_values(const GaitFeedback& numbers) {
+  OptionValues values;
+  for (const Row& row : rows) values[std::string(row.name)] = numbers.*row.place;
+  return values;
+}
+
 const std::vector<OptionInfo>& balanced_walk_options() {
   static const std::vector<OptionInfo> all = [] {
     std::vector<OptionInfo> options = walk_options();

@@ -58,6 +58,9 @@ struct GaitFeedback {
 /// Names, units, meanings and bounds; none has a default of its own.
 [[nodiscard]] const std::vector<OptionInfo>& feedback_options();
 
+/// The values of all of them.
+[[nodiscard]] OptionValues feedback_values(const GaitFeedback& numbers);
+
 /// Those and the numbers of the walk (walk_options.h): what [balance] of a robot's file and the controller `motions` take.
 [[nodiscard]] const std::vector<OptionInfo>& balanced_walk_options();
 

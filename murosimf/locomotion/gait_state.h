@@ -27,6 +27,7 @@ struct GaitState {
   double settled = 0;                   ///< [s] that they are the mean of, up to one
   double still = 0;                     ///< [s] since it stands without moving
   double alarm = 0;                     ///< [s] for which it goes on stepping on the spot
+  std::array<double, 2> width{};        ///< [m] that each ankle is farther from the middle than the walk has it
   Vec3d foot;                           ///< [m, m, rad] standing ankle and heading of the base, from where it started
 };
 

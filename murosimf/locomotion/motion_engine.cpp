@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -30,30 +29,19 @@ std::string_view side_down(const Vec3d& up) noexcept {
 
 double smooth(double s) noexcept { return 0.5 * (1 - std::cos(pi * std::clamp(s, 0.0, 1.0))); }
 
-/// Kept by the model.
-StepTablePtr steps_of(const Model& model, const std::function<StepTablePtr()>& make) {
-  return *model.derived().get<StepTablePtr>("steps", make);
-}
-
 }  // namespace
-
-void take_steps(const Model& model, const StepTablePtr& steps) {
-  (void)steps_of(model, [&] { return steps; });
-}
 
 MotionEngineOptions motion_engine_options(const Model& model, const OptionValues& given) {
   MotionEngineOptions options{.walk = balanced_walk(model, given), .feedback = gait_feedback(model, given)};
-  options.steps = steps_of(model, [&] {
-    const StepTablePtr* const given_steps = model.find(properties::given_steps, 0);
-    return given_steps ? *given_steps : nullptr;
-  });
+  options.stance = seeded_parameters(model).half_width;
+  if (const StepTablePtr* steps = model.find(properties::given_steps, 0)) options.steps = *steps;
   if (const NamedMotions* motions = model.find(properties::given_motions, 0)) options.motions = *motions;
   return options;
 }
 
 MotionEngine::MotionEngine(Setup& setup, const Vec3d& command, const MotionEngineOptions& options)
     : legs_(legs_of(setup.model())),
-      gait_(legs_, options.walk, options.feedback, options.steps),
+      gait_(legs_, options.walk, options.feedback, options.stance, options.steps),
       senses_(setup, legs_),
       clock_(setup, command),
       rates_(static_cast<std::size_t>(setup.model().size())),
@@ -83,6 +71,7 @@ void MotionEngine::initialize() {
   std::ranges::fill(start_, 0.0);
   clock_.initialize();
   senses_.initialize(clock_.standing(), gait_state_);
+  gait_.stand(gait_state_);
   state_ = {};
   write_walk(gait_.stance());
   std::ranges::copy(next_, target_.begin());
@@ -165,6 +154,7 @@ void MotionEngine::begin(MotionMode mode, int motion) noexcept {
   gait_state_.offset = {};
   gait_state_.settled = gait_state_.alarm = 0;
   if (mode == MotionMode::walk) {
+    gait_.stand(gait_state_);
     write_walk(gait_.stance());
   } else if (motion >= 0) {
     write_motion(motions_[motion], 0);

@@ -1,7 +1,8 @@
 /// motion_engine.h - algorithm: stands, walks, plays motions, and gets up when it has fallen, by what the robot's own sensors say.
 ///
 /// Modes (motion_state.h), the later ones go before the earlier ones:
-///     walk      stands or walks with the velocity in `walk_command` (balanced_gait.h); without a command and undisturbed it stands
+///     walk      stands or walks with the velocity in `walk_command` (balanced_gait.h); without a command and undisturbed it stands,
+///               its feet as far apart as where key frames begin
 ///     play      a key-frame motion that `motion_request` asked for (motion_state.h). It begins when the robot has stopped, a dive at once
 ///     protect   it falls (leans over 35 degrees): plays protect_front, _back, _left or _right, if the robot has it
 ///     lie       it has fallen (60 degrees): waits until it lies still
@@ -26,16 +27,13 @@ namespace murosimf::locomotion {
 struct MotionEngineOptions {
   WalkParameters walk;
   GaitFeedback feedback;
+  double stance = 0;     ///< [m] of the ankles from the middle while it stands
   StepTablePtr steps;    ///< null: walks without feedback
   NamedMotions motions;  ///< in the order of their names
 };
 
 /// What the model's file gives, with `given` (balanced_walk_options) before it. Throws SetupError as gait_feedback.
 [[nodiscard]] MotionEngineOptions motion_engine_options(const Model& model, const OptionValues& given);
-
-/// Motion engines of this model take `steps` from now on, instead of what its file gives; null: none. Must be called before the first one is
-/// made, by what learns them.
-void take_steps(const Model& model, const StepTablePtr& steps);
 
 class MotionEngine final : public Algorithm {
  public:

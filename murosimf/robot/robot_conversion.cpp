@@ -137,6 +137,16 @@ std::string own_toml(fs::path file, RobotConversion& result) {
   return result.own_table ? files::read_input_file(file, files::most_toml_bytes) : "";
 }
 
+/// Motions and other files of the robot's own table.
+void name_table_files(const fs::path& file, const RobotFile& robot, bool lenient, RobotConversion& result) {
+  TableFiles named = table_files(file, robot, lenient);
+  result.files = std::move(named.beside);
+  for (const fs::path& one : named.elsewhere) {
+    result.left_out.push_back(
+        fmt::format("{}: the TOML file names it, but it is in no folder of the robot: not copied", one.string()));
+  }
+}
+
 /// MuJoCo reads no file with an inertia that no solid body has, unless it may even it out (mjcf_writer.h).
 void name_evened_inertias(const description::RobotDescription& description, RobotConversion& result) {
   for (const description::BodyDescription& body : description.bodies) {
@@ -191,6 +201,7 @@ RobotConversion convert_robot(const fs::path& file, const ConversionOptions& opt
   } else {
     extra = write_urdf(description, robot, options, result);
   }
+  if (result.own_table) name_table_files(file, robot, options.reader.lenient, result);
   result.toml = (result.own_table ? own : roles_toml(robot.description, robot.table)) + extra;
   result.toml += components::sensor_sections(sensors_for_table(options.format, robot, description, result.warnings));
   return result;

@@ -10,6 +10,7 @@
 
 #include "murosimf/description/reader_options.h"
 #include "murosimf/robot/mesh_fit.h"
+#include "murosimf/robot/table_files.h"
 
 namespace murosimf::robot {
 
@@ -29,6 +30,7 @@ struct RobotConversion {
   std::string toml;
   std::map<std::string, std::string> meshes;  ///< texts of mesh files to write, by name relative to the folder
   bool own_table = false;                     ///< the robot had a TOML file beside it
+  std::vector<TableFiles::Beside> files;      ///< that its own table names, to be copied to the same places in `folder`
   int joints = 0, bodies = 0;                 ///< bodies without joints count, too
   double mass = 0;                            ///< [kg]
   std::vector<MeshFit> fits;                  ///< one for each convex part of a mesh

@@ -9,6 +9,7 @@
 #include "murosimf/locomotion/leg.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/motion/rate_limit.h"
 
 namespace murosimf::series {
 namespace {
@@ -28,16 +29,24 @@ constexpr double within_rate = 0.999;           // [1] of the no-load rate, whic
 
 bool is_foot(const Channel& channel) { return channel.name.find("_foot.") != std::string::npos; }
 
-double no_load_rate(const Model& model, int joint) {
+/// [rad/s | m/s] 0: the model knows none.
+double largest_rate_of(const Model& model, int joint) {
   const Servo* servo = model.find(properties::servo, joint);
-  return servo ? servo->no_load_speed : 0;
+  const double own = motion::joint_rate_limit(model, joint);
+  const double of_servo = servo && servo->no_load_speed > 0 ? servo->no_load_speed : HUGE_VAL;
+  const double rate = std::min(own, of_servo);
+  return std::isfinite(rate) ? rate : 0;
 }
 
 }  // namespace
 
-MotionSpace::MotionSpace(const Model& model, const KeyframeMotion& motion)
+MotionSpace::MotionSpace(const Model& model, const KeyframeMotion& motion, double fastest)
     : model_(model), motion_(motion), targets_(model, motion) {
-  for (const int joint : model.joints()) fastest_.push_back(no_load_rate(model, joint));
+  for (const int joint : model.joints()) {
+    const double rate = largest_rate_of(model, joint);
+    const bool hinge = model.objects()[static_cast<std::size_t>(joint)].kind == Kind::revolute;
+    fastest_.push_back(rate > 0 || !hinge ? rate : fastest);
+  }
   for (std::size_t frame = 0; frame < motion.frames.size(); ++frame) {
     numbers_.push_back({frame, -1, second, shortest, longest});
     if (frame + 1 == motion.frames.size()) break;

@@ -3,7 +3,7 @@
 /// The numbers are the duration of every frame and the values of all but the last one; the start and the last frame stay, since other
 /// motions go on from there. Bounds are those of the joints (their range, and that of their servo's targets; without any 0.4 rad beyond what
 /// the motion has), for feet half a leg's length around the stance and 0.6 rad. Whatever the numbers are, the motion keeps to its servos: where a target of a joint would run faster than the
-/// servo's no-load rate, the frame takes as much longer.
+/// servo's no-load rate, or the joint's own largest rate, the frame takes as much longer.
 #pragma once
 
 #include <vector>
@@ -17,14 +17,15 @@ namespace murosimf::series {
 
 class MotionSpace {
  public:
-  /// `model` lives as long. Throws SetupError as KeyframeTargets, and for a column whose joints have no position in common.
-  MotionSpace(const Model& model, const locomotion::KeyframeMotion& motion);
+  /// `model` lives as long; `fastest` [rad/s]: of hinges for which the model knows no largest rate, 0: any. Throws SetupError as
+  /// KeyframeTargets, and for a column whose joints have no position in common.
+  MotionSpace(const Model& model, const locomotion::KeyframeMotion& motion, double fastest = 0);
 
   /// Start (the motion itself, moved within the bounds), bounds and sigma.
   [[nodiscard]] CmaEsOptions space() const;
   [[nodiscard]] locomotion::KeyframeMotion motion_at(const std::vector<double>& point) const;
 
-  /// [1] The largest rate of a target over its servo's no-load rate, in each frame; 0: no servo has one.
+  /// [1] The largest rate of a target over that of its joint, in each frame; 0: no joint has one.
   [[nodiscard]] std::vector<double> rate_shares(const locomotion::KeyframeMotion& motion) const;
   /// [rad/s] The largest rate of a target of a hinge.
   [[nodiscard]] double largest_rate(const locomotion::KeyframeMotion& motion) const;

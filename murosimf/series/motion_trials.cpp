@@ -161,7 +161,7 @@ struct MotionTrials::World {
 };
 
 MotionTrials::MotionTrials(const VariedRobot& robot, const KeyframeMotion& motion, MotionTask task)
-    : robot_(robot), motion_(motion), task_(std::move(task)), space_(robot.model(), motion) {
+    : robot_(robot), motion_(motion), task_(std::move(task)), space_(robot.model(), motion, task_.fastest) {
   // how high the base is above the ground if the robot stands as in the last frame
   KeyframeMotion last = motion;
   last.start = motion.frames.back().values;

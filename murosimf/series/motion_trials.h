@@ -7,7 +7,7 @@
 ///     lies     [not lying at the end] + min(1, t/1 s) + (1 - w)/2 + e, t when the torso leans by 60 degrees first, w how far it
 ///              goes in the wanted direction until 0.6 s after T, over its height, 0 to 1; lying: leans by more than 60 degrees
 ///     e        0.05 effort + 0.05 haste + 0.02 T/(1 s): effort the mean over joints and time of (torque / stall torque)^2, each at most 4, at levels
-///              that have torques; haste the mean over frames of (largest rate of a target / no-load rate)^2
+///              that have torques; haste the mean over frames of (largest rate of a target / that of its joint)^2
 /// Sensors are off: key frames ask none.
 #pragma once
 
@@ -33,6 +33,7 @@ struct MotionTask {
   double direction = 0;                    ///< [rad] wanted, counterclockwise from where it looks
   Vec3d ball;                              ///< [m] where the ball lies, from the robot: of a kick
   scene_file::BallOptions ball_options{};  ///< likewise
+  double fastest = 0;                      ///< [rad/s] motion_space.h
   int threads = 1;
   StopRequest stop{};
 };

@@ -34,19 +34,13 @@ std::string what_is_tuned(const MotionTuningOptions& options, const KeyframeMoti
                             {"goal", word_of(task.goal)},
                             {"start", {task.roll, task.pitch}},
                             {"direction", task.direction},
+                            {"fastest", task.fastest},
                             {"ball", {task.ball.x, task.ball.y, task.ball_options.radius, task.ball_options.mass}},
                             {"levels", options.levels},
                             {"seed", options.budget.seed},
                             {"lenient", options.common.lenient},
                             {"files", recording::files_now(read.list(), {read.list(), {}}).list.values}};
   return what.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
-
-void refuse_levels_that_stand(const std::vector<std::string>& levels) {
-  for (const std::string& level : levels) {
-    if (find_entry(catalog::levels(), "level", level).traits.dynamic) continue;
-    throw SetupError(fmt::format("at level '{}' robots always stand: no motion can be tuned there", level));
-  }
 }
 
 std::vector<TuningCheck> check(MotionTrials& trials, const MotionTuning& tuning, const std::vector<std::string>& levels,
@@ -89,13 +83,20 @@ const std::vector<std::string>& usual_tuning_levels() {
   return levels;
 }
 
+void refuse_levels_that_stand(const std::vector<std::string>& levels, const std::string& so) {
+  for (const std::string& level : levels) {
+    if (find_entry(catalog::levels(), "level", level).traits.dynamic) continue;
+    throw SetupError(fmt::format("at level '{}' robots always stand: {}", level, so));
+  }
+}
+
 std::size_t population_for(std::size_t numbers) {
   const auto usual = 4 + static_cast<std::size_t>(3 * std::log(static_cast<double>(numbers)));
   return (usual + robots_in_a_row - 1) / robots_in_a_row * robots_in_a_row;
 }
 
 MotionTuning tune_motion(const MotionTuningOptions& options) {
-  refuse_levels_that_stand(options.levels);
+  refuse_levels_that_stand(options.levels, "no motion can be tuned there");
   const files::FilesRead read;
   const auto file = robot::find_motion(options.motion);
   const KeyframeMotion motion = robot::read_motion(file);
@@ -103,7 +104,8 @@ MotionTuning tune_motion(const MotionTuningOptions& options) {
   MotionTask task = options.task;
   task.threads = options.common.threads;
   task.stop = options.common.stop;
-  const MotionSpace space = with_context(file.string(), [&] { return MotionSpace(robot.model(), motion); });
+  const MotionSpace space =
+      with_context(file.string(), [&] { return MotionSpace(robot.model(), motion, task.fastest); });
   MotionTrials trials(robot, motion, task);
   const auto cases = tuning_cases(options.levels, cases_of_a_level, options.budget.seed, "tuning");
 

@@ -70,6 +70,8 @@ struct MotionTuning {
 [[nodiscard]] std::string checks_text(const std::vector<TuningCheck>& checks, const std::string& what);
 /// The same lines as comments of a TOML file.
 [[nodiscard]] std::string as_comment(const std::string& text);
+/// Throws SetupError for a level at which robots always stand: "at level 'kinematic_walking' robots always stand: `so`".
+void refuse_levels_that_stand(const std::vector<std::string>& levels, const std::string& so);
 /// [points] of a generation: the usual ones of CMA-ES, filled up to rows of robots that step together.
 [[nodiscard]] std::size_t population_for(std::size_t numbers);
 

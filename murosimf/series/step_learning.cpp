@@ -87,6 +87,7 @@ class StepLearner {
     common_.threads = 1;
     common_.cameras = false;
     file_ = files::find_data_file(options.model, "models", ".xml");
+    kind_ = options.robot ? options.robot : scene::Assets().robot(file_, {.lenient = common_.lenient});
   }
 
   [[nodiscard]] StepLearning learn() {
@@ -97,10 +98,12 @@ class StepLearner {
  private:
   void learn_round(int round) {
     std::vector<LearningWalk> walks = walks_of(options_);
-    common_.assets = std::make_shared<scene::Assets>();
     const locomotion::StepTablePtr known =
         round == 0 ? nullptr : std::make_shared<const locomotion::StepTable>(learning_.table);
-    locomotion::take_steps(*common_.assets->robot(file_, {.lenient = common_.lenient})->model, known);
+    scene::RobotKind kind = *kind_;
+    kind.model = with_balance(*kind.model, options_.balance, known);
+    common_.assets = std::make_shared<scene::Assets>();
+    common_.assets->put(file_, {.lenient = common_.lenient}, std::move(kind));
     std::mutex mutex;
     run_in_parallel(walks.size(), options_.common.threads, common_.stop, [&](std::size_t i) {
       take_walk(options_, with(walks[i]), walks[i]);
@@ -140,11 +143,21 @@ class StepLearner {
   const StepLearningOptions& options_;
   scene::SceneOptions common_;
   std::filesystem::path file_;  // of the robot
+  std::shared_ptr<const scene::RobotKind> kind_;
   StepLearning learning_;
   std::size_t done_ = 0;
 };
 
 }  // namespace
+
+ModelPtr with_balance(const Model& model, const OptionValues& balance, const locomotion::StepTablePtr& steps) {
+  OptionValues all = balance;
+  if (const OptionValues* own = model.find(properties::given_balance, 0)) all.insert(own->begin(), own->end());
+  ConstantTable constants = model.constants();
+  constants.set(properties::given_balance, 0, all);
+  constants.set(properties::given_steps, 0, steps);
+  return std::make_shared<const Model>(model.with(std::move(constants)));
+}
 
 StepLearning learn_steps(const StepLearningOptions& options) {
   if (!(options.duration > 2)) throw SetupError("a walk to learn from takes more than 2 s");

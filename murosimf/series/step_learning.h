@@ -6,10 +6,12 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "murosimf/locomotion/step_table.h"
+#include "murosimf/scene/assets.h"
 #include "murosimf/scene/scene_options.h"
 
 namespace murosimf::series {
@@ -17,11 +19,12 @@ namespace murosimf::series {
 struct StepLearningOptions {
   std::string model;  ///< as in scenes: a file, or the name of one that comes with the program
   std::vector<std::string> rigid{"simplified_dynamics", "full_dynamics"},
-      compliant{"articulated_dynamics"};  ///< levels
-  double duration = 6;                    ///< [s] of each walk
-  int rounds = 3;                         ///< the first one without feedback
-  scene::SceneOptions common{};           ///< of all walks; `threads`: walks at a time, each is stepped by one
-  std::filesystem::path out;              ///< file that is written after each round
+      compliant{"articulated_dynamics"};            ///< levels
+  double duration = 6;                              ///< [s] of each walk
+  int rounds = 3;                                   ///< the first one without feedback
+  std::shared_ptr<const scene::RobotKind> robot{};  ///< instead of what the file of the model says; null: that
+  OptionValues balance{};        ///< numbers of [balance] (locomotion/gait_feedback.h), instead of the robot's own
+  scene::SceneOptions common{};  ///< of all walks; `threads`: walks at a time, each is stepped by one
   std::function<void(std::size_t done, std::size_t all)> progress{};  ///< from any thread, one at a time
 };
 
@@ -34,6 +37,10 @@ struct StepLearning {
   std::vector<Round> rounds;
   bool stopped = false;  ///< by common.stop
 };
+
+/// The model with these numbers of [balance] before its own ones, and this table instead of its own; null: it walks without feedback.
+[[nodiscard]] ModelPtr with_balance(const Model& model, const OptionValues& balance,
+                                    const locomotion::StepTablePtr& steps);
 
 /// Throws SetupError: a robot that cannot be read or has no legs to walk with, or an unknown level.
 [[nodiscard]] StepLearning learn_steps(const StepLearningOptions& options);

@@ -91,6 +91,10 @@ double zero_error(const TuningCase& one, std::size_t column) {
   return RandomStream(one.zeros, "tuning zeros").uniform(column, -1, 1);
 }
 
+double case_number(const TuningCase& one, std::size_t number) {
+  return RandomStream(one.zeros, "tuning numbers").uniform(number, -1, 1);
+}
+
 double mean_and_worst(const std::vector<double>& costs, std::size_t levels) {
   const std::size_t each = costs.size() / levels;
   double mean = 0, worst = -HUGE_VAL;
@@ -105,19 +109,27 @@ double mean_and_worst(const std::vector<double>& costs, std::size_t levels) {
 }
 
 VariedRobot::VariedRobot(const std::string& model, bool lenient)
-    : file_(files::find_data_file(model, "models", ".xml")) {
+    : file_(files::find_data_file(model, "models", ".xml")), lenient_(lenient) {
   const auto kind = std::make_shared<scene::Assets>()->robot(file_, {.lenient = lenient});
   model_ = kind->model;
   for (const ModelError& error : model_errors) {
     scene::RobotKind varied = *kind;
     if (error.mass != 1 || error.gain != 1) varied.model = with_errors(*model_, error);
-    const auto assets = std::make_shared<scene::Assets>();
-    assets->put(file_, {.lenient = lenient}, std::move(varied));
-    assets_.emplace(std::pair(error.mass, error.gain), assets);
+    assets_.emplace(std::pair(error.mass, error.gain), assets_of(std::move(varied)));
   }
 }
 
 std::shared_ptr<scene::Assets> VariedRobot::assets(double mass, double gain) const { return assets_.at({mass, gain}); }
+
+std::shared_ptr<const scene::RobotKind> VariedRobot::kind(double mass, double gain) const {
+  return assets(mass, gain)->robot(file_, {.lenient = lenient_});
+}
+
+std::shared_ptr<scene::Assets> VariedRobot::assets_of(scene::RobotKind kind) const {
+  auto assets = std::make_shared<scene::Assets>();
+  assets->put(file_, {.lenient = lenient_}, std::move(kind));
+  return assets;
+}
 
 scene_file::SceneSpec row_of_robots(const VariedRobot& robot, const TuningCase& one, std::size_t count) {
   const bool leans = find_entry(catalog::levels(), "level", one.level).traits.dynamic;  // others always stand

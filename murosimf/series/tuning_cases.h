@@ -49,15 +49,22 @@ class VariedRobot {
   [[nodiscard]] const Model& model() const { return *model_; }
   /// With which the file means the robot with these errors.
   [[nodiscard]] std::shared_ptr<scene::Assets> assets(double mass, double gain) const;
+  [[nodiscard]] std::shared_ptr<const scene::RobotKind> kind(double mass, double gain) const;
+  /// With which the file means this robot.
+  [[nodiscard]] std::shared_ptr<scene::Assets> assets_of(scene::RobotKind kind) const;
 
  private:
   std::filesystem::path file_;
+  bool lenient_;
   ModelPtr model_;
   std::map<std::pair<double, double>, std::shared_ptr<scene::Assets>> assets_;
 };
 
 /// Some of these robots, 3 m apart in a row, without sensors, on the carpet of the case: "r0", "r1", ...
 [[nodiscard]] scene_file::SceneSpec row_of_robots(const VariedRobot& robot, const TuningCase& one, std::size_t count);
+
+/// [1] One of the numbers that come from the case's seed besides, -1 to 1: which of them, `number` says.
+[[nodiscard]] double case_number(const TuningCase& one, std::size_t number);
 
 /// How many robots stand in a row: as many as step together in lanes.
 inline constexpr std::size_t robots_in_a_row = 8;

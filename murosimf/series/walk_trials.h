@@ -7,6 +7,7 @@
 #include "murosimf/model/option.h"
 #include "murosimf/runtime/pacer.h"
 #include "murosimf/series/tuning_cases.h"
+#include "murosimf/series/walk_watch.h"
 
 namespace murosimf::series {
 
@@ -15,11 +16,6 @@ struct WalkTask {
   double duration = 8;              ///< [s]
   int threads = 1;
   StopRequest stop{};
-};
-
-struct WalkOutcome {
-  bool fell = false;
-  double cost = 0;
 };
 
 /// By candidate, then by case; empty if it was stopped. `candidates`: options of the controller `walk`. Throws SetupError for a scene that

@@ -12,6 +12,7 @@
 #include "murosimf/locomotion/walk_options.h"
 #include "murosimf/model/error.h"
 #include "murosimf/recording/attached_files.h"
+#include "murosimf/series/tuned_numbers.h"
 #include "murosimf/series/walk_trials.h"
 
 namespace murosimf::series {
@@ -23,70 +24,11 @@ constexpr std::array rolls{0.0, 0.025, 0.05};    // [rad]
 constexpr std::size_t walks_of_a_level = 8, checked_walks = 20;
 constexpr double walk_sigma = 0.1;  // [1] of the width of each number's bounds
 
-/// One number of the walk, as it is worked out, and its bounds.
-struct WalkNumber {
-  std::string name;
-  double value = 0, low = 0, high = 0;
-};
-
-double number(const OptionValues& values, const std::string& name) { return std::get<double>(values.at(name)); }
-
-/// Bounds are wide: what lies outside would be another kind of walk (straight knees, feet that cross) or none.
-std::vector<WalkNumber> walk_numbers(const Model& model) {
-  const auto& leg = locomotion::legs_of(model)[0];
-  const double length = leg.thigh + leg.shin;
-  const OptionValues seed = locomotion::walk_option_values(locomotion::seeded_parameters(model));
-  std::vector<WalkNumber> all;
-  const auto times = [&](const char* name, double low, double high) {
-    const double value = number(seed, name);
-    all.push_back({name, value, low * value, high * value});
-  };
-  const auto about = [&](const char* name, double down, double up) {
-    const double value = number(seed, name);
-    all.push_back({name, value, value - down, value + up});
-  };
-  const auto within = [&](const char* name, double low, double high) {
-    all.push_back({name, std::clamp(number(seed, name), low, high), low, high});
-  };
-  times("period", 0.6, 1.8);
-  times("lift", 0.4, 2.5);
-  within("lean", -0.25, 0.25);
-  within("hip_roll", 0, 0.15);
-  within("sway", 0, 0.3 * length);
-  within("lead", -0.8, 0.8);
-  about("setback", 0.12 * length, 0.12 * length);
-  const double hips = number(seed, "hip_height");
-  all.push_back({"hip_height", hips, hips - 0.12 * length, hips + 0.04 * length});
-  times("half_width", 0.7, 1.5);
-  within("double_support", 0, 0.3);
-  return all;
-}
-
-OptionValues values_at(const std::vector<WalkNumber>& numbers, const std::vector<double>& point) {
-  OptionValues values;
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    const double value = numbers[i].low + point[i] * (numbers[i].high - numbers[i].low);
-    values[numbers[i].name] = std::round(value * 1e5) * 1e-5;  // as the file will have it
-  }
-  return values;
-}
-
-double place_of(const WalkNumber& number, double value) {
-  return std::clamp((value - number.low) / (number.high - number.low), 0.0, 1.0);
-}
-
-CmaEsOptions space_of(const std::vector<WalkNumber>& numbers) {
-  CmaEsOptions space{.start = {}, .sigma = walk_sigma};
-  for (const WalkNumber& one : numbers) space.start.push_back(place_of(one, one.value));
-  space.low.assign(numbers.size(), 0);
-  space.high.assign(numbers.size(), 1);
-  return space;
-}
-
 /// Every combination of three lifts, periods and rolls.
-std::vector<std::vector<double>> grid_around(const std::vector<WalkNumber>& numbers, const std::vector<double>& start) {
+std::vector<std::vector<double>> grid_around(const std::vector<TunedNumber>& numbers,
+                                             const std::vector<double>& start) {
   const auto index = [&](std::string_view name) {
-    return static_cast<std::size_t>(std::ranges::find(numbers, name, &WalkNumber::name) - numbers.begin());
+    return static_cast<std::size_t>(std::ranges::find(numbers, name, &TunedNumber::name) - numbers.begin());
   };
   const std::size_t lift = index("lift"), roll = index("hip_roll"), period = index("period");
   std::vector<std::vector<double>> points;
@@ -144,7 +86,8 @@ WalkTuning tune_walk(const WalkTuningOptions& options) {
   if (!(options.speed > 0) || !(options.duration > 0)) throw SetupError("a walk needs a speed and a duration above 0");
   const files::FilesRead read;
   const VariedRobot robot(options.model, options.common.lenient);
-  const std::vector<WalkNumber> numbers = walk_numbers(robot.model());
+  const std::vector<TunedNumber> numbers =
+      walk_numbers(robot.model(), locomotion::walk_option_values(locomotion::seeded_parameters(robot.model())));
   const WalkTask task{.commands = commands_for(robot.model(), options.speed),
                       .duration = options.duration,
                       .threads = options.common.threads,
@@ -161,7 +104,7 @@ WalkTuning tune_walk(const WalkTuningOptions& options) {
     }
     return costs;
   };
-  CostSearchOptions search{.space = space_of(numbers), .evaluations = options.budget.evaluations};
+  CostSearchOptions search{.space = space_of(numbers, walk_sigma), .evaluations = options.budget.evaluations};
   search.space.population = population_for(numbers.size());
   search.space.seed = options.budget.seed;
   search.first = grid_around(numbers, search.space.start);
@@ -188,7 +131,7 @@ std::string to_toml(const WalkTuning& tuning, const std::string& how) {
   for (const OptionInfo& info : locomotion::walk_options()) {
     const auto value = tuning.after.find(info.name);
     if (value == tuning.after.end()) continue;
-    const double before = number(tuning.before, info.name);
+    const double before = number_in(tuning.before, info.name);
     text += fmt::format("{} = {:.5g}   # [{}] {:.5g} before\n", info.name, std::get<double>(value->second), info.unit,
                         before);
   }

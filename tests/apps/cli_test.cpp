@@ -110,31 +110,6 @@ TEST(Cli, WritesThePictureAndTheRolesOfARobot) {
   expect_mistake("check kid21 --picture /no/such/folder/p.png", {"/no/such/folder/p.png"});
 }
 
-TEST(Cli, ConvertsAModelOnceUnlessForced) {
-  const fs::path folder = scratch("folder"), out = folder / "robot.xml";
-  fs::create_directories(folder);
-  const Result first = murosimf("convert kid21 --out " + out.string());
-  EXPECT_EQ(first.exit_code, 0) << first.errors;
-  EXPECT_NE(first.output.find("21 joints, 4.3 kg"), std::string::npos) << first.output;
-  EXPECT_EQ(read_file(folder / "robot.toml"), read_file(fs::path(MUROSIMF_SOURCE_DIR) / "models/kid21.toml"));
-  EXPECT_NE(murosimf("check " + out.string()).output.find("4.3"), std::string::npos);
-
-  expect_mistake("convert kid21 --out " + out.string(), {"robot.xml", "--force"});
-  expect_mistake("convert " + out.string() + " --force --out " + out.string(),
-                 {"this file is read by the same command"});
-  const Result again = murosimf("convert kid21 --force --out " + out.string());
-  EXPECT_EQ(again.exit_code, 0) << again.errors;
-  EXPECT_NE(again.output.find("kept as it is"), std::string::npos) << again.output;
-}
-
-TEST(CliMistakes, InConversions) {
-  expect_mistake("convert kid21", {"--out"});
-  expect_mistake("convert kid21 --out robot.toml", {"'robot.toml'", ".xml"});
-  expect_mistake("convert kid21 --out /no/such/folder/r.xml", {"/no/such/folder/r.xml", "there is no folder"});
-  expect_mistake("convert kid22 --out " + scratch("r.xml").string(), {"kid22"});
-  expect_mistake("convert kid21 --fit boxx --out " + scratch("r.xml").string(), {"--fit", "did you mean 'box'?"});
-}
-
 TEST(CliMistakes, InTheCommandLine) {
   expect_mistake("", {"subcommand"});
   expect_mistake("fly", {"unknown command 'fly'"});

@@ -61,6 +61,10 @@ TEST(Tune, SaysWhatIsWrong) {
   expect_mistake("tune get_up_front --model kid21 --from front --ball 1,2", {"--ball", "does not kick"});
   expect_mistake("tune kick --model kid21 --goal kicks --ball 1x2", {"--ball '1x2'"});
   expect_mistake("tune walk --model kid21 --goal stands", {"--goal", "a walk"});
+  expect_mistake("tune walk --model kid21 --fastest 6", {"--fastest", "a walk"});
+  expect_mistake("tune walk --model kid21 --impulse 3", {"--impulse", "without pushes"});
+  expect_mistake("tune balance --model kid21 --from front", {"--from", "a walk"});
+  expect_mistake("tune balance --model kid21 --levels kinematic_walking", {"kinematic_walking", "pushes move nothing"});
   expect_mistake("tune walk --model car", {"car"});
   const fs::path out = scratch("other.toml");
   write("other.toml.state", "{}");

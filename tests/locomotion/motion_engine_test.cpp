@@ -167,6 +167,47 @@ TEST(MotionEngine, StopsBeforeItKicks) {
   EXPECT_EQ(walker.robot.base().get(properties::motion_state).falls, 0);
 }
 
+// Key frames place feet from the stance of the walk engine, which is narrower than kid21 walks with feedback.
+TEST(MotionEngine, StandsWhereKeyFramesBeginAndWalksWider) {
+  Walker walker("full_dynamics");
+  const double stance = 2 * seeded_parameters(walker.robot.model()).half_width,
+               wide = 2 * balanced_walk(walker.robot.model(), {}).half_width;
+  ASSERT_GT(wide, stance + 0.02);
+  const auto apart = [&] {
+    const auto foot = [&](const char* name) { return walker.robot.object(name).get(properties::position); };
+    return norm(foot("l_foot") - foot("r_foot"));
+  };
+  walker.run(1s);
+  EXPECT_NEAR(apart(), stance, 2e-3);
+  walker.robot.base().set(properties::walk_command, {0.01, 0, 0});
+  walker.run(4s);
+  double least = 1;
+  for (int i = 0; i < 50; ++i, walker.run(10ms)) least = std::min(least, apart());
+  EXPECT_GT(least, stance + 0.01);
+  walker.robot.base().set(properties::walk_command, {});
+  walker.run(4s);
+  EXPECT_EQ(walker.robot.base().get(properties::gait_amplitude), 0);
+  EXPECT_NEAR(apart(), stance, 4e-3);
+}
+
+TEST(MotionEngine, KicksASideAsHardAsKeyFramesAlone) {
+  const auto speed = [](std::vector<std::string> how, std::vector<std::string> events) {
+    for (const char* one : {"robot.level=articulated_dynamics", "ball.position=[0.02,-0.23]", "field.friction=0.6"})
+      how.emplace_back(one);
+    scene::Scene scene("kick", {.overrides = std::move(how), .events = std::move(events), .cameras = false});
+    double fastest = 0;
+    for (int i = 0; i < 600; ++i) {
+      scene.simulation().run(10ms);
+      fastest =
+          std::max(fastest, norm(scene.simulation().world().entity("ball").base().get(properties::linear_velocity)));
+    }
+    return fastest;
+  };
+  const double alone = speed({"robot.controller=keyframes", "robot.motion=side_kick_right"}, {});
+  EXPECT_GT(alone, 1.5);
+  EXPECT_NEAR(speed({"robot.controller=motions"}, {"1:robot.play=side_kick_right"}), alone, 0.05);
+}
+
 TEST(MotionEngine, DivesAtOnceAndStandsUpAgain) {
   Walker walker(articulated);
   walker.run(1s);

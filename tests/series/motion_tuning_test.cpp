@@ -91,6 +91,20 @@ TEST(MotionSpace, KeepsToTheRangesOfJoints) {
   EXPECT_EQ(space.start[1], -range.x) << "moved to the end of the range";
 }
 
+TEST(MotionSpace, KeepsToTheRateThatIsGivenWhereTheRobotHasNone) {
+  const VariedRobot nao("spark_nao0", false);
+  const KeyframeMotion motion{.name = "wave",
+                              .columns = {{{"laj1", 1}}},
+                              .start = {0},
+                              .frames = {{0.1, {1}}, {1, {0}}}};
+  const auto first = [&](double fastest) {
+    const MotionSpace space(nao.model(), motion, fastest);
+    return space.motion_at(space.space().start).frames[0].duration;
+  };
+  EXPECT_NEAR(first(6), pi / 2 * 1 / 6, 2e-3) << "the steepest part of a cosine";
+  EXPECT_EQ(first(0), 0.1) << "nothing is known of its servos";
+}
+
 TEST(MotionSpace, KnowsHowFastFeetMoveJoints) {
   // the kick lifts a foot by inverse kinematics: twice as slow is half the rate
   KeyframeMotion motion = shipped("kick");
