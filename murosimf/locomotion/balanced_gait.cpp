@@ -7,12 +7,10 @@
 namespace murosimf::locomotion {
 namespace {
 
-constexpr double most_deviation = 0.3;  // [m] of xi: beyond, nothing helps any more
-
 double without_dead_zone(double x, double zone) noexcept { return x > zone ? x - zone : x < -zone ? x + zone : 0.0; }
 
-double cut(double x, double zone) noexcept {
-  return std::clamp(without_dead_zone(x, zone), -most_deviation, most_deviation);
+double cut(double x, const GaitFeedback& f) noexcept {
+  return std::clamp(without_dead_zone(x, f.dead_zone), -f.most_deviation, f.most_deviation);
 }
 
 double outward(std::size_t side) noexcept { return side == 0 ? 1 : -1; }
@@ -55,7 +53,7 @@ GaitPose BalancedGait::stance() const noexcept { return gait_pose(legs_, walk_, 
 void BalancedGait::feel(double dt, const GaitClock& clock, std::span<const double> targets, WalkSenses& senses,
                         GaitState& state) const noexcept {
   const std::size_t standing = clock.standing();
-  senses.follow(dt, standing, feedback_.smoothing, feedback_.omega, state);
+  senses.follow(dt, standing, {feedback_.smoothing, feedback_.omega, feedback_.still_rate}, state);
   double sum = 0, count = 0;
   for (std::size_t side = 0; side < 2; ++side) {
     for (const int joint : legs_[side].joints) {
@@ -70,8 +68,7 @@ void BalancedGait::feel(double dt, const GaitClock& clock, std::span<const doubl
   }
   constexpr double memory = 1;  // [s]
   state.lag += dt / memory * (sum / count - state.lag);
-  constexpr double of_servos = 0.03;  // [rad] lag of joints whose servos are those of kid21
-  state.compliance = std::clamp(state.lag / of_servos, 0.0, 1.0);
+  state.compliance = std::clamp(state.lag / feedback_.compliant_lag, 0.0, 1.0);
 }
 
 void BalancedGait::find_deviation(const GaitClock& clock, GaitState& state) const noexcept {
@@ -86,8 +83,8 @@ void BalancedGait::find_deviation(const GaitClock& clock, GaitState& state) cons
   } else if (state.settled > 0) {
     state.deviation = difference(state.signals, state.upright);
   }
-  state.deviation.forward = cut(state.deviation.forward, feedback_.dead_zone);
-  state.deviation.outward = cut(state.deviation.outward, feedback_.dead_zone);
+  state.deviation.forward = cut(state.deviation.forward, feedback_);
+  state.deviation.outward = cut(state.deviation.outward, feedback_);
 }
 
 /// What it does of itself: learns how it stands, steps where ankles are not enough, and stands again when nothing is left of it.
@@ -198,7 +195,8 @@ GaitPose BalancedGait::step(double dt, GaitClock& clock, const WalkSenses& sense
   const double rate = phase_rate(state);
   const std::size_t stood = clock.standing();
   const double left = (1 - clock.share()) * walk_.period / 2 / std::max(0.5, rate);
-  clock.advance(dt, {walk_.period, walk_.slew, intent.stops ? Vec3d{} : walk_.fastest}, rate, state.alarm > 0);
+  const GaitLimits limits{walk_.period, walk_.slew, intent.stops ? Vec3d{} : walk_.fastest, intent.velocity};
+  clock.advance(dt, limits, rate, state.alarm > 0);
   place_steps(dt, clock, stood, left, state);
   if (clock.standing() != stood) senses.change_foot(clock.standing(), state);
   GaitFeet feet = open_loop(clock, state);

@@ -31,7 +31,7 @@ void GaitClock::initialize() noexcept {
 }
 
 void GaitClock::advance(double dt, const GaitLimits& limits, double rate, bool steps) noexcept {
-  const Vec3d goal = halted_ != 0 ? Vec3d{} : clipped(command_, limits.fastest);
+  const Vec3d goal = halted_ != 0 ? Vec3d{} : clipped(limits.velocity.value_or(command_), limits.fastest);
   const Vec3d& slew = limits.slew;
   velocity_ = {approach(velocity_.x, goal.x, dt * slew.x), approach(velocity_.y, goal.y, dt * slew.y),
                approach(velocity_.z, goal.z, dt * slew.z)};

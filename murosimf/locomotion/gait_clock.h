@@ -4,6 +4,8 @@
 /// something moves and to 0 otherwise; the phase runs while it is not 0. All are columns.
 #pragma once
 
+#include <optional>
+
 #include "murosimf/math/scalar.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/model/setup.h"
@@ -11,9 +13,10 @@
 namespace murosimf::locomotion {
 
 struct GaitLimits {
-  double period = 0;  ///< [s]
-  Vec3d slew;         ///< [m/s^2, m/s^2, rad/s^2] of the velocity
-  Vec3d fastest;      ///< [m/s, m/s, rad/s]
+  double period = 0;                ///< [s]
+  Vec3d slew;                       ///< [m/s^2, m/s^2, rad/s^2] of the velocity
+  Vec3d fastest;                    ///< [m/s, m/s, rad/s]
+  std::optional<Vec3d> velocity{};  ///< [m/s, m/s, rad/s] instead of walk_command
 };
 
 class GaitClock {

@@ -50,8 +50,11 @@ struct GaitFeedback {
   double offset_speed = 0.60624;       ///< [m/s] of an offset
   double smoothing = 0.0091649;        ///< [s] of the rate of the center of mass, from encoders
   double omega = 7.3899;               ///< [1/s] of the pendulum
+  double most_deviation = 0.3;         ///< [m] of e: what is larger counts as this
+  double compliant_lag = 0.03;         ///< [rad] mean lag of the legs' joints at which their servos count as compliant
   // standing
-  double step_at = 0.035;  ///< [m] of e while it stands: it steps
+  double step_at = 0.035;    ///< [m] of e while it stands: it steps
+  double still_rate = 0.05;  ///< [rad/s] of a robot that stands still
 };
 
 /// Names, units, meanings and bounds; none has a default of its own.
