@@ -91,7 +91,7 @@ namespace {
 
 /// [1] How far servos give way, over those of kid21.
 double softness(const Model& model) {
-  constexpr double kid21_droop = 0.06;  // [rad] gait_seed.h
+  constexpr double kid21_droop = 0.08535027;  // [rad] hip_droop
   const double droop = hip_droop(model);
   return droop > 0 ? droop / kid21_droop : 1;
 }

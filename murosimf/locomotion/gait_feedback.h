@@ -63,7 +63,7 @@ struct GaitFeedback {
 /// Those and the numbers of the walk (walk_options.h): what [balance] of a robot's file and the controller `motions` take.
 [[nodiscard]] const std::vector<OptionInfo>& balanced_walk_options();
 
-/// Scaled from kid21 by the length of the legs (lengths by l, times by sqrt(l)), with the model's own numbers (given_balance) in their
+/// Scaled from kid21 by the length of the legs (lengths by l, times by sqrt(l)), the lag of soft servos by hip_droop (gait_seed.h), with the model's own numbers (given_balance) in their
 /// place, and `given` before these. Throws SetupError if an option is wrong or the model has no legs to walk with.
 [[nodiscard]] GaitFeedback gait_feedback(const Model& model, const OptionValues& given);
 /// The walk itself: walk_parameters with those of the model's own numbers (given_balance) and of `given` that are its own.

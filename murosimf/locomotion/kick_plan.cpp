@@ -16,8 +16,10 @@ Vec3d turned(const Vec3d& v, double angle) noexcept {
   return {c * v.x - s * v.y, s * v.x + c * v.y, 0};
 }
 
-double time_to(const Vec3d& place, const Vec3d& fastest) noexcept {
-  return std::hypot(place.x / fastest.x, place.y / fastest.y) + std::abs(place.z) / fastest.z;
+double cost_of(const Vec3d& place, const Kick& kick, const Vec3d& fastest) noexcept {
+  constexpr double sideways = 2;  // [1]
+  const double time = std::hypot(place.x / fastest.x, place.y / fastest.y) + std::abs(place.z) / fastest.z;
+  return time * (1 + sideways * std::abs(std::sin(kick.direction)));
 }
 
 }  // namespace
@@ -33,8 +35,8 @@ std::optional<KickPlan> plan_kick(const std::vector<KickChoice>& kicks, const Ki
     const double heading = wrapped(request.direction - kick.direction);
     if (knows_ball) place = Vec3d{request.ball_x, request.ball_y, 0} - turned(kick.ball, heading);
     place.z = heading;
-    if (const double time = time_to(place, fastest); time < least) {
-      least = time;
+    if (const double cost = cost_of(place, kick, fastest); cost < least) {
+      least = cost;
       best = KickPlan{motion, place};
     }
   }

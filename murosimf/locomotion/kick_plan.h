@@ -2,8 +2,10 @@
 ///
 /// A kick whose ball lies at k and goes in direction d, both seen from the robot, sends a ball at b in direction a from
 ///     heading  h = a - d        place  b - Rz(h) k
-/// where b is not known, from where the robot stands, turned by h. Of all kicks, the one to whose place the walk takes the least time
-///     sqrt((x/vx)^2 + (y/vy)^2) + |h|/wz          vx, vy, wz: the fastest walk
+/// where b is not known, from where the robot stands, turned by h. Of all kicks, the one with the least
+///     (sqrt((x/vx)^2 + (y/vy)^2) + |h|/wz) (1 + 2 |sin d|)          vx, vy, wz: the fastest walk
+/// the time that the way takes, three times for a kick to the side, which needs the ball more exactly than odometry on the way there knows
+/// (docs/motions.md, "Kicks in a direction").
 #pragma once
 
 #include <optional>

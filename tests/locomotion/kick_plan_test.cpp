@@ -50,6 +50,7 @@ TEST(KickPlan, TakesTheKickThatIsNearest) {
   EXPECT_EQ(motion(0, 1, {0.2, -0.05, 0}), 3) << "the side counts";
   EXPECT_EQ(motion(0, -1, {0.2, 0.05, 0}), 5);
   EXPECT_EQ(motion(pi / 2, 0, {0, 0.25, 0}), 8) << "sideways";
+  EXPECT_NE(motion(pi / 2, 0, {0.2, 0.05, 0}), 8) << "only where the ball lies beside the robot";
   EXPECT_EQ(motion(-pi / 2, -1, {0.2, -0.05, 0}), 5) << "and turns where it has no kick to that side";
 }
 
