@@ -44,6 +44,7 @@ WALKS = {"0.1 m/s": (0.1, 0, 0), "0.2 m/s": (0.2, 0, 0), "0.35 m/s": (0.35, 0, 0
 LYING = {"front": "pitch_deg=90", "back": "pitch_deg=-90", "left": "roll_deg=-90", "right": "roll_deg=90"}
 PUSHES = {"forward": (1, 0), "backward": (-1, 0), "left": (0, 1), "right": (0, -1)}
 UP = 0.85  # [1] of the height at which it stands: it stands
+AIMS, BALL_TO_AIM_AT, BALL_WAY_M = (-60, -30, 0, 30, 60, 90), (0.2, 0.056), 0.5
 BALL_SPEED, DOWN_S, STEP_NS, LARGEST_NS, PERIOD_S = 1.5, 0.8, 0.25, 5.0, 0.452
 SCENE = """duration = 5.0
 [field]
@@ -228,6 +229,19 @@ class Bench:
                 return fastest > BALL_SPEED and run.stands(self.robot), fastest
             self.table("kick", name, one, "m/s")
 
+    def aim(self):
+        x, y = BALL_TO_AIM_AT
+        for degrees in AIMS:
+            def one(level, perturbed, direction=math.radians(degrees)):
+                changes = [f"ball={{position=[{x}, {y}], mass=0.3, radius=0.065}}", "start.jitter_heading_deg=0"]
+                run = self.run(level, "motions", 14, perturbed, changes, at=[f"1:robot.kick=[{direction:.6g}, 0, {x}, {y}]"],
+                               logs=["ball.ball.position"])
+                way = [run.column(f"ball.ball.position.{axis}")[-1] - start for axis, start in zip("xy", (x, y), strict=True)]
+                off = math.degrees(abs(math.remainder(math.atan2(way[1], way[0]) - direction, math.tau)))
+                kicked = math.hypot(*way) > BALL_WAY_M
+                return kicked and run.stands(self.robot), off if kicked else None
+            self.table("aim", f"{degrees} deg", one, "deg off")
+
     def dive(self):
         for name in [name for name in self.robot.motions if name.startswith("dive_")]:
             torso = f"robot.{self.robot.torso}.position"
@@ -282,8 +296,8 @@ class Bench:
 
 
 PLAYED = ["get_up", "kick", "dive", "protect"]
-EXPERIMENTS = ["walk", *PLAYED, "push"]
-OF_CONTROLLER = {"": EXPERIMENTS, "walk": ["walk", "push"], "keyframes": PLAYED,
+EXPERIMENTS = ["walk", *PLAYED, "aim", "push"]
+OF_CONTROLLER = {"": [name for name in EXPERIMENTS if name != "aim"], "walk": ["walk", "push"], "keyframes": PLAYED,
                  "motions": [name for name in EXPERIMENTS if name != "protect"]}
 
 

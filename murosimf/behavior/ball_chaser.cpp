@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "murosimf/locomotion/gait_properties.h"
+#include "murosimf/model/error.h"
 
 namespace murosimf::behavior {
 
@@ -96,28 +97,6 @@ Vec3d attack(const Situation& s, const BallChaserOptions& options) {
   return walk_to(s, ball - options.behind_ball * s.to_goal, s.to_goal, options.speed);
 }
 
-/// Where it stands to kick, and with which foot. [0]: left.
-struct KickPlan {
-  Vec3d place;  // [m]
-  std::size_t foot = 0;
-  bool there = false;
-};
-
-/// With the foot that is nearer to its place; robots stop there and kick, where the ball is within the reach of that foot.
-KickPlan plan_kick(const Situation& s, const BallChaserOptions& options) {
-  constexpr double aside = 0.035, before = 0.05, aim = 0.2, slow = 0.05;  // [m], [m], [rad], [m/s]
-  const Vec3d ball = flat(s.ball->position);
-  const double heading = std::atan2(s.to_goal.y, s.to_goal.x), aim_error = wrapped(heading - s.self->heading);
-  KickPlan plan{.foot = dot(ball - flat(s.self->position), left_of(s.to_goal)) >= 0 ? std::size_t{0} : std::size_t{1}};
-  const double side = plan.foot == 0 ? 1 : -1;
-  plan.place = ball - options.kick_place.x * s.to_goal - side * options.kick_place.y * left_of(s.to_goal);
-  const Vec3d seen = to_robot_frame(ball - flat(s.self->position), s.self->heading);
-  plan.there = std::abs(seen.x - options.kick_place.x) < before &&
-               std::abs(seen.y - side * options.kick_place.y) < aside && std::abs(aim_error) < aim &&
-               norm(flat(s.ball->velocity)) < slow;
-  return plan;
-}
-
 Vec3d support(const Situation& s, const BallChaserOptions& options) {
   const double side = s.rank % 2 == 1 ? 1 : -1;
   const Vec3d ball = flat(s.ball->position);
@@ -143,43 +122,42 @@ Vec3d without_pushing(const Vec3d& command, const Situation& s) {
 
 BallChaser::BallChaser(Setup& setup, const BallChaserOptions& options)
     : options_(options), seen_(setup), command_(setup.write(properties::walk_command)[0]) {
-  if (options.kicks) find_kicks(setup);
-}
-
-void BallChaser::find_kicks(Setup& setup) {
+  if (!options.kicks) return;
   const locomotion::NamedMotions* motions = setup.model().find(properties::given_motions, 0);
-  locomotion::MotionRequests& requests = setup.write(properties::motion_request)[0];
-  for (std::size_t i = 0; motions && i < motions->size(); ++i) {
-    if ((*motions)[i].name == "kick_left") kick_[0] = &requests.number[i];
-    if ((*motions)[i].name == "kick_right") kick_[1] = &requests.number[i];
-  }
+  if (!motions || !locomotion::has_kick(*motions))
+    throw SetupError("'kicks': no motion of the robot's file says where it kicks a ball (key 'kick', docs/motions.md)");
+  kick_ = &setup.write(properties::kick_request)[0];
 }
 
 void BallChaser::initialize() {
   command_ = {};
-  for (double* request : kick_) {
-    if (request) *request = 0;
-  }
+  if (kick_) *kick_ = {};
 }
 
-/// Walks to where it can kick the ball, and kicks it.
-Vec3d BallChaser::attack_with_kicks(const Situation& s) noexcept {
-  const KickPlan plan = plan_kick(s, options_);
-  const Vec3d from_ball = flat(s.self->position) - flat(s.ball->position);
-  const bool behind = dot(from_ball, s.to_goal) < -0.5 * options_.kick_place.x;
-  if (!behind || !kick_[plan.foot]) return attack(s, options_);
-  if (!plan.there) return walk_to(s, plan.place, s.to_goal, options_.speed);
-  *kick_[plan.foot] += 1;
+/// Walks to the ball, and has the engine kick it, which takes over there. Asks again and again, for where the ball is meanwhile.
+Vec3d BallChaser::attack_with_kicks(const Situation& s, const Instant& instant) noexcept {
+  constexpr double near = 0.45, slow = 0.05;  // [m], [m/s]
+  constexpr Duration again = std::chrono::milliseconds(500);
+  const Vec3d ball = flat(s.ball->position);
+  const Vec3d seen = to_robot_frame(ball - flat(s.self->position), s.self->heading);
+  if (norm(seen) > near || norm(flat(s.ball->velocity)) > slow) {
+    kick_->number = 0;
+    return norm(seen) > near ? walk_to(s, ball, unit(ball - flat(s.self->position)), options_.speed) : Vec3d{};
+  }
+  if (kick_->number != 0 && instant.now % again >= instant.period) return {};
+  const Vec3d goal = to_robot_frame(s.to_goal, s.self->heading);
+  *kick_ = {.number = kick_->number + 1, .direction = std::atan2(goal.y, goal.x), .ball_x = seen.x, .ball_y = seen.y};
   return {};
 }
 
-void BallChaser::step(const Instant&) noexcept {
+void BallChaser::step(const Instant& instant) noexcept {
   const Situation s = assess(seen_.look(), options_);
+  if (kick_ && (!s.self || !s.ball || s.rank != 0)) kick_->number = 0;
   if (!s.self || !s.ball) {
     command_ = {};
     return;
   }
-  command_ = s.rank != 0 ? support(s, options_) : options_.kicks ? attack_with_kicks(s) : attack(s, options_);
+  command_ = s.rank != 0 ? support(s, options_) : kick_ ? attack_with_kicks(s, instant) : attack(s, options_);
   const Vec3d avoid = to_robot_frame(s.avoidance, s.self->heading);
   command_ = without_pushing(command_, s) + Vec3d{0.15 * avoid.x, 0.10 * avoid.y, 0};
 }

@@ -2,12 +2,11 @@
 ///
 /// Decides from the sensor `ground_truth` (sensors/ground_truth.h) and writes `walk_command`. The robot of a team that is nearest to
 /// the ball goes for it; the others follow it at a distance. Robots steer around each other, and push
-/// each other only where they fight for the ball. With a motion engine (`kicks`) it stops behind the ball and kicks it with the nearer foot;
-/// after a fall the engine gets up. The place from which it kicks is that of kid21's motions.
+/// each other only where they fight for the ball. With a motion engine (`kicks`) it asks, near the ball, for kicks to the goal: the engine
+/// chooses one of the robot's motions, walks to where it sends the ball there (locomotion/kick_plan.h), and gets up after a fall.
 #pragma once
 
-#include <array>
-
+#include "murosimf/locomotion/motion_state.h"
 #include "murosimf/model/algorithm.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/model/setup.h"
@@ -28,8 +27,8 @@ struct BallChaserOptions {
   double support_behind = 0.8;  ///< the others' distance to the ball
   double support_aside = 0.7;   ///< the same sideways
   double keep_clear = 0.55;     ///< of other robots
-  bool kicks = false;  ///< the motion engine moves it: it kicks with kick_left and kick_right of the robot's file
-  Vec3d kick_place{0.20, 0.056, 0};  ///< where the left foot kicks a ball, from the robot
+  bool kicks =
+      false;  ///< the motion engine moves it: it kicks with those motions of the robot's file that say where the ball lies
 };
 
 class BallChaser final : public Algorithm {
@@ -43,13 +42,12 @@ class BallChaser final : public Algorithm {
   static constexpr double rate_hz = 20;
 
  private:
-  void find_kicks(Setup& setup);
-  [[nodiscard]] Vec3d attack_with_kicks(const Situation& situation) noexcept;
+  [[nodiscard]] Vec3d attack_with_kicks(const Situation& situation, const Instant& instant) noexcept;
 
   BallChaserOptions options_;
   sensors::Sightings seen_;
-  Vec3d& command_;                 // [m/s, m/s, rad/s]
-  std::array<double*, 2> kick_{};  // requests of kick_left and kick_right; null: none
+  Vec3d& command_;                           // [m/s, m/s, rad/s]
+  locomotion::KickRequest* kick_ = nullptr;  // null: it does not kick
 };
 
 }  // namespace murosimf::behavior

@@ -92,7 +92,7 @@ const OptionTable<behavior::BallChaserOptions>& ball_chaser_options() {
       {"support_aside", &Options::support_aside, "m", "the same sideways", 0, longest_length},
       {"keep_clear", &Options::keep_clear, "m", "of other robots", 0.01, longest_length},
       {"kicks", &Options::kicks, "",
-       "with kick_left and kick_right of the robot, whose motion engine keeps its balance and gets up"},
+       "with the robot's motions that kick, to the goal; its motion engine keeps its balance and gets up"},
   };
   return table;
 }

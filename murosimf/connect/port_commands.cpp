@@ -25,7 +25,7 @@ constexpr double any_velocity = 100;  // [m/s, rad/s] nobody walks as fast
 constexpr std::string_view joint_target = "joint.target", joint_velocity_target = "joint.velocity_target",
                            joint_torque_enabled = "joint.torque_enabled", walk_velocity = "walk.velocity",
                            walk_other_joints = "walk.other_joints", motion_velocity = "motion.velocity",
-                           motion_play = "motion.play", game_answer_name = "game.answer",
+                           motion_play = "motion.play", motion_kick = "motion.kick", game_answer_name = "game.answer",
                            position_gain = "joint.position_gain", velocity_gain = "joint.velocity_gain",
                            torque_limit = "joint.torque_limit", joint_led = "joint.led", robot_led = "robot.led";
 constexpr std::array command_names{joint_target,
@@ -40,6 +40,7 @@ constexpr std::array command_names{joint_target,
                                    walk_other_joints,
                                    motion_velocity,
                                    motion_play,
+                                   motion_kick,
                                    game_answer_name};
 
 /// What a servo has at the start, and the most that it may be given.
@@ -56,7 +57,7 @@ std::pair<double, double> start_and_most(const Servo& servo, std::string_view co
 std::optional<int> mover_of(std::string_view name) {
   if (name == joint_target) return 0;
   if (name == walk_velocity || name == walk_other_joints) return 1;
-  if (name == motion_velocity || name == motion_play) return 2;
+  if (name.starts_with("motion.")) return 2;  // signals, too
   return std::nullopt;
 }
 
@@ -86,21 +87,40 @@ bool PortCommands::has(std::string_view command) const {
 
 bool PortCommands::walks() const { return has(walk_velocity) || has(walk_other_joints); }
 
-bool PortCommands::uses_motions() const { return has(motion_velocity) || has(motion_play); }
+bool PortCommands::uses_motions() const {
+  return !watched_.empty() || has(motion_velocity) || has(motion_play) || has(motion_kick);
+}
+
+void PortCommands::watch_motions(std::string_view signal) {
+  if (!setup_) {
+    throw SetupError(
+        fmt::format("the signal '{}' was not asked for when the robot was set up, so it cannot be now", signal));
+  }
+  check_mover(signal);
+  watched_ = signal;
+}
+
+/// Throws SetupError if something else moves the joints.
+void PortCommands::check_mover(std::string_view name) const {
+  const auto wanted = mover_of(name);
+  const auto check = [&](std::string_view other) {
+    const auto taken = mover_of(other);
+    if (!wanted || !taken || *wanted == *taken) return;
+    throw SetupError(
+        fmt::format("'{}' and '{}' exclude each other: joints follow joint.target, the walk engine (walk.velocity; "
+                    "other joints: walk.other_joints) or the motion engine (motion.velocity)",
+                    other, name));
+  };
+  for (const Command& other : commands_) check(other.name);
+  if (!watched_.empty()) check(watched_);
+}
 
 PortCommands::Command& PortCommands::make(std::string_view name) {
   if (!setup_) {
     throw SetupError(
         fmt::format("the command '{}' was not asked for when the robot was set up, so it cannot be now", name));
   }
-  for (const Command& other : commands_) {
-    const auto wanted = mover_of(name), taken = mover_of(other.name);
-    if (!wanted || !taken || *wanted == *taken) continue;
-    throw SetupError(
-        fmt::format("'{}' and '{}' exclude each other: joints follow joint.target, the walk engine (walk.velocity; "
-                    "other joints: walk.other_joints) or the motion engine (motion.velocity)",
-                    other.name, name));
-  }
+  check_mover(name);
   Command command{.name = std::string(name)};
   connect(command);
   command.first.resize(command.places.size());
@@ -126,6 +146,7 @@ void PortCommands::connect(Command& command) {
   if (name == robot_led) return connect_led(command);
   if (name == walk_velocity || name == motion_velocity) return connect_walk(command);
   if (name == motion_play) return connect_motions(command);
+  if (name == motion_kick) return connect_kick(command);
   if (name == game_answer_name) return connect_answer(command);
   const bool enables = name == joint_torque_enabled;
   if (!enables && name != joint_led)
@@ -192,6 +213,19 @@ void PortCommands::connect_motions(Command& command) {
   }
   command.lowest.assign(command.places.size(), 0.0);
   command.highest.assign(command.places.size(), any_request);
+}
+
+void PortCommands::connect_kick(Command& command) {
+  constexpr double any_request = 1e6, farthest = 10;  // [1], [m]
+  const locomotion::NamedMotions* motions = model_->find(properties::given_motions, 0);
+  if (!motions || !locomotion::has_kick(*motions))
+    throw SetupError("no motion of the robot's file says where it kicks a ball (key 'kick', docs/motions.md)");
+  locomotion::KickRequest& request = setup_->write(properties::kick_request)[0];
+  command.declare = [](Setup& setup) { (void)setup.write(properties::kick_request); };
+  command.labels = {"number", "direction", "side", "ball_x", "ball_y"};
+  command.places = {&request.number, &request.direction, &request.side, &request.ball_x, &request.ball_y};
+  command.lowest = {0, -pi, -1, -farthest, -farthest};
+  command.highest = {any_request, pi, 1, farthest, farthest};
 }
 
 void PortCommands::connect_answer(Command& command) {

@@ -30,6 +30,8 @@ class PortCommands {
   void close() { setup_ = nullptr; }
   [[nodiscard]] bool walks() const;
   [[nodiscard]] bool uses_motions() const;
+  /// A signal of the motion engine was asked for, which moves the robot then. Throws SetupError as find.
+  void watch_motions(std::string_view signal);
   void restart() noexcept;
   std::size_t accept(Duration now) noexcept;
   /// From now on what is accepted goes over a link, and holds when it has arrived (deliver()). Before close().
@@ -68,12 +70,14 @@ class PortCommands {
   };
 
   Command& make(std::string_view name);
+  void check_mover(std::string_view name) const;
   void connect_joints(Command& command, const Property<double>& property, double limit, bool beside_legs);
   void connect(Command& command);
   void connect_servos(Command& command, const Property<double>& property);
   void connect_led(Command& command);
   void connect_walk(Command& command);
   void connect_motions(Command& command);
+  void connect_kick(Command& command);
   void connect_answer(Command& command);
   [[nodiscard]] bool has(std::string_view command) const;
   void send(Duration now);
@@ -82,6 +86,7 @@ class PortCommands {
   const Model* model_;
   GuardedRows* rows_;
   std::deque<Command> commands_;  // stay where they are
+  std::string watched_;           // a signal of the motion engine that was asked for; empty: none
   Refused refused_;
   std::optional<DelayedRows> link_;
   std::vector<double> sent_;  // memory of the link

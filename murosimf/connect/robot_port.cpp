@@ -1,17 +1,27 @@
 #include "murosimf/connect/robot_port.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 #include "murosimf/connect/signal_row.h"
+#include "murosimf/locomotion/gait_properties.h"
+#include "murosimf/locomotion/motion_report.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::connect {
+namespace {
+
+constexpr std::array<std::string_view, 4> motion_signals{"motion.mode", "motion.phase", "motion.odometry",
+                                                         "motion.fallen"};
+
+}  // namespace
 
 RobotPort::RobotPort(Setup& setup, const ControlLinkOptions& link, std::uint64_t seed)
-    : model_(&setup.model()),
+    : setup_(&setup),
+      model_(&setup.model()),
       commands_(setup, rows_),
       radio_(setup),
       game_(setup, rows_),
@@ -38,26 +48,66 @@ void RobotPort::add_sensor(Setup& setup, const sensors::Reading& found) {
 }
 
 void RobotPort::add_joints(std::string name, std::span<const double> column, bool in_steps) {
-  signals_.push_back({.name = std::move(name), .column = column});
-  Signal& signal = signals_.back();
+  Signal signal{.name = std::move(name)};
+  std::vector<double> steps;  // [rad] 0: none
   for (const int joint : model_->joints()) {
     signal.labels.push_back(model_->objects()[joint].name);
     const Servo* servo = model_->find(properties::servo, joint);
-    signal.steps.push_back(in_steps && servo ? servo->encoder_step : 0);
+    steps.push_back(in_steps && servo ? servo->encoder_step : 0);
   }
   signal.values.resize(signal.labels.size());
+  signal.measure = [column, joints = model_->joints(), steps = std::move(steps)](std::size_t i) {
+    const double value = column[joints[i]], step = steps[i];
+    return step > 0 ? step * std::round(value / step) : value;
+  };
+  signals_.push_back(std::move(signal));
+}
+
+/// Only for software that asks: others' robots have none of these columns.
+void RobotPort::add_motions() {
+  const locomotion::NamedMotions* const given = model_->find(properties::given_motions, 0);
+  static const locomotion::NamedMotions none;
+  const auto report = [&motions = given ? *given : none, state = setup_->input(properties::motion_state, {}).data(),
+                       gait = setup_->input(properties::gait_state, {}).data(),
+                       amplitude = setup_->input(properties::gait_amplitude, 0).data()] {
+    return locomotion::motion_report(motions, *state, *gait, *amplitude);
+  };
+  const Vec3d* const odometry = setup_->input(properties::odometry, {}).data();
+  const auto add = [this](std::string name, std::vector<std::string> labels,
+                          std::function<double(std::size_t)> number) {
+    Signal signal{.name = std::move(name), .labels = std::move(labels), .measure = std::move(number)};
+    signal.values.resize(signal.labels.size());
+    signals_.push_back(std::move(signal));
+  };
+  add("motion.mode", {"mode"}, [report](std::size_t) { return static_cast<double>(report().activity); });
+  add("motion.fallen", {"fallen"}, [report](std::size_t) { return report().fallen ? 1.0 : 0.0; });
+  add("motion.odometry", {"x", "y", "heading"}, [odometry](std::size_t i) {
+    return i == 0 ? odometry->x : i == 1 ? odometry->y : odometry->z;
+  });
+  std::vector<std::string> names;
+  for (const locomotion::NamedMotion& motion : given ? *given : none) names.push_back(motion.name);
+  add("motion.phase", std::move(names), [report](std::size_t i) {
+    const locomotion::MotionReport now = report();
+    return now.motion == static_cast<int>(i) ? now.phase : -1.0;
+  });
 }
 
 std::vector<std::string_view> RobotPort::signal_names() const {
   std::vector<std::string_view> names;
   for (const Signal& signal : signals_) names.push_back(signal.name);
+  for (const std::string_view name : motion_signals) names.push_back(name);
   for (const std::string_view name : GameSignals::names()) names.push_back(name);
   return names;
 }
 
 const murosimf_signal* RobotPort::signal(std::string_view name) {
   if (const murosimf_signal* of_game = game_.find(name)) return of_game;
-  const auto found = std::ranges::find(signals_, name, &Signal::name);
+  auto found = std::ranges::find(signals_, name, &Signal::name);
+  if (found == signals_.end() && std::ranges::find(motion_signals, name) != motion_signals.end()) {
+    commands_.watch_motions(name);
+    add_motions();
+    found = std::ranges::find(signals_, name, &Signal::name);
+  }
   if (found == signals_.end()) throw SetupError(unknown_name("signal", name, signal_names()));
   found->asked = true;
   if (!found->row) found->row = &show_numbers(rows_, found->name, found->numbers(), found->now);
@@ -128,7 +178,7 @@ void RobotPort::send_over_link(Duration now) {
     if (of_sensor) {
       sent_.insert(sent_.end(), signal.measured.begin(), signal.measured.end());
     } else {
-      for (std::size_t i = 0; i < signal.values.size(); ++i) sent_.push_back(joint_value(signal, i));
+      for (std::size_t i = 0; i < signal.values.size(); ++i) sent_.push_back(signal.measure(i));
     }
   }
   link_->send(now, sent_);
@@ -167,19 +217,13 @@ void RobotPort::reseed(std::uint64_t seed) {
   if (link_) link_->reseed(seed);
 }
 
-/// As its bus reports it.
-double RobotPort::joint_value(const Signal& signal, std::size_t i) const noexcept {
-  const double value = signal.column[model_->joints()[i]], step = signal.steps[i];
-  return step > 0 ? step * std::round(value / step) : value;
-}
-
 void RobotPort::refresh(Signal& signal, Duration now) noexcept {
   if (signal.reading) {
     signal.now.time = signal.reading->time.count();
     signal.now.samples = signal.reading->samples;
     return show(signal);
   }
-  for (std::size_t i = 0; i < signal.values.size(); ++i) signal.values[i] = joint_value(signal, i);
+  for (std::size_t i = 0; i < signal.values.size(); ++i) signal.values[i] = signal.measure(i);
   signal.now.time = now.count();
   ++signal.now.samples;
   show(signal);

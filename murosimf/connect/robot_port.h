@@ -6,6 +6,10 @@
 ///     joint.position       [rad | m] of all joints as their bus reports it now: in whole steps of the servo's encoder
 ///     joint.velocity       [rad/s | m/s] likewise
 ///     joint.torque         [N m | N] of servo and gear; NaN at levels that have none
+///     motion.mode          what the motion engine does: 0 stands, 1 walks, 2 plays, 3 dives, 4 falls, 5 protects itself, 6 lies, 7 gets up
+///     motion.phase         [1] of each motion of the robot's file, by its name: how much of it is over; -1: it is not played
+///     motion.odometry      [m, m, rad] x, y, heading: how far the robot thinks that it has come, in the frame in which it stood at the start
+///     motion.fallen        1: it lies or gets up, or the torso leans over 60 degrees as the robot's own sensors say; else 0
 ///     game.state, ...      what the referee has said last (game_view.h); of a robot in a game
 /// To set (murosimf_command), zero until it is set; what is not finite or outside of the range is refused and counted:
 ///     joint.target         [rad | m] of all joints, within their ranges
@@ -20,12 +24,15 @@
 ///     walk.other_joints    [rad | m] targets of the joints that are no leg's
 ///     motion.velocity      [m/s, m/s, rad/s] the motion engine walks so, with feedback, and gets up when it has fallen; it moves all joints
 ///     motion.play          [1] of each motion of the robot's file, by its name: a change to another number than 0 has it played once
+///     motion.kick          [1, rad, 1, m, m] number, direction, side, ball_x, ball_y: a change to another number than 0 has the robot kick the
+///                          ball in that direction (locomotion/motion_state.h, KickRequest)
 ///     game.answer          [1] what the referee is answered, 0 to 4 (2, alive)
-/// The simulator's walk engine, its motion engine and joint.target exclude each other.
+/// The simulator's walk engine, its motion engine and joint.target exclude each other; who reads motion.* has the motion engine, too.
 #pragma once
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -89,6 +96,7 @@ class RobotPort {
 
   /// The algorithm is constructed: from now on no new commands.
   void close() {
+    setup_ = nullptr;
     commands_.close();
     radio_.close();
     game_.close();
@@ -134,27 +142,27 @@ class RobotPort {
   struct Signal {
     std::string name;
     std::vector<std::string> labels;
-    const sensors::Reading* reading = nullptr;  // null: of joints
-    std::span<const double> column;             // of joints, by object
-    std::vector<double> steps;                  // [rad] of joints' encoders, 0: none; empty: none has one
-    std::vector<double> values;                 // of joints, and of all that has come over a link
-    std::span<const double> measured{};         // of a sensor, before the link
-    std::uint64_t measurements = 0;             // of joints, before the link
-    murosimf_signal now{};                      // but where its values stand
-    const GuardedRow* row = nullptr;            // what software sees of it; null: it has not asked
+    const sensors::Reading* reading = nullptr;   // null: of no sensor
+    std::function<double(std::size_t)> measure;  // a number, where it is of no sensor
+    std::vector<double> values;                  // of no sensor, and of all that has come over a link
+    std::span<const double> measured{};          // of a sensor, before the link
+    std::uint64_t measurements = 0;              // of no sensor, before the link
+    murosimf_signal now{};                       // but where its values stand
+    const GuardedRow* row = nullptr;             // what software sees of it; null: it has not asked
     [[nodiscard]] std::span<const double> numbers() const { return values.empty() ? measured : values; }
     bool asked = false;   // for, by the software that is there
     bool wanted = false;  // refreshed and sent over the link, as the state has it
   };
   void add_sensor(Setup& setup, const sensors::Reading& reading);
   void add_joints(std::string name, std::span<const double> column, bool in_steps);
+  void add_motions();
   void refresh(Signal& signal, Duration now) noexcept;
   void show(const Signal& signal) noexcept;
   void send_over_link(Duration now);
   void receive_over_link(Duration now) noexcept;
-  [[nodiscard]] double joint_value(const Signal& signal, std::size_t i) const noexcept;
   [[nodiscard]] std::vector<std::string_view> signal_names() const;
 
+  Setup* setup_;  // null: closed
   const Model* model_;
   GuardedRows rows_;
   std::deque<Signal> signals_;       // stay where they are

@@ -7,13 +7,9 @@
 namespace murosimf::locomotion {
 namespace {
 
-constexpr double most_deviation = 0.3;  // [m] of xi: beyond, nothing helps any more
-
 double without_dead_zone(double x, double zone) noexcept { return x > zone ? x - zone : x < -zone ? x + zone : 0.0; }
 
-double cut(double x, double zone) noexcept {
-  return std::clamp(without_dead_zone(x, zone), -most_deviation, most_deviation);
-}
+double cut(double x, double zone, double most) noexcept { return std::clamp(without_dead_zone(x, zone), -most, most); }
 
 double outward(std::size_t side) noexcept { return side == 0 ? 1 : -1; }
 
@@ -73,7 +69,7 @@ void BalancedGait::move_apart(double dt, const GaitClock& clock, double width, G
 void BalancedGait::feel(double dt, const GaitClock& clock, std::span<const double> targets, WalkSenses& senses,
                         GaitState& state) const noexcept {
   const std::size_t standing = clock.standing();
-  senses.follow(dt, standing, feedback_.smoothing, feedback_.omega, state);
+  senses.follow(dt, standing, {feedback_.smoothing, feedback_.omega, feedback_.still_rate}, state);
   double sum = 0, count = 0;
   for (std::size_t side = 0; side < 2; ++side) {
     for (const int joint : legs_[side].joints) {
@@ -88,8 +84,7 @@ void BalancedGait::feel(double dt, const GaitClock& clock, std::span<const doubl
   }
   constexpr double memory = 1;  // [s]
   state.lag += dt / memory * (sum / count - state.lag);
-  constexpr double of_servos = 0.03;  // [rad] lag of joints whose servos are those of kid21
-  state.compliance = std::clamp(state.lag / of_servos, 0.0, 1.0);
+  state.compliance = std::clamp(state.lag / feedback_.compliant_lag, 0.0, 1.0);
 }
 
 void BalancedGait::find_deviation(const GaitClock& clock, GaitState& state) const noexcept {
@@ -108,8 +103,8 @@ void BalancedGait::find_deviation(const GaitClock& clock, GaitState& state) cons
   } else if (state.settled > 0) {
     state.deviation = difference(state.signals, state.upright);
   }
-  state.deviation.forward = cut(state.deviation.forward, zone);
-  state.deviation.outward = cut(state.deviation.outward, zone);
+  state.deviation.forward = cut(state.deviation.forward, zone, feedback_.most_deviation);
+  state.deviation.outward = cut(state.deviation.outward, zone, feedback_.most_deviation);
 }
 
 /// What it does of itself: learns how it stands, steps where ankles are not enough, and stands again when nothing is left of it.
@@ -221,9 +216,9 @@ GaitPose BalancedGait::step(double dt, GaitClock& clock, const WalkSenses& sense
   const double rate = phase_rate(state);
   const std::size_t stood = clock.standing();
   const double left = (1 - clock.share()) * walk_.period / 2 / std::max(0.5, rate);
-  const Vec3d fastest = intent.stops ? Vec3d{} : walk_.fastest;
-  const double width = state.alarm > 0 || !clock.is_idle(fastest) ? 0 : stands_wider_;
-  clock.advance(dt, {walk_.period, walk_.slew, fastest}, rate, state.alarm > 0 || !has_width(state, width));
+  const GaitLimits limits{walk_.period, walk_.slew, intent.stops ? Vec3d{} : walk_.fastest, intent.velocity};
+  const double width = state.alarm > 0 || !clock.is_idle(limits) ? 0 : stands_wider_;
+  clock.advance(dt, limits, rate, state.alarm > 0 || !has_width(state, width));
   move_apart(dt, clock, width, state);
   place_steps(dt, clock, stood, left, state);
   if (clock.standing() != stood) senses.change_foot(clock.standing(), state);

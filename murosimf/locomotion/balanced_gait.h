@@ -5,6 +5,8 @@
 /// It may stand narrower than it walks: each foot goes there in its last steps, and back in its first ones.
 #pragma once
 
+#include <optional>
+
 #include "murosimf/locomotion/gait_clock.h"
 #include "murosimf/locomotion/gait_feedback.h"
 #include "murosimf/locomotion/walk_senses.h"
@@ -21,12 +23,14 @@ class BalancedGait {
   void stand(GaitState& state) const noexcept { state.width.fill(stands_wider_); }
   /// How it stands.
   [[nodiscard]] GaitPose stance() const noexcept;
+  [[nodiscard]] const Vec3d& fastest() const noexcept { return walk_.fastest; }  ///< [m/s, m/s, rad/s]
   /// What the robot feels after a cycle of `dt` [s] in which its joints were asked for `targets` [rad] by object.
   void feel(double dt, const GaitClock& clock, std::span<const double> targets, WalkSenses& senses,
             GaitState& state) const noexcept;
   struct Intent {
-    bool stops = false;   ///< whatever the command says
-    bool answers = true;  ///< to deviations
+    bool stops = false;               ///< whatever the command says
+    bool answers = true;              ///< to deviations
+    std::optional<Vec3d> velocity{};  ///< [m/s, m/s, rad/s] instead of the command
   };
   /// The pose of the next cycle. `start` as in gait_pose.
   [[nodiscard]] GaitPose step(double dt, GaitClock& clock, const WalkSenses& senses, GaitState& state,

@@ -31,20 +31,22 @@ void GaitClock::initialize() noexcept {
 }
 
 void GaitClock::advance(double dt, const GaitLimits& limits, double rate, bool steps) noexcept {
-  const Vec3d aim = goal(limits.fastest);
+  const Vec3d aim = goal(limits);
   const Vec3d& slew = limits.slew;
   velocity_ = {approach(velocity_.x, aim.x, dt * slew.x), approach(velocity_.y, aim.y, dt * slew.y),
                approach(velocity_.z, aim.z, dt * slew.z)};
-  const bool walking = steps || !is_idle(limits.fastest);
+  const bool walking = steps || !is_idle(limits);
   amplitude_ = approach(amplitude_, walking ? 1 : 0, dt / (ramp * limits.period));
   phase_ = amplitude_ > 0 ? std::fmod(phase_ + rate * 2 * pi * dt / limits.period, 2 * pi) : 0.0;
 }
 
-Vec3d GaitClock::goal(const Vec3d& fastest) const noexcept {
-  return halted_ != 0 ? Vec3d{} : clipped(command_, fastest);
+Vec3d GaitClock::goal(const GaitLimits& limits) const noexcept {
+  return halted_ != 0 ? Vec3d{} : clipped(limits.velocity.value_or(command_), limits.fastest);
 }
 
-bool GaitClock::is_idle(const Vec3d& fastest) const noexcept { return is_zero(goal(fastest)) && is_zero(velocity_); }
+bool GaitClock::is_idle(const GaitLimits& limits) const noexcept {
+  return is_zero(goal(limits)) && is_zero(velocity_);
+}
 
 void GaitClock::start_at(double phase, double amplitude) noexcept {
   phase_ = phase;

@@ -4,6 +4,8 @@
 /// something moves and to 0 otherwise; the phase runs while it is not 0. All are columns.
 #pragma once
 
+#include <optional>
+
 #include "murosimf/math/scalar.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/model/setup.h"
@@ -11,9 +13,10 @@
 namespace murosimf::locomotion {
 
 struct GaitLimits {
-  double period = 0;  ///< [s]
-  Vec3d slew;         ///< [m/s^2, m/s^2, rad/s^2] of the velocity
-  Vec3d fastest;      ///< [m/s, m/s, rad/s]
+  double period = 0;                ///< [s]
+  Vec3d slew;                       ///< [m/s^2, m/s^2, rad/s^2] of the velocity
+  Vec3d fastest;                    ///< [m/s, m/s, rad/s]
+  std::optional<Vec3d> velocity{};  ///< [m/s, m/s, rad/s] instead of walk_command
 };
 
 class GaitClock {
@@ -27,8 +30,8 @@ class GaitClock {
   /// At once.
   void start_at(double phase, double amplitude) noexcept;
 
-  /// Nothing moves, nor shall it: no command is left within `fastest` [m/s, m/s, rad/s].
-  [[nodiscard]] bool is_idle(const Vec3d& fastest) const noexcept;
+  /// Nothing moves, nor shall it: within the limits no command is left.
+  [[nodiscard]] bool is_idle(const GaitLimits& limits) const noexcept;
   [[nodiscard]] const Vec3d& velocity() const noexcept { return velocity_; }           ///< [m/s, m/s, rad/s]
   [[nodiscard]] double phase() const noexcept { return phase_; }                       ///< [rad] 0 to 2 pi
   [[nodiscard]] std::size_t standing() const noexcept { return phase_ < pi ? 0 : 1; }  ///< 0: left
@@ -37,7 +40,7 @@ class GaitClock {
   [[nodiscard]] double amplitude() const noexcept { return amplitude_; }  ///< [1] 0 stands, 1 walks
 
  private:
-  [[nodiscard]] Vec3d goal(const Vec3d& fastest) const noexcept;
+  [[nodiscard]] Vec3d goal(const GaitLimits& limits) const noexcept;
 
   const Vec3d& command_;
   const double& halted_;  // 1: a referee wants it to stand

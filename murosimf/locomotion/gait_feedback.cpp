@@ -57,6 +57,11 @@ const std::array rows{
     Row{"offset_speed", &GaitFeedback::offset_speed, speed, "m/s", "with which a foot leaves its stride", 0, 100},
     Row{"smoothing", &GaitFeedback::smoothing, time, "s", "of the center of mass's rate", 0, 1},
     Row{"omega", &GaitFeedback::omega, rate, "1/s", "of the pendulum that the robot is", above(0), 100},
+    Row{"most_deviation", &GaitFeedback::most_deviation, length, "m", "what is larger counts as this", above(0),
+        farthest},
+    Row{"compliant_lag", &GaitFeedback::compliant_lag, none, "rad",
+        "mean lag of the legs' joints of the compliant table", above(0), 1},
+    Row{"still_rate", &GaitFeedback::still_rate, rate, "rad/s", "below which a robot stands still", 0, 10},
     Row{"step_at", &GaitFeedback::step_at, length, "m", "deviation at which a robot that stands steps", 0, farthest},
 };
 
@@ -90,6 +95,17 @@ const std::vector<OptionInfo>& balanced_walk_options() {
   return all;
 }
 
+namespace {
+
+/// [1] How far servos give way, over those of kid21.
+double softness(const Model& model) {
+  constexpr double kid21_droop = 0.08535027;  // [rad] hip_droop
+  const double droop = hip_droop(model);
+  return droop > 0 ? droop / kid21_droop : 1;
+}
+
+}  // namespace
+
 GaitFeedback gait_feedback(const Model& model, const OptionValues& given) {
   constexpr double kid21_leg = 0.24;  // [m] thigh and shin
   const Leg& leg = legs_of(model)[0];
@@ -101,6 +117,7 @@ GaitFeedback gait_feedback(const Model& model, const OptionValues& given) {
   }
   check_options("the balance", feedback_options(), all);
   GaitFeedback numbers;
+  numbers.compliant_lag *= softness(model);
   for (const Row& row : rows) {
     double& number = numbers.*row.place;
     number *= std::pow(scale, row.power);

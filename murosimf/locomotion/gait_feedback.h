@@ -51,8 +51,11 @@ struct GaitFeedback {
   double offset_speed = 0.60624;       ///< [m/s] of an offset
   double smoothing = 0.0091649;        ///< [s] of the rate of the center of mass, from encoders
   double omega = 7.3899;               ///< [1/s] of the pendulum
+  double most_deviation = 0.3;         ///< [m] of e: what is larger counts as this
+  double compliant_lag = 0.03;         ///< [rad] mean lag of the legs' joints at which their servos count as compliant
   // standing
-  double step_at = 0.035;  ///< [m] of e while it stands: it steps
+  double step_at = 0.035;    ///< [m] of e while it stands: it steps
+  double still_rate = 0.05;  ///< [rad/s] of a robot that stands still
 };
 
 /// Names, units, meanings and bounds; none has a default of its own.
@@ -64,7 +67,7 @@ struct GaitFeedback {
 /// Those and the numbers of the walk (walk_options.h): what [balance] of a robot's file and the controller `motions` take.
 [[nodiscard]] const std::vector<OptionInfo>& balanced_walk_options();
 
-/// Scaled from kid21 by the length of the legs (lengths by l, times by sqrt(l)), with the model's own numbers (given_balance) in their
+/// Scaled from kid21 by the length of the legs (lengths by l, times by sqrt(l)), the lag of soft servos by hip_droop (gait_seed.h), with the model's own numbers (given_balance) in their
 /// place, and `given` before these. Throws SetupError if an option is wrong or the model has no legs to walk with.
 [[nodiscard]] GaitFeedback gait_feedback(const Model& model, const OptionValues& given);
 /// The walk itself: walk_parameters with those of the model's own numbers (given_balance) and of `given` that are its own.

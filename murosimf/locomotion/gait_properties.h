@@ -35,6 +35,7 @@ inline constexpr Property<double> balance_capture    {{"balance_capture", "rad",
 
 inline constexpr Property<locomotion::GaitState> gait_state {{"gait_state", "-", "-", "what a walk with feedback remembers: attitude, center of mass, offsets of feet", Scope::base}};
 inline constexpr Property<locomotion::MotionRequests> motion_request {{"motion_request", "1", "-", "one number for each motion of the robot, by their names; a change to another than 0 asks for it", Scope::base}};
+inline constexpr Property<locomotion::KickRequest> kick_request {{"kick_request", "1, rad, 1, m, m", "robot, x forward", "number, direction, side, ball: a change of the number to another than 0 asks for a kick", Scope::base}};
 inline constexpr Property<locomotion::MotionState> motion_state {{"motion_state", "-", "-", "what the motion engine does, and since when", Scope::base}};
 inline constexpr Property<double> motion_start       {{"motion_start", "rad | m", "joint", "targets from which the present motion began"}};
 inline constexpr Property<Vec3d>  odometry           {{"odometry", "m, m, rad", "where the robot started", "how far the robot thinks that it has walked, and turned", Scope::base}};

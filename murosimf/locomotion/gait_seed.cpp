@@ -133,6 +133,11 @@ WalkParameters walk_parameters(const Model& model, const OptionValues& given) {
   return p;
 }
 
+double hip_droop(const Model& model) {
+  const std::array<Leg, 2>& legs = legs_of(model);
+  return droop_of(model, legs, balance_of(model, legs, seeded_parameters(model)));
+}
+
 WalkParameters seeded_parameters(const Model& model) {
   return *model.derived().get<WalkParameters>("seeded", [&] { return walk_parameters(model, {}); });
 }

@@ -28,4 +28,7 @@ namespace murosimf::locomotion {
 /// The same with nothing given. All robots of a team ask for them, so the model keeps them.
 [[nodiscard]] WalkParameters seeded_parameters(const Model& model);
 
+/// [rad] by which the swinging side hangs, d from above, where the robot walks with these numbers; 0: its servos do not give way.
+[[nodiscard]] double hip_droop(const Model& model);
+
 }  // namespace murosimf::locomotion

@@ -9,6 +9,8 @@
 
 namespace murosimf::locomotion {
 
+inline constexpr std::size_t most_waist = 4;  ///< hinges between the base and the inertial sensor
+
 /// Doubles and nothing else. By side: left first.
 struct GaitState {
   AttitudeFilter attitude;
@@ -16,6 +18,9 @@ struct GaitState {
   std::array<Vec3d, 2> center_rate;  ///< [m/s] its rate in those axes
   std::array<Vec3d, 2>
       offset;  ///< [m] of the foot from where the open-loop walk has it, level axes of the pelvis; z: 0
+  std::array<double, most_waist>
+      waist{};       ///< [rad] of the hinges between the base and the inertial sensor, outermost first
+  Vec3d waist_rate;  ///< [rad/s] of that sensor's link against the base, axes of the base
   std::array<double, 2> roll_target{};  ///< [rad] of the hip, before sag
   std::array<double, 2> roll_lag{};     ///< [rad]
   StepSignals signals;                  ///< measured

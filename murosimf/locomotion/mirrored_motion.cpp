@@ -85,6 +85,7 @@ KeyframeMotion mirrored(const KeyframeMotion& motion, const Model& model) {
       }
     }
   }
+  if (image.kick) image.kick = Kick{{image.kick->ball.x, -image.kick->ball.y, 0}, -image.kick->direction};
   return image;
 }
 

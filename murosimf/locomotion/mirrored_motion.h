@@ -3,7 +3,8 @@
 /// The x-z plane of the base is the mirror. Joints find their partners by where they are with all joints at zero: a hinge at (x, y, z)
 /// with axis (a, b, c) belongs to the one at (x, -y, z) with axis (-a, b, -c), since an axis of rotation is a pseudovector; a slide's
 /// axis becomes (a, -b, c). Where the partner's axis points the other way the value changes its sign. Joints in the plane are their
-/// own partners. Left and right foot change places, and the sign of y.
+/// own partners. Left and right foot change places, and the sign of y, that of
+/// a ball too.
 #pragma once
 
 #include "murosimf/locomotion/keyframe_motion.h"

@@ -7,6 +7,9 @@
 #include <fmt/format.h>
 
 #include "murosimf/collision/contact_properties.h"
+#include "murosimf/locomotion/gait_seed.h"
+#include "murosimf/locomotion/motion_report.h"
+#include "murosimf/locomotion/wide_step.h"
 #include "murosimf/model/error.h"
 #include "murosimf/motion/rate_limit.h"
 
@@ -14,7 +17,6 @@ namespace murosimf::locomotion {
 namespace {
 
 const double cos_falling = std::cos(35 * pi / 180);
-const double cos_fallen = std::cos(60 * pi / 180);
 const double cos_upright = std::cos(30 * pi / 180);
 
 bool starts_with_any(std::string_view name, std::initializer_list<std::string_view> words) {
@@ -48,8 +50,10 @@ MotionEngine::MotionEngine(Setup& setup, const Vec3d& command, const MotionEngin
       next_(rates_.size()),
       dynamic_(setup.input(properties::dynamic, 1.0)[0]),
       requests_(setup.input(properties::motion_request, {})[0]),
+      kick_request_(setup.input(properties::kick_request, {})[0]),
       gait_state_(setup.write(properties::gait_state)[0]),
       state_(setup.write(properties::motion_state)[0]),
+      odometry_(setup.write(properties::odometry)[0]),
       start_(setup.write(properties::motion_start)),
       target_(setup.write(properties::joint_target)) {
   for (const int joint : setup.model().joints()) {
@@ -58,12 +62,25 @@ MotionEngine::MotionEngine(Setup& setup, const Vec3d& command, const MotionEngin
   }
   if (options.motions.size() > most_motions)
     throw SetupError(fmt::format("a robot has at most {} motions, not {}", most_motions, options.motions.size()));
-  for (const auto& [name, motion] : options.motions) {
-    with_context(name, [&] {
-      motions_.push_back({name, motion, duration(motion), KeyframeTargets(setup.model(), motion), motion.start,
-                          starts_with_any(name, {"dive", "protect", "get_up"})});
-    });
+  for (const NamedMotion& motion : options.motions)
+    with_context(motion.name, [&] { add_motion(setup.model(), motion); });
+  named_ = motions_.size();
+  for (const std::size_t side : {0, 1}) {
+    add_motion(setup.model(), {"wide_step", wide_step(legs_, seeded_parameters(setup.model()), side)});
+    for (std::size_t i = 0; i < named_; ++i) {
+      if (motions_[i].name == (side == 0 ? "dive_left" : "dive_right"))
+        motions_[i].standing = static_cast<int>(motions_.size()) - 1;
+    }
   }
+}
+
+void MotionEngine::add_motion(const Model& model, const NamedMotion& named) {
+  const auto& [name, motion] = named;
+  const int number = static_cast<int>(motions_.size());
+  const bool lies = starts_with_any(name, {"dive", "protect", "get_up"});
+  motions_.push_back({name, motion, duration(motion), KeyframeTargets(model, motion), motion.start,
+                      name.starts_with("dive"), lies, lies ? -1 : number});
+  if (motion.kick) kicks_.push_back({number, *motion.kick});
 }
 
 void MotionEngine::initialize() {
@@ -92,26 +109,57 @@ void MotionEngine::step(const Instant& instant) noexcept {
 }
 
 void MotionEngine::read_requests() noexcept {
-  for (std::size_t i = 0; i < motions_.size(); ++i) {
+  for (std::size_t i = 0; i < named_; ++i) {
     const double number = requests_.number[i];
     if (std::exchange(state_.seen.number[i], number) == number || number == 0) continue;
     ask(static_cast<int>(i));
   }
+  if (std::exchange(state_.kick_seen, kick_request_.number) != kick_request_.number) ask_for_kick();
 }
 
 /// A request waits in `motion` until the robot has stopped. Where it falls or plays already, it is over.
 void MotionEngine::ask(int motion) noexcept {
-  if (mode() != MotionMode::walk) return;
+  if (mode() != MotionMode::walk || (!can_fall() && motions_[motion].standing < 0)) return;
   if (motions_[motion].lies) return begin(MotionMode::play, motion);
   state_.motion = motion;
+  state_.kick = -1;
+}
+
+/// Another request, also for where the ball is meanwhile, takes the place of the one to which it walks.
+void MotionEngine::ask_for_kick() noexcept {
+  state_.kick = -1;
+  if (mode() != MotionMode::walk || kick_request_.number == 0 || state_.motion >= 0) return;
+  const std::optional<KickPlan> plan = plan_kick(kicks_, kick_request_, gait_.fastest());
+  if (!plan) return;
+  const Vec3d ball{kick_request_.ball_x, kick_request_.ball_y, 0};
+  state_.kick = plan->motion;
+  state_.approach = 0;
+  state_.place = odometry_;
+  state_.goal = from_there(odometry_, plan->place);
+  state_.ball = from_there(odometry_, ball);
+  constexpr double share = 0.95;  // [1] of where the motion has the ball
+  state_.clearance = is_zero(ball) ? 0 : share * norm(motions_[plan->motion].motion.kick->ball);
+}
+
+/// Walks to where it kicks; from there it plays the motion, as one that was asked for.
+void MotionEngine::approach(double dt) noexcept {
+  constexpr double longest = 15, smooths = 0.25;    // [s]
+  constexpr double near = 1.0 / 16, turned = 0.05;  // [1] of the leg, [rad]
+  const Vec3d way = seen_from(state_.place, odometry_);
+  state_.place += (dt / (smooths + dt)) * Vec3d{odometry_.x - state_.place.x, odometry_.y - state_.place.y, way.z};
+  state_.approach += dt;
+  if (state_.approach > longest) state_.kick = -1;
+  const Vec3d goal = seen_from(state_.place, state_.goal);
+  if (std::hypot(goal.x, goal.y) > near * (legs_[0].thigh + legs_[0].shin) || std::abs(goal.z) > turned) return;
+  state_.motion = std::exchange(state_.kick, -1);
 }
 
 void MotionEngine::choose(double dt) noexcept {
   const double up = gait_state_.attitude.up.z;
-  const bool means_to_lie =
-      mode() != MotionMode::walk && state_.motion >= 0 && motions_[static_cast<int>(state_.motion)].lies;
-  const bool over = mode() != MotionMode::walk && state_.motion >= 0 &&
-                    state_.time > state_.blend + motions_[static_cast<int>(state_.motion)].duration;
+  const bool plays = mode() != MotionMode::walk && state_.motion >= 0;
+  const bool means_to_lie = plays && played().lies;
+  const bool over = plays && state_.time > state_.blend + state_.duration;
+  if (!can_fall() && mode() != MotionMode::walk && mode() != MotionMode::play) return begin(MotionMode::walk, -1);
   switch (mode()) {
     case MotionMode::walk:
     case MotionMode::play:
@@ -140,7 +188,8 @@ void MotionEngine::choose(double dt) noexcept {
 }
 
 void MotionEngine::lie_down() noexcept {
-  if (mode() != MotionMode::get_up) state_.falls += 1;
+  const bool dives = mode() == MotionMode::play && state_.motion >= 0 && played().dives;
+  if (mode() != MotionMode::get_up && !dives) state_.falls += 1;
   begin(MotionMode::lie, -1);
 }
 
@@ -148,7 +197,8 @@ void MotionEngine::lie_down() noexcept {
 void MotionEngine::begin(MotionMode mode, int motion) noexcept {
   state_.mode = static_cast<double>(mode);
   state_.motion = motion;
-  state_.time = state_.quiet = 0;
+  state_.kick = -1;
+  state_.time = state_.quiet = state_.duration = 0;
   std::ranges::copy(target_, start_.begin());
   clock_.initialize();
   gait_state_.offset = {};
@@ -157,7 +207,8 @@ void MotionEngine::begin(MotionMode mode, int motion) noexcept {
     gait_.stand(gait_state_);
     write_walk(gait_.stance());
   } else if (motion >= 0) {
-    write_motion(motions_[motion], 0);
+    state_.duration = played().duration;
+    write_motion(played(), 0);
   } else {
     std::ranges::copy(target_, next_.begin());
   }
@@ -177,9 +228,15 @@ void MotionEngine::walk(double dt) noexcept {
     write_walk(gait_.stance());
     return come_from_start();
   }
+  std::optional<Vec3d> velocity;
+  if (state_.kick >= 0) {
+    approach(dt);
+    velocity = velocity_to_kick(seen_from(state_.place, state_.goal), seen_from(state_.place, state_.ball),
+                                state_.clearance, gait_.fastest());
+  }
   const bool waits = state_.motion >= 0;
   write_walk(gait_.step(dt, clock_, senses_, gait_state_, pose_among(legs_, target_),
-                        {.stops = waits, .answers = can_fall()}));
+                        {.stops = waits, .answers = can_fall(), .velocity = velocity}));
 }
 
 void MotionEngine::play() noexcept {
@@ -187,7 +244,7 @@ void MotionEngine::play() noexcept {
     std::ranges::copy(target_, next_.begin());
     return;
   }
-  write_motion(motions_[static_cast<int>(state_.motion)], state_.time - state_.blend);
+  write_motion(played(), state_.time - state_.blend);
   if (state_.time < state_.blend) come_from_start();
 }
 
@@ -214,9 +271,15 @@ void MotionEngine::limit_rates(double dt) noexcept {
   }
 }
 
+/// What its motion is at this level.
+MotionEngine::PlayedMotion& MotionEngine::played() noexcept {
+  PlayedMotion& motion = motions_[static_cast<int>(state_.motion)];
+  return can_fall() || motion.standing < 0 ? motion : motions_[motion.standing];
+}
+
 int MotionEngine::find_motion(std::string_view kind) const noexcept {
   const std::string_view side = side_down(gait_state_.attitude.up);
-  for (std::size_t i = 0; i < motions_.size(); ++i) {
+  for (std::size_t i = 0; i < named_; ++i) {
     const std::string_view name = motions_[i].name;
     if (name.size() == kind.size() + side.size() && name.starts_with(kind) && name.ends_with(side))
       return static_cast<int>(i);

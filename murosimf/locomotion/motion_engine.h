@@ -3,12 +3,15 @@
 /// Modes (motion_state.h), the later ones go before the earlier ones:
 ///     walk      stands or walks with the velocity in `walk_command` (balanced_gait.h); without a command and undisturbed it stands,
 ///               its feet as far apart as where key frames begin
-///     play      a key-frame motion that `motion_request` asked for (motion_state.h). It begins when the robot has stopped, a dive at once
+///     play      a key-frame motion that `motion_request` asked for (motion_state.h). It begins when the robot has stopped, a dive at once;
+///               a kick that `kick_request` asked for, when the robot has walked to where it sends the ball there (kick_plan.h)
 ///     protect   it falls (leans over 35 degrees): plays protect_front, _back, _left or _right, if the robot has it
 ///     lie       it has fallen (60 degrees): waits until it lies still
 ///     get_up    plays get_up_front, _back, _left or _right by the side that it lies on, and again if it does not stand then
 /// A motion begins with a way from where the joints are, in the time that the slowest joint needs; targets never change by more than
 /// a joint's largest rate (motion/rate_limit.h).
+/// At `kinematic_walking`, which cannot fall, a dive is a wide step to its side (wide_step.h), and what is for robots that fall or lie is
+/// not played.
 #pragma once
 
 #include <array>
@@ -18,6 +21,7 @@
 #include "murosimf/locomotion/balanced_gait.h"
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/locomotion/keyframe_targets.h"
+#include "murosimf/locomotion/kick_plan.h"
 #include "murosimf/model/algorithm.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/model/setup.h"
@@ -54,11 +58,17 @@ class MotionEngine final : public Algorithm {
     double duration = 0;  // [s]
     KeyframeTargets targets;
     std::vector<double> values;  // of this instant, by column
-    bool lies = false;           ///< the robot is meant to go down, or to come from there
+    bool dives = false;
+    bool lies = false;  ///< the robot is meant to go down, or to come from there
+    int standing = -1;  ///< what is played instead where a robot cannot fall: itself, a wide step, or -1, nothing
   };
 
   void read_requests() noexcept;
+  void add_motion(const Model& model, const NamedMotion& motion);
   void ask(int motion) noexcept;
+  void ask_for_kick() noexcept;
+  void approach(double dt) noexcept;
+  [[nodiscard]] PlayedMotion& played() noexcept;
   void choose(double dt) noexcept;
   void begin(MotionMode mode, int motion) noexcept;
   void lie_down() noexcept;
@@ -77,14 +87,18 @@ class MotionEngine final : public Algorithm {
   BalancedGait gait_;
   WalkSenses senses_;
   GaitClock clock_;
-  std::vector<PlayedMotion> motions_;
+  std::vector<PlayedMotion> motions_;  // the robot's, and wide steps behind them
+  std::size_t named_ = 0;              // how many are the robot's
+  std::vector<KickChoice> kicks_;
   std::vector<int> joints_;
   std::vector<double> rates_;  // [rad/s | m/s] by object
   std::vector<double> next_;   // [rad | m] targets of this cycle, by object; made anew in each
   const double& dynamic_;      // 0: at kinematic_walking, which cannot fall, nothing that the sensors say is answered
   const MotionRequests& requests_;
+  const KickRequest& kick_request_;
   GaitState& gait_state_;
   MotionState& state_;
+  const Vec3d& odometry_;
   std::span<double> start_;   // [rad | m] by object
   std::span<double> target_;  // [rad | m] by object
 };

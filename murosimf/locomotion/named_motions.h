@@ -24,4 +24,9 @@ using NamedMotions = std::vector<NamedMotion>;
   return found == motions.end() ? nullptr : &found->motion;
 }
 
+/// Whether one of them says where it kicks a ball.
+[[nodiscard]] inline bool has_kick(const NamedMotions& motions) {
+  return std::ranges::any_of(motions, [](const NamedMotion& one) { return one.motion.kick.has_value(); });
+}
+
 }  // namespace murosimf::locomotion

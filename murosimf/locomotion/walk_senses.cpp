@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -15,19 +16,10 @@ namespace murosimf::locomotion {
 namespace {
 
 constexpr double least_gravity = 0.1;  // [m/s^2] below, specific force says nothing of up
-constexpr double still_rate = 0.05;    // [rad/s] of a robot that stands
 
 std::span<const double> inertial(Setup& setup, const char* output) {
   return with_context("a robot that balances needs a sensor 'imu' with gyroscope and accelerometer",
                       [&] { return sensors::read_output(setup, output); });
-}
-
-/// The first sensor that reports positions of joints.
-const sensors::Reading& encoders_of(Setup& setup) {
-  for (const sensors::Reading* reading : sensors::readings_of(setup.entity())) {
-    if (reading->info->type == "joint_position") return sensors::read_reading(setup, reading->info->name);
-  }
-  throw SetupError("a robot that balances needs a sensor of the type joint_position for the joints of its legs");
 }
 
 Vec3d ankle_of(const Leg& leg, std::span<const double> q) noexcept {
@@ -57,18 +49,38 @@ WalkSenses::WalkSenses(Setup& setup, const std::array<Leg, 2>& legs)
   const FixedObject place = model_.placement(imu.frame.empty() ? 0 : model_.object_index(imu.frame));
   mounting_ = model_.tree().links[place.link].object;
   turn_ = place.turn * imu.orientation;
-  const sensors::Reading& encoders = encoders_of(setup);
-  const sensors::Output& output = encoders.info->outputs.front();
-  for (std::size_t i = 0; i < output.labels.size(); ++i)
-    encoders_.push_back({encoders.values.data() + i, model_.object_index(output.labels[i])});
+  find_encoders(setup);
+  for (int link = place.link; model_.tree().links[link].parent >= 0; link = model_.tree().links[link].parent) {
+    if (model_.tree().links[link].kind == LinkKind::revolute) waist_.push_back(model_.tree().links[link]);
+  }
+  if (waist_.size() > most_waist)
+    throw SetupError(
+        fmt::format("{} hinges turn the sensor 'imu' against the base; a robot that balances has at most {}",
+                    waist_.size(), most_waist));
+  for (const Link& hinge : waist_) require(hinge.object);
   for (const Leg& leg : legs_) {
-    for (const int joint : leg.joints) {
+    for (const int joint : leg.joints) require(joint);
+  }
+}
+
+void WalkSenses::find_encoders(Setup& setup) {
+  for (const sensors::Reading* found : sensors::readings_of(setup.entity())) {
+    if (found->info->type != "joint_position") continue;
+    const sensors::Reading& reading = sensors::read_reading(setup, found->info->name);
+    const sensors::Output& output = reading.info->outputs.front();
+    for (std::size_t i = 0; i < output.labels.size(); ++i) {
+      const int joint = model_.object_index(output.labels[i]);
       if (std::ranges::find(encoders_, joint, &Encoder::joint) != encoders_.end()) continue;
-      throw SetupError(
-          fmt::format("a robot that balances needs the position of joint '{}', which sensor '{}' does not report",
-                      model_.objects()[joint].name, encoders.info->name));
+      encoders_.push_back({reading.values.data() + i, joint});
     }
   }
+}
+
+void WalkSenses::require(int joint) const {
+  if (std::ranges::find(encoders_, joint, &Encoder::joint) != encoders_.end()) return;
+  throw SetupError(fmt::format(
+      "a robot that balances needs the position of joint '{}', which no sensor of the type joint_position reports",
+      model_.objects()[joint].name));
 }
 
 void WalkSenses::initialize(std::size_t standing, GaitState& state) noexcept {
@@ -82,21 +94,32 @@ void WalkSenses::read_joints() noexcept {
   for (const Encoder& encoder : encoders_) q_[encoder.joint] = std::isnan(*encoder.value) ? 0 : *encoder.value;
 }
 
-void WalkSenses::follow(double dt, std::size_t standing, double smoothing, double omega, GaitState& state) noexcept {
+/// [rad/s] Of the link that the inertial sensor is on against the base, axes of the base.
+Vec3d WalkSenses::waist_rate(double dt, double smoothing, GaitState& state) noexcept {
+  Vec3d turned;  // [rad] since the cycle before
+  for (std::size_t i = 0; i < waist_.size(); ++i) {
+    const double angle = q_[waist_[i].object];
+    turned += (angle - std::exchange(state.waist[i], angle)) * (R_[waist_[i].object] * waist_[i].axis);
+  }
+  if (state.cycles > 0) state.waist_rate += (dt / (smoothing + dt)) * ((1 / dt) * turned - state.waist_rate);
+  return state.waist_rate;
+}
+
+void WalkSenses::follow(double dt, std::size_t standing, const Numbers& numbers, GaitState& state) noexcept {
   read_joints();
   multibody::poses<double>(model_.tree(), q_, r_, R_);
   const Mat3d to_base = R_[mounting_] * turn_;
-  const Vec3d gyroscope = to_base * sensors::vector_of(gyroscope_),
-              force = to_base * sensors::vector_of(accelerometer_);
+  const Vec3d measured = to_base * sensors::vector_of(gyroscope_), force = to_base * sensors::vector_of(accelerometer_);
   if (state.cycles == 0) state.attitude.start(force);
-  const bool quiet = norm(gyroscope - state.attitude.bias) < still_rate;
+  const Vec3d gyroscope = measured - waist_rate(dt, numbers.smoothing, state);
+  const bool quiet = norm(measured - state.attitude.bias) < numbers.still_rate;
   state.still = quiet ? state.still + dt : 0;
   constexpr double settled = 0.3;  // [s]
   state.attitude.follow(dt, gyroscope, force, gravity_, {}, state.still > settled);
   rate_ = gyroscope - state.attitude.bias;
 
   const Vec3d center = multibody::common_body<double>(model_.tree(), r_, R_, rest_, rest_).center;
-  const double share = dt / (smoothing + dt);
+  const double share = dt / (numbers.smoothing + dt);
   for (std::size_t side = 0; side < 2; ++side) {
     const Vec3d from_ankle = center - ankle_of(legs_[side], q_);
     if (state.cycles > 0)
@@ -105,11 +128,12 @@ void WalkSenses::follow(double dt, std::size_t standing, double smoothing, doubl
   }
   const Mat3d R = level_axes(state.attitude);
   const Vec3d& c = state.center[standing];
-  const Vec3d xi = R * (c + (1 / omega) * (cross(rate_, c) + state.center_rate[standing]));
+  const Vec3d xi = R * (c + (1 / numbers.omega) * (cross(rate_, c) + state.center_rate[standing]));
   const double outward = standing == 0 ? 1 : -1;
   state.signals = {xi.x,   outward * xi.y, state.attitude.pitch(), outward * state.attitude.roll(), outward * rate_.x,
                    rate_.y};
   state.foot.z += dt * (R * rate_).z;
+  if (state.cycles == 0) change_foot(standing, state);  // before, it was not known how the joints stand
   const Vec3d step = flat_step(standing, state);
   odometry_ = {state.foot.x - step.x, state.foot.y - step.y, state.foot.z};
   state.cycles = std::min(state.cycles + 1, 2.0);

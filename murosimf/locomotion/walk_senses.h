@@ -5,6 +5,8 @@
 ///
 ///     xi = R c_a + R (w x c_a + dc_a/dt) / omega         dc_a/dt from differences, through a low-pass
 ///
+/// w is what the gyroscope says less its bias, and less the rates of the joints between the base and the link that it is on (a waist),
+/// which are differences of their encoders through the same low-pass.
 /// Odometry: the ankle that stands does not move, and the heading is the integral of the vertical rate.
 /// Source: gait_feedback.h.
 #pragma once
@@ -20,14 +22,19 @@ namespace murosimf::locomotion {
 
 class WalkSenses {
  public:
-  /// Throws SetupError if the robot has no sensor "imu" with gyroscope and accelerometer, or no sensor of the type joint_position for the
-  /// joints of its legs.
+  /// Throws SetupError if the robot has no sensor "imu" with gyroscope and accelerometer, or no sensors of the type joint_position for the
+  /// joints of its legs and those that turn the inertial sensor against the base. Where two report a joint, the first one counts.
   WalkSenses(Setup& setup, const std::array<Leg, 2>& legs);
 
   /// Before the first control cycle.
   void initialize(std::size_t standing, GaitState& state) noexcept;
-  /// A control cycle of `dt` [s] is over, in which `standing` (0: left) stood; `smoothing` [s], `omega` [1/s].
-  void follow(double dt, std::size_t standing, double smoothing, double omega, GaitState& state) noexcept;
+  struct Numbers {
+    double smoothing = 0;   ///< [s] of the low-pass
+    double omega = 0;       ///< [1/s]
+    double still_rate = 0;  ///< [rad/s] of a robot that stands
+  };
+  /// A control cycle of `dt` [s] is over, in which `standing` (0: left) stood.
+  void follow(double dt, std::size_t standing, const Numbers& numbers, GaitState& state) noexcept;
   /// Another foot stands from now on.
   void change_foot(std::size_t standing, GaitState& state) const noexcept;
 
@@ -42,7 +49,10 @@ class WalkSenses {
     int joint = 0;
   };
 
+  void find_encoders(Setup& setup);
+  void require(int joint) const;
   void read_joints() noexcept;
+  [[nodiscard]] Vec3d waist_rate(double dt, double smoothing, GaitState& state) noexcept;
   [[nodiscard]] Vec3d flat_step(std::size_t standing, const GaitState& state) const noexcept;
 
   const std::array<Leg, 2>& legs_;
@@ -50,6 +60,7 @@ class WalkSenses {
   std::vector<Encoder> encoders_;
   std::span<const double> gyroscope_, accelerometer_;  // [rad/s], [m/s^2] axes of the sensor
   int mounting_ = 0;                                   // object of the link that the sensor is on
+  std::vector<Link> waist_;                            // hinges between the base and it
   Mat3d turn_;                                         // axes of the sensor to those of that link
   double gravity_ = 9.81;                              // [m/s^2]
   std::vector<double> q_;

@@ -1,5 +1,6 @@
 #include "murosimf/robot/motion_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -7,6 +8,7 @@
 
 #include "murosimf/files/data_path.h"
 #include "murosimf/files/toml_reader.h"
+#include "murosimf/math/scalar.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::robot {
@@ -55,6 +57,25 @@ std::vector<double> read_values(const files::TomlTable& table, std::string_view 
   return *numbers;
 }
 
+/// kick = {ball = [X, Y], direction = RAD}
+locomotion::Kick read_kick(const toml::table& node) {
+  const files::TomlTable table(node, {"ball", "direction"});
+  constexpr double farthest = 10;  // [m]
+  const toml::node* ball = table.find("ball");
+  const auto place = ball && ball->is_array() ? files::numbers_of(*ball) : std::nullopt;
+  const auto near = [](double x) { return std::abs(x) <= farthest; };
+  if (!place || place->size() != 2 || !std::ranges::all_of(*place, near) || (*place)[1] == 0) {
+    throw SetupError(
+        fmt::format("{}: 'ball' must be where the ball lies, [x, y] in m, on the side of the foot that kicks",
+                    table.where("ball")));
+  }
+  locomotion::Kick kick{.ball = {(*place)[0], (*place)[1], 0}};
+  table.read("direction", kick.direction);
+  if (!(std::abs(kick.direction) <= pi))
+    throw SetupError(fmt::format("{}: 'direction' must be from -pi to pi", table.where("direction")));
+  return kick;
+}
+
 std::filesystem::path beside_or_named(const std::string& name, const std::filesystem::path& file) {
   const auto beside = files::look_for_data_file((file.parent_path() / name).string(), "motions", ".toml");
   return beside ? *beside : find_motion(name, file.parent_path());
@@ -90,7 +111,7 @@ std::filesystem::path find_motion(std::string_view name, const std::filesystem::
 KeyframeMotion read_motion(const std::filesystem::path& file) {
   const toml::table document = files::parse_toml_file(file);
   if (document.contains("mirror_of")) return read_mirrored(document, file);
-  const files::TomlTable table(document, {"columns", "start", "frames"});
+  const files::TomlTable table(document, {"columns", "start", "frames", "kick"});
   KeyframeMotion motion;
   motion.name = file.stem().string();
   read_columns(table, motion);
@@ -103,6 +124,7 @@ KeyframeMotion read_motion(const std::filesystem::path& file) {
     if (!(duration > 0)) throw SetupError(fmt::format("{}: 'duration' must be positive", frame.where("duration")));
     motion.frames.push_back({duration, read_values(frame, "values", count)});
   }
+  if (const toml::table* kick = table.table("kick")) motion.kick = read_kick(*kick);
   if (motion.frames.empty()) throw SetupError(fmt::format("{}: the motion has no [[frames]]", table.where("frames")));
   return motion;
 }

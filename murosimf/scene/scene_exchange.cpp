@@ -90,6 +90,28 @@ void play_motion(SceneParts& parts, const std::string& robot, std::string_view m
   parts.simulation->record(fmt::format("{}: is asked for {}", robot, motion));
 }
 
+/// Throws SetupError for robots without a motion engine, or without a motion that kicks.
+void check_kick(const Entity& robot) {
+  if (!robot.find(properties::kick_request)) {
+    throw SetupError(
+        fmt::format("'{}' has no motion engine that could kick; its controller would have to be \"motions\"",
+                    robot.name()));
+  }
+  const locomotion::NamedMotions* motions = robot.model().find(properties::given_motions, 0);
+  if (!motions || !locomotion::has_kick(*motions)) {
+    throw SetupError(fmt::format("'{}': no motion of its file says where it kicks a ball (key 'kick', docs/motions.md)",
+                                 robot.name()));
+  }
+}
+
+void kick(SceneParts& parts, const std::string& robot, locomotion::KickRequest request) {
+  Entity& entity = parts.simulation->world().entity(robot);
+  check_kick(entity);
+  request.number = entity.base().get(properties::kick_request).number + 1;
+  entity.base().set(properties::kick_request, request);
+  parts.simulation->record(fmt::format("{}: is asked for a kick to {:g} rad", robot, request.direction));
+}
+
 void apply(SceneParts& parts, const scene_file::SceneEvent& event, const std::string& entity) {
   with_context(event.where, [&] {
     if (event.setting) return apply(parts, *event.setting, entity);
@@ -98,6 +120,7 @@ void apply(SceneParts& parts, const scene_file::SceneEvent& event, const std::st
     if (event.key == "level") return exchange_level(parts, entity, event.value);
     if (event.key == "contact") return exchange_contact(parts, entity, event.value);
     if (event.key == "play") return play_motion(parts, entity, event.value);
+    if (event.kick) return kick(parts, entity, *event.kick);
     if (event.key == "present") return event.value == "true" ? enter(parts, entity) : leave(parts, entity);
     exchange_servo_law(parts, entity, event.value);
   });
@@ -196,6 +219,10 @@ void check_change(const SceneParts& parts, const scene_file::SceneEvent& change)
   if (change.key == "play") {
     for (const std::string& entity : change.entities)
       with_context(change.where, [&] { (void)motion_number(parts.simulation->world().entity(entity), change.value); });
+  }
+  if (change.kick) {
+    for (const std::string& entity : change.entities)
+      with_context(change.where, [&] { check_kick(parts.simulation->world().entity(entity)); });
   }
   if (!change.setting) return;
   for (const std::string& entity : change.entities) {

@@ -73,6 +73,23 @@ Placement read_place(const Assignment& change) {
   return place;
 }
 
+/// DIRECTION, [DIRECTION, SIDE] or [DIRECTION, SIDE, X, Y].
+locomotion::KickRequest read_kick(const Assignment& change) {
+  constexpr double farthest = 10;  // [m]
+  std::vector<double> numbers = property_setting(change, 0, {}).numbers;
+  const std::size_t count = numbers.size();
+  numbers.resize(4);
+  const auto reaches = [](double x) { return std::abs(x) <= farthest; };
+  if ((count != 1 && count != 2 && count != 4) || !(std::abs(numbers[0]) <= pi) ||
+      !std::ranges::all_of(numbers, reaches)) {
+    throw SetupError(
+        fmt::format("{}: write DIRECTION, [DIRECTION, SIDE] or [DIRECTION, SIDE, X, Y]: rad, from -pi to pi; "
+                    "above 0 with the left foot, below 0 with the right one; m, where the ball lies",
+                    change.where));
+  }
+  return {.direction = numbers[0], .side = numbers[1], .ball_x = numbers[2], .ball_y = numbers[3]};
+}
+
 /// Of the ball.
 const std::vector<std::string_view>& ball_keys() {
   static const std::vector<std::string_view> keys = [] {
@@ -126,6 +143,7 @@ SceneEvent read_event(toml::table& scene, double time, const std::string& text, 
   } else {
     check_key(change, event.key, change.path[0] == "ball" ? ball_keys() : exchangeable_keys());
     if (event.key == "place") event.place = read_place(change);
+    if (event.key == "kick") event.kick = read_kick(change);
     if (event.key == "command") {
       event.setting = property_setting(change, used, entities);
       event.setting->property = properties::walk_command.name;
@@ -182,7 +200,7 @@ const Section<EventTable>& event_section() {
 
 const std::vector<std::string_view>& exchangeable_keys() {
   static const std::vector<std::string_view> keys{"level", "contact", "servo_law", "command",
-                                                  "play",  "present", "place"};
+                                                  "play",  "kick",    "present",   "place"};
   return keys;
 }
 

@@ -11,6 +11,7 @@
 #include "murosimf/components/sensor_table.h"
 #include "murosimf/connect/control_link_options.h"
 #include "murosimf/connect/radio_options.h"
+#include "murosimf/locomotion/motion_state.h"
 #include "murosimf/math/scalar.h"
 #include "murosimf/math/vec3.h"
 #include "murosimf/model/entity.h"
@@ -163,6 +164,7 @@ struct SceneEvent {
   std::string section{};           ///< "light" or "ball" (section_change.h); empty: entities change
   std::optional<PushSpec> push{};  ///< begin 0: from the event on
   std::optional<Placement> place{};
+  std::optional<locomotion::KickRequest> kick{};  ///< its number counts nothing
 };
 
 /// How a game with a referee goes on (league/).

@@ -174,6 +174,9 @@ std::string to_toml(const MotionTuning& tuning, const std::string& how) {
   std::string text = as_comment(how + "\n" + to_text(tuning)) + "columns = [\n";
   for (const auto& channels : motion.columns) text += fmt::format("  {},\n", column_text(channels));
   text += fmt::format("]\nstart = [{}]\n", fmt::join(motion.start, ", "));
+  if (motion.kick)
+    text += fmt::format("kick = {{ball = [{}, {}], direction = {}}}\n", motion.kick->ball.x, motion.kick->ball.y,
+                        motion.kick->direction);
   for (const locomotion::KeyFrame& frame : motion.frames) {
     text += fmt::format("\n[[frames]]\nduration = {:.4f}   # [s]\nvalues = [{:.4f}]\n", frame.duration,
                         fmt::join(frame.values, ", "));

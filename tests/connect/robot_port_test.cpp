@@ -127,6 +127,16 @@ TEST(RobotPort, KnowsNamesAndSaysTheNearest) {
                                return (void)port.command("motion.play"), nothing_to_do();
                              }),
                              {"'walk.velocity' and 'motion.play' exclude each other"}));
+  EXPECT_TRUE(fixtures::says(refusal([](RobotPort& port) {
+                               (void)port.signal("motion.mode");
+                               return (void)port.command("joint.target"), nothing_to_do();
+                             }),
+                             {"'motion.mode' and 'joint.target' exclude each other"}));
+  EXPECT_TRUE(fixtures::says(refusal([](RobotPort& port) {
+                               (void)port.command("joint.target");
+                               return (void)port.signal("motion.fallen"), nothing_to_do();
+                             }),
+                             {"'joint.target' and 'motion.fallen' exclude each other"}));
 }
 
 TEST(RobotPort, AsksTheMotionEngineForMotionsByName) {
@@ -150,7 +160,66 @@ TEST(RobotPort, AsksTheMotionEngineForMotionsByName) {
   EXPECT_EQ(robot.robot.base().get(properties::walk_command).x, 0.1);
 }
 
+TEST(RobotPort, ShowsWhatTheMotionEngineDoes) {
+  const murosimf_signal *mode = nullptr, *phase = nullptr, *odometry = nullptr, *fallen = nullptr;
+  std::vector<std::string> names;
+  ProgrammedRobot robot([&](RobotPort& port) {
+    mode = port.signal("motion.mode");
+    phase = port.signal("motion.phase");
+    odometry = port.signal("motion.odometry");
+    fallen = port.signal("motion.fallen");
+    names = *port.labels("motion.phase");
+    EXPECT_EQ(*port.labels("motion.odometry"), (std::vector<std::string>{"x", "y", "heading"}));
+    return nothing_to_do();
+  });
+  EXPECT_TRUE(robot.task->port().uses_motions()) << "who reads it has it";
+  const auto kick = static_cast<std::size_t>(std::ranges::find(names, "kick_left") - names.begin());
+  ASSERT_LT(kick, names.size());
+  ASSERT_EQ(phase->count, names.size());
+  ObjectAccess base = robot.robot.base();
+  base.set(properties::motion_state, {.mode = static_cast<double>(locomotion::MotionMode::play),
+                                      .motion = static_cast<double>(kick),
+                                      .time = 2,
+                                      .duration = 4});
+  base.set(properties::odometry, {1, 2, 0.5});
+  robot.rig.run(0.02);
+  EXPECT_EQ(mode->values[0], 2);
+  for (std::size_t i = 0; i < names.size(); ++i) EXPECT_EQ(phase->values[i], i == kick ? 0.5 : -1) << names[i];
+  EXPECT_EQ(odometry->values[0], 1);
+  EXPECT_EQ(odometry->values[1], 2);
+  EXPECT_EQ(odometry->values[2], 0.5);
+  EXPECT_EQ(fallen->values[0], 0);
+  base.set(properties::motion_state, {.mode = static_cast<double>(locomotion::MotionMode::lie)});
+  robot.rig.run(0.02);
+  EXPECT_EQ(mode->values[0], 6);
+  EXPECT_EQ(phase->values[kick], -1);
+  EXPECT_EQ(fallen->values[0], 1);
+}
+
+TEST(RobotPort, AsksTheMotionEngineForAKick) {
+  ProgrammedRobot robot([&](RobotPort& port) {
+    murosimf_command* kick = port.command("motion.kick");
+    EXPECT_EQ(*port.labels("motion.kick"),
+              (std::vector<std::string>{"number", "direction", "side", "ball_x", "ball_y"}));
+    return std::make_unique<Program>(nullptr, [kick](Duration) {
+      const std::array numbers{1.0, 0.5, 7.0, 0.2, -0.05};  // 7: no side
+      std::ranges::copy(numbers, kick->values);
+    });
+  });
+  EXPECT_TRUE(robot.task->port().uses_motions());
+  robot.rig.run(0.1);
+  const locomotion::KickRequest request = robot.robot.base().get(properties::kick_request);
+  EXPECT_EQ(request.number, 1);
+  EXPECT_EQ(request.direction, 0.5);
+  EXPECT_EQ(request.side, 0) << "refused";
+  EXPECT_EQ(request.ball_x, 0.2);
+  EXPECT_EQ(request.ball_y, -0.05);
+}
+
 TEST(RobotPort, RefusesMotionsOfARobotThatHasNone) {
+  const auto kick = [](RobotPort& port) { return (void)port.command("motion.kick"), nothing_to_do(); };
+  EXPECT_TRUE(fixtures::says(fixtures::error_of([&] { ProgrammedRobot robot(kick, two_arms()); }),
+                             {"no motion of the robot's file says where it kicks"}));
   const auto ask = [](RobotPort& port) { return (void)port.command("motion.play"), nothing_to_do(); };
   EXPECT_TRUE(fixtures::says(fixtures::error_of([&] { ProgrammedRobot robot(ask, two_arms()); }),
                              {"the robot's file names no motions"}));
@@ -302,6 +371,7 @@ TEST(RobotPort, ShowsTheGameAsSomebodyHasWrittenIt) {
 
 TEST(RobotPort, HasNoColumnsOfTheGameForWhoDoesNotAsk) {
   ProgrammedRobot program([](RobotPort&) { return nothing_to_do(); });
+  EXPECT_EQ(program.robot.find(properties::motion_state), nullptr);
   EXPECT_EQ(program.robot.find(game_view), nullptr);
   EXPECT_EQ(program.robot.find(message_box), nullptr);
   EXPECT_EQ(refusal([](RobotPort& port) {

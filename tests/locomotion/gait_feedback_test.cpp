@@ -22,6 +22,9 @@ TEST(GaitFeedback, OfKid21IsAsItStands) {
   const GaitFeedback numbers = gait_feedback(*test::kid21(), {});
   EXPECT_DOUBLE_EQ(numbers.ankle_forward, GaitFeedback{}.ankle_forward);
   EXPECT_DOUBLE_EQ(numbers.omega, GaitFeedback{}.omega);
+  EXPECT_DOUBLE_EQ(numbers.most_deviation, 0.3);
+  EXPECT_DOUBLE_EQ(numbers.still_rate, 0.05);
+  EXPECT_NEAR(numbers.compliant_lag, 0.03, 1e-7) << "droop " << fmt::format("{:.10g}", hip_droop(*test::kid21()));
 }
 
 TEST(GaitFeedback, OfALongerRobotIsScaled) {
@@ -38,6 +41,9 @@ TEST(GaitFeedback, OfALongerRobotIsScaled) {
   EXPECT_NEAR(numbers.omega, kid21.omega / std::sqrt(scale), 1e-12) << "a rate";
   EXPECT_NEAR(numbers.ankle_forward, kid21.ankle_forward / scale, 1e-12) << "an angle over a length";
   EXPECT_NEAR(numbers.ankle_pitch, kid21.ankle_pitch, 1e-15) << "a ratio";
+  EXPECT_NEAR(numbers.most_deviation, scale * kid21.most_deviation, 1e-12) << "a length";
+  EXPECT_NEAR(numbers.still_rate, kid21.still_rate / std::sqrt(scale), 1e-12) << "a rate";
+  EXPECT_NEAR(numbers.compliant_lag / kid21.compliant_lag, hip_droop(*nao) / hip_droop(*test::kid21()), 1e-6);
 }
 
 TEST(GaitFeedback, TakesNumbersByName) {

@@ -46,6 +46,16 @@ TEST(MirroredMotion, SwapsSidesAndSigns) {
   EXPECT_EQ(image.start, all_kinds.start);
 }
 
+TEST(MirroredMotion, HasTheBallOnTheOtherSide) {
+  KeyframeMotion kick = all_kinds;
+  EXPECT_FALSE(mirrored(kick, *test::kid21()).kick);
+  kick.kick = Kick{{0.2, -0.05, 0}, 0.1};
+  const KeyframeMotion image = mirrored(kick, *test::kid21());
+  ASSERT_TRUE(image.kick);
+  EXPECT_EQ(norm(image.kick->ball - Vec3d{0.2, 0.05, 0}), 0);
+  EXPECT_EQ(image.kick->direction, -0.1);
+}
+
 TEST(MirroredMotion, TwiceIsTheMotionItself) {
   const ModelPtr model = test::kid21();
   EXPECT_EQ(names_and_signs(mirrored(mirrored(all_kinds, *model), *model)), names_and_signs(all_kinds));

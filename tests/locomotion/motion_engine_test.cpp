@@ -216,6 +216,7 @@ TEST(MotionEngine, DivesAtOnceAndStandsUpAgain) {
   EXPECT_EQ(walker.mode(), MotionMode::play);
   walker.run(1500ms);
   EXPECT_LT(walker.upright(), 0.5);
+  EXPECT_EQ(walker.robot.base().get(properties::motion_state).falls, 0) << "it means to lie";
   walker.run(12s);
   EXPECT_GT(walker.upright(), 0.9);
   EXPECT_EQ(walker.mode(), MotionMode::walk);
@@ -252,6 +253,72 @@ TEST(MotionEngine, AnswersNothingWhereItCannotFall) {
   walker.run(5s);
   open_loop.run(5s);
   EXPECT_EQ(walker.robot.base().get(properties::position).x, open_loop.robot.base().get(properties::position).x);
+}
+
+TEST(MotionEngine, StepsWideInsteadOfADiveWhereItCannotFall) {
+  for (const char* command : {"[0,0,0]", "[0.2,0,0]"}) {
+    for (const double left : {1.0, -1.0}) {
+      Walker walker("kinematic_walking", command);
+      walker.run(1s);
+      const Vec3d before = walker.robot.base().get(properties::position);
+      walker.ask(left > 0 ? "dive_left" : "dive_right");
+      walker.run(700ms);
+      const Vec3d wide = walker.robot.base().get(properties::position);
+      EXPECT_EQ(walker.mode(), MotionMode::play);
+      EXPECT_LT(wide.z, before.z - 0.04) << "the hips sink";
+      EXPECT_GT(left * (wide.y - before.y), 0.08) << "and the robot goes to that side";
+      walker.run(3s);
+      const Vec3d after = walker.robot.base().get(properties::position);
+      EXPECT_EQ(walker.mode(), MotionMode::walk);
+      EXPECT_NEAR(after.z, before.z, 0.01);
+      EXPECT_GT(left * (after.y - before.y), 0.16);
+      EXPECT_GT(walker.upright(), 0.99);
+      EXPECT_EQ(walker.robot.base().get(properties::motion_state).falls, 0);
+    }
+  }
+}
+
+TEST(MotionEngine, NeitherGetsUpNorProtectsItselfWhereItCannotFall) {
+  Walker walker("kinematic_walking"), idle("kinematic_walking");
+  walker.run(1s);
+  for (const char* motion : {"get_up_front", "get_up_left", "protect_back"}) {
+    walker.ask(motion);
+    walker.run(1s);
+    EXPECT_EQ(walker.mode(), MotionMode::walk) << motion;
+  }
+  idle.run(4s);
+  EXPECT_EQ(norm(walker.robot.base().get(properties::position) - idle.robot.base().get(properties::position)), 0);
+}
+
+// The pelvis stands and the torso, which has the inertial sensor, turns: the robot has not turned.
+TEST(MotionEngine, DoesNotTakeAWaistThatTurnsForItself) {
+  Walker walker(articulated);
+  walker.run(1s);
+  walker.robot.object("torso").set(properties::applied_force, {{0, 0, 1.2}, {}});
+  walker.run(300ms);
+  EXPECT_GT(walker.robot.object("j_torso").get(properties::joint_position), 0.05);
+  EXPECT_NEAR(walker.robot.base().get(properties::odometry).z,
+              heading(walker.robot.base().get(properties::orientation)), 0.02);
+  EXPECT_NEAR(walker.robot.base().get(properties::gait_state).waist[0],
+              walker.robot.object("j_torso").get(properties::joint_position), 0.03);
+}
+
+TEST(MotionEngine, ReadsAllSensorsOfJoints) {
+  const std::vector<std::string> halves{"walker.sensors.encoders=false",
+                                        "walker.sensors.left={type='joint_position',joints=['j_l_hip_yaw','j_l_hip_"
+                                        "roll','j_l_thigh','j_l_shin','j_l_ankle',"
+                                        "'j_l_foot','j_torso']}",
+                                        "walker.sensors.right={type='joint_position',joints=['j_r_hip_yaw','j_r_hip_"
+                                        "roll','j_r_thigh','j_r_shin','j_r_ankle',"
+                                        "'j_r_foot']}"};
+  Walker walker(articulated, "[0.2,0,0]", halves);
+  walker.run(5s);
+  EXPECT_NEAR(walker.robot.base().get(properties::odometry).x, walker.robot.base().get(properties::position).x + 2,
+              0.15);
+  std::vector<std::string> one(halves.begin(), halves.begin() + 2);
+  const std::string error = fixtures::error_of([&] { const Walker lame(articulated, "[0,0,0]", one); });
+  EXPECT_NE(error.find("'j_r_hip_yaw', which no sensor of the type joint_position reports"), std::string::npos)
+      << error;
 }
 
 TEST(MotionEngine, GoesOnFromASavedState) {

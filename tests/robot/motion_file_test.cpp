@@ -105,6 +105,20 @@ TEST(MotionFile, IsTheMirrorImageOfAnother) {
       << "of those of the program";
 }
 
+TEST(MotionFile, ReadsWhereTheBallLiesAndGoes) {
+  const std::string rest = "columns = ['a']\nstart = [1]\n[[frames]]\nduration = 1\nvalues = [2]\n";
+  const locomotion::KeyframeMotion motion =
+      read_motion(write_beside("kick.toml", "kick = {ball = [0.2, -0.05], direction = 0.1}\n" + rest));
+  ASSERT_TRUE(motion.kick);
+  EXPECT_EQ(norm(motion.kick->ball - Vec3d{0.2, -0.05, 0}), 0);
+  EXPECT_EQ(motion.kick->direction, 0.1);
+  EXPECT_FALSE(read_motion(write_beside("none.toml", rest)).kick);
+  for (const char* kick : {"{}", "{ball = [0.2]}", "{ball = [0.2, 0]}", "{ball = [0.2, 11]}", "{ball = 'here'}"})
+    expect_refusal("kick = " + std::string(kick) + "\n" + rest, {":1:", "'ball' must be where the ball lies"});
+  expect_refusal("kick = {ball = [0.2, 0.1], direction = 4}\n" + rest, {":1:", "'direction' must be from -pi to pi"});
+  expect_refusal("kick = {ball = [0.2, 0.1], way = 4}\n" + rest, {":1:", "unknown key 'way'"});
+}
+
 TEST(MotionFile, SaysWhyItIsNoMirrorImage) {
   write_beside("left.toml", "mirror_of = 'right'\n");
   const auto why = [](const std::string& text) { return refusal_of(write_beside("bad.toml", text)); };
