@@ -1,6 +1,6 @@
 // Control software as a class of the program: a robot waves, what its IMU feels is printed, and the run is recorded and read back.
 //
-//     example_own_controller [RECORDING.mcap]
+//     example_own_controller wave.mcap
 #include <cmath>
 #include <cstdio>
 #include <memory>

@@ -3,11 +3,12 @@
 
 Each folder of murosimf/ may include itself, the folders that stand after its USES in murosimf/CMakeLists.txt, and what
 those use, nothing else; a folder may use only what stands above it there. Programs, tests, examples and benchmarks may
-include everything. The public headers, include/murosimf/, include each other and the standard library alone (those of plug-ins, in its folder plugin,
-also those of the library); of the library only the folder `api`, which implements them, includes them, as "murosimf/scene.h". No two
-headers of the library have one name. Every header begins with `/// name.h - what it is for`
-and has `#pragma once`. Who names a property includes, directly or not, the header that has it: a precompiled header hides that
-some do not. Prints each violation as file:line: message and exits with 1 if there is one.
+include everything. The public headers, include/murosimf/, include each other and the standard library alone (those of
+plug-ins, in its folder plugin, also those of the library); of the library only the folder `api`, which implements them,
+includes them, as "murosimf/scene.h". No two headers of the library have one name. Every header begins with `/// name.h -
+what it is for` and has `#pragma once`. Who names a property includes, directly or not, the header that has it: a
+precompiled header hides that some do not.
+Prints each violation as file:line: message and exits with 1 if there is one.
 
     scripts/check_includes.py [root of the source tree]
 """

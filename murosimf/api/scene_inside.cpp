@@ -134,7 +134,7 @@ std::shared_ptr<SceneInside> open_text(const std::string& toml, const SceneOptio
   if (!(std::ofstream(file) << toml).flush()) throw Error(fmt::format("{} cannot be written", file.string()));
   try {
     SceneOrigin origin{file.string(), options, std::make_shared<files::FilesRead>(), folder};
-    return open(file, std::move(origin));
+    return open(files::find_data_file(file.string(), "scenes", ".toml"), std::move(origin));
   } catch (const SetupError& error) {
     std::string text = error.what();
     const std::string prefix = folder->path().string() + "/";

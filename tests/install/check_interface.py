@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Looks at an installed library from outside: which headers there are, how much a program reads of them, what the shared library exports.
+"""Looks at an installed library from outside: its headers, how much a program reads of them, what the shared library exports.
 
     check_interface.py PREFIX PROGRAM.cpp [COMPILER]
 
-Prints the figures. Exits with 1, and says why, if a header is installed that is none of the interface, if a public header includes
-one that is not, if PROGRAM.cpp reads 10,000 lines of ours or more, or if libmurosimf.so exports another name than those of
-murosimf::v0.
+Prints the figures. Exits with 1, and says why, if a header is installed that is none of the interface, if a public header
+includes one that is not, if PROGRAM.cpp reads 10,000 lines of ours or more, or if libmurosimf.so exports another name than
+those of murosimf::v0.
 """
 
 import re
