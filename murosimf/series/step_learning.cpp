@@ -33,9 +33,19 @@ struct LearningWalk {
   bool fell = false;
 };
 
+/// Of the program: one of that name in the working directory, like the result of `murosimf tune walk --out walk.toml`, is not meant.
+std::string walk_scene() {
+  for (const std::filesystem::path& folder : files::data_folders()) {
+    const std::filesystem::path file = folder / "scenes" / "walk.toml";
+    std::error_code error;
+    if (std::filesystem::is_regular_file(file, error)) return file.string();
+  }
+  throw SetupError("the scene 'walk', which comes with the program, is not there");
+}
+
 /// What the control cycles measured between the first two seconds and the end.
 void take_walk(const StepLearningOptions& options, const scene::SceneOptions& common, LearningWalk& walk) {
-  scene::Scene scene("walk", common);
+  scene::Scene scene(walk_scene(), common);
   Simulation& simulation = scene.simulation();
   Entity& robot = simulation.world().entity("walker");
   constexpr double warm_up = 2;  // [s]

@@ -49,6 +49,17 @@ TEST(Tune, GoesOnAfterItWasEnded) {
   EXPECT_EQ(motion_in(ended), motion_in(through));
 }
 
+// The obvious name for the result of `tune walk` is that of a scene, too.
+TEST(Tune, IsFollowedByFitStepsWhereAFileIsCalledWalk) {
+  const fs::path folder = scratch("folder"), before = fs::current_path();
+  fs::create_directories(folder);
+  std::ofstream(folder / "walk.toml") << "[walk]\nlift = 0.03\n";
+  fs::current_path(folder);
+  const Result result = murosimf("fit-steps --model kid21 --rounds 1 --duration 3 --out steps.csv");
+  fs::current_path(before);
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+}
+
 TEST(Tune, SaysWhatIsWrong) {
   expect_mistake("tune get_up_frond --model kid21 --from front", {"get_up_frond", "did you mean 'get_up_front'?"});
   expect_mistake("tune get_up_front --model quadruped --from front", {"j_l_sh_pitch"});
