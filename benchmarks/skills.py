@@ -232,7 +232,8 @@ class Bench:
     def aim(self):
         x, y = BALL_TO_AIM_AT
         for degrees in AIMS:
-            def one(level, perturbed, direction=math.radians(degrees)):
+            def one(level, perturbed, degrees=degrees):
+                direction = math.radians(degrees)
                 changes = [f"ball={{position=[{x}, {y}], mass=0.3, radius=0.065}}", "start.jitter_heading_deg=0"]
                 run = self.run(level, "motions", 14, perturbed, changes, at=[f"1:robot.kick=[{direction:.6g}, 0, {x}, {y}]"],
                                logs=["ball.ball.position"])

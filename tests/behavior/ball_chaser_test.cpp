@@ -8,6 +8,7 @@
 
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/scene/scene.h"
+#include "tests/fixtures.h"
 
 namespace murosimf::behavior {
 namespace {
@@ -19,11 +20,11 @@ struct Played {
   int motions = 0;  // that the robot has begun
 };
 
-Played play(std::uint64_t seed) {
-  scene::Scene scene("duel",
-                     {.seed = seed,
-                      .overrides = {"*.options.kicks=true", "*.level=articulated_dynamics", "red1.present=false"},
-                      .cameras = false});
+Played play(std::uint64_t seed, const std::string& model = "kid21") {
+  scene::Scene scene("duel", {.seed = seed,
+                              .overrides = {"*.options.kicks=true", "*.level=articulated_dynamics",
+                                            "red1.present=false", "*.model=" + model},
+                              .cameras = false});
   Entity& ball = scene.simulation().world().entity("ball");
   Entity& robot = scene.simulation().world().entity("blue1");
   double mode = 0;
@@ -45,6 +46,14 @@ TEST(BallChaser, KicksTheBallIntoTheGoal) {
     EXPECT_GT(played.ball.x, half_length) << seed;
     EXPECT_LT(std::abs(played.ball.y), 0.75) << seed;
   }
+}
+
+TEST(BallChaser, KicksAsAnyRobotWhoseMotionsSayWhereTheBallLies) {
+  const Played played = play(1, "spark_nao0");
+  EXPECT_GE(played.motions, 1);
+  EXPECT_GT(played.ball.x, half_length);
+  EXPECT_TRUE(fixtures::says(fixtures::error_of([] { (void)play(1, "spark_nao3"); }),
+                             {"'kicks': no motion of the robot's file says where it kicks a ball"}));
 }
 
 }  // namespace

@@ -225,6 +225,18 @@ TEST(MotionTuning, GetsBetterAndWritesAMotion) {
   EXPECT_EQ(read.columns[1][1].sign, -1);
 }
 
+TEST(MotionTuning, KeepsWhereTheBallLies) {
+  MotionTuning tuning;
+  tuning.after = shipped("kick_right");
+  const auto file = fixtures::temp_folder() / "tuned_kick.toml";
+  std::ofstream(file) << to_toml(tuning, "by hand");
+  const KeyframeMotion read = robot::read_motion(file);
+  ASSERT_TRUE(read.kick);
+  EXPECT_EQ(read.kick->ball.x, tuning.after.kick->ball.x);
+  EXPECT_EQ(read.kick->ball.y, tuning.after.kick->ball.y);
+  EXPECT_EQ(read.kick->direction, tuning.after.kick->direction);
+}
+
 TEST(MotionTuning, ThreadsDoNotMatter) {
   EXPECT_EQ(to_toml(tune_motion(small_tuning(1, 34)), ""), to_toml(tune_motion(small_tuning(3, 34)), ""));
 }
