@@ -57,6 +57,7 @@ class MUROSIMF_API Batch {
   void set_joint_target(std::span<const double> targets);
 
  private:
+  [[nodiscard]] api::BatchInside& inside() const;
   std::unique_ptr<api::BatchInside> inside_;
 };
 

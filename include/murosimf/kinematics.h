@@ -25,6 +25,10 @@ inline namespace v0 {
 
 class MUROSIMF_API Kinematics {
  public:
+  // who moves a handle gets a copy: none is ever empty
+  Kinematics(const Kinematics&) = default;
+  Kinematics& operator=(const Kinematics&) = default;
+
   [[nodiscard]] std::size_t joints() const;
   /// [kg] of the whole robot.
   [[nodiscard]] double mass() const;

@@ -53,6 +53,8 @@ class MUROSIMF_API Recording {
  public:
   /// Throws InputError: no such file, no recording, or nothing of it can be read.
   explicit Recording(const std::string& file);
+  Recording(const Recording&) = default;  // who moves one gets a copy
+  Recording& operator=(const Recording&) = default;
 
   /// Names of all numbers.
   [[nodiscard]] std::vector<std::string> names() const;

@@ -33,6 +33,10 @@ struct SensorOutput {
 /// Keeps the scene's insides alive; to be used as handles of world.h.
 class MUROSIMF_API Sensor {
  public:
+  // who moves a handle gets a copy: none is ever empty
+  Sensor(const Sensor&) = default;
+  Sensor& operator=(const Sensor&) = default;
+
   [[nodiscard]] const std::string& name() const;
   [[nodiscard]] const std::string& type() const;   ///< "imu"
   [[nodiscard]] const std::string& frame() const;  ///< the object that it is mounted on; empty: none in particular
@@ -67,6 +71,10 @@ struct Image {
 /// Draws from the start on only if it was asked for (Robot::camera) before the first step, or is `always_on` in its file.
 class MUROSIMF_API Camera {
  public:
+  // who moves a handle gets a copy: none is ever empty
+  Camera(const Camera&) = default;
+  Camera& operator=(const Camera&) = default;
+
   [[nodiscard]] const std::string& name() const;
   [[nodiscard]] double period() const;  ///< [s] from picture to picture
   /// What the numbers of Image::labels mean.

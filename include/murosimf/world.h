@@ -44,6 +44,10 @@ struct PropertyView {
 /// A robot, the ball, a body or the field.
 class MUROSIMF_API EntityHandle {
  public:
+  // who moves a handle gets a copy: none is ever empty
+  EntityHandle(const EntityHandle&) = default;
+  EntityHandle& operator=(const EntityHandle&) = default;
+
   [[nodiscard]] const std::string& name() const;
   /// Names of the objects of its model, the base first, parents before what hangs on them.
   [[nodiscard]] std::vector<std::string> objects() const;

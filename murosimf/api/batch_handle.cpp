@@ -95,75 +95,80 @@ Batch::~Batch() = default;
 Batch::Batch(Batch&&) noexcept = default;
 Batch& Batch::operator=(Batch&&) noexcept = default;
 
-std::size_t Batch::size() const { return inside_->worlds.size(); }
+api::BatchInside& Batch::inside() const {
+  if (!inside_) throw Error("this batch was moved from");
+  return *inside_;
+}
+
+std::size_t Batch::size() const { return inside().worlds.size(); }
 
 Scene Batch::world(std::size_t number) const {
   if (number >= size()) throw InputError(fmt::format("world {} of a batch of {}", number, size()));
-  return Scene(inside_->worlds[number]);
+  return Scene(inside().worlds[number]);
 }
 
 void Batch::step(int steps) {
   if (steps < 0) throw InputError(fmt::format("{} steps", steps));
-  inside_->for_each([&](std::size_t i) {
-    for (int step = 0; step < steps; ++step) inside_->worlds[i]->step();
+  inside().for_each([&](std::size_t i) {
+    for (int step = 0; step < steps; ++step) inside().worlds[i]->step();
   });
 }
 
-void Batch::reset(std::span<const std::uint8_t> which) { reset(inside_->seed, which); }
+void Batch::reset(std::span<const std::uint8_t> which) { reset(inside().seed, which); }
 
 void Batch::reset(std::uint64_t seed, std::span<const std::uint8_t> which) {
   if (!which.empty() && which.size() != size()) {
     throw InputError(fmt::format("reset takes {} entries, one for each world, not {}", size(), which.size()));
   }
-  inside_->for_each([&](std::size_t i) {
-    if (which.empty() || which[i]) told([&] { inside_->worlds[i]->scene.reset(seed + i); });
+  inside().for_each([&](std::size_t i) {
+    if (which.empty() || which[i]) told([&] { inside().worlds[i]->scene.reset(seed + i); });
   });
 }
 
-std::size_t Batch::joints() const { return inside_->joints(0).objects.size(); }
+std::size_t Batch::joints() const { return inside().joints(0).objects.size(); }
 
 std::span<const double> Batch::joint_position() {
-  return inside_->gather(properties::joint_position, inside_->position);
+  return inside().gather(properties::joint_position, inside().position);
 }
 
 std::span<const double> Batch::joint_velocity() {
-  return inside_->gather(properties::joint_velocity, inside_->velocity);
+  return inside().gather(properties::joint_velocity, inside().velocity);
 }
 
 std::span<const double> Batch::base_pose() {
-  inside_->pose.resize(7 * size());
-  double* to = inside_->pose.data();
+  inside().pose.resize(7 * size());
+  double* to = inside().pose.data();
   for (std::size_t i = 0; i < size(); ++i) {
-    const Entity& robot = inside_->entity(i);
+    const Entity& robot = inside().entity(i);
     api::put(robot.find(properties::position)->values[0], to);
     const Rotation turned = api::rotation_of(robot.find(properties::orientation)->values[0]);
     for (const double x : {turned.w, turned.x, turned.y, turned.z}) *to++ = x;
   }
-  return inside_->pose;
+  return inside().pose;
 }
 
 std::span<const double> Batch::base_velocity() {
-  inside_->base_velocity.resize(6 * size());
-  double* to = inside_->base_velocity.data();
+  inside().base_velocity.resize(6 * size());
+  double* to = inside().base_velocity.data();
   for (std::size_t i = 0; i < size(); ++i) {
-    const Entity& robot = inside_->entity(i);
+    const Entity& robot = inside().entity(i);
     api::put(robot.find(properties::linear_velocity)->values[0], to);
     api::put(robot.find(properties::angular_velocity)->values[0], to);
   }
-  return inside_->base_velocity;
+  return inside().base_velocity;
 }
 
 std::span<const std::uint8_t> Batch::fallen() {
-  inside_->fallen.resize(size());
-  for (std::size_t i = 0; i < size(); ++i) inside_->fallen[i] = Robot(inside_->worlds[i], inside_->robot[i]).fallen();
-  return inside_->fallen;
+  inside().fallen.resize(size());
+  for (std::size_t i = 0; i < size(); ++i) inside().fallen[i] = Robot(inside().worlds[i], inside().robot[i]).fallen();
+  return inside().fallen;
 }
 
 void Batch::set_joint_target(std::span<const double> targets) {
   const std::size_t each = joints();
   api::check_row(targets, size() * each, "joint_target of the batch");
   for (std::size_t i = 0; i < size(); ++i) {
-    Robot(inside_->worlds[i], inside_->robot[i]).set_joint_target(targets.subspan(i * each, each));
+    Robot(inside().worlds[i], inside().robot[i]).set_joint_target(targets.subspan(i * each, each));
   }
 }
 

@@ -72,6 +72,9 @@ TEST(ApiBatch, SomeAreResetAndOthersGoOn) {
   EXPECT_THROW(Batch("walk", 0), InputError);
   EXPECT_THROW(Batch("walk", 1, {}, 0), InputError);
   EXPECT_THROW(Batch("wlak", 2), InputError);
+  const Batch moved = std::move(batch);
+  EXPECT_EQ(moved.size(), 3U);
+  EXPECT_THROW(batch.step(), Error);  // NOLINT(bugprone-use-after-move): it is looked at
 }
 
 }  // namespace

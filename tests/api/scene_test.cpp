@@ -108,7 +108,9 @@ TEST(ApiScene, HandlesOutliveIt) {
     moved.step();
     EXPECT_EQ(thrown<Error>([&] { scene.step(); }), "this scene was moved from");
   }
-  EXPECT_EQ(robot->name(), "walker");
+  const Robot taken = std::move(*robot);
+  EXPECT_EQ(taken.name(), "walker");
+  EXPECT_EQ(robot->name(), "walker") << "of a handle that was moved, too";
   EXPECT_EQ(positions[3], first);
   EXPECT_EQ(robot->joint_position().data(), positions.data());
 }
