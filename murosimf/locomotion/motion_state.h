@@ -17,8 +17,7 @@ struct MotionRequests {
 
 /// A kick in a direction: the engine chooses the motion, walks to where it kicks so, and plays it (kick_plan.h).
 struct KickRequest {
-  double number =
-      0;  ///< a change to another number than 0 asks for it, once; 0: one to which it still walks is dropped
+  double number = 0;     ///< a change to another than 0 asks for it, once; 0: one to which it still walks is dropped
   double direction = 0;  ///< [rad] in which the ball shall go, in the robot's frame, to the left of forward
   double side = 0;       ///< of the foot that kicks: above 0 left, below 0 right, 0 either
   /// [m] where it lies, in the robot's frame; both 0: where the motion has it, once the robot has turned
