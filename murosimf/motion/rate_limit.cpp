@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/model/error.h"
+#include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
 
 namespace murosimf::motion {
