@@ -1,11 +1,11 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 
 #include <fmt/format.h>
 
 #include "murosimf/check/robot_checks.h"
+#include "murosimf/robot/body_names.h"
 #include "murosimf/robot/robot_soles.h"
 
 namespace murosimf::check {
@@ -14,27 +14,6 @@ namespace {
 constexpr double mass_difference = 0.01;     // [1] of the mass; files round less
 constexpr double center_difference = 0.003;  // [m]
 constexpr double range_difference = 0.02;    // [rad | m]
-
-/// The name of the other side's part; empty if the name says no side, or says right.
-std::string right_name(const std::string& name) {
-  constexpr std::array<std::array<const char*, 2>, 3> anywhere{
-      {{"left", "right"}, {"Left", "Right"}, {"LEFT", "RIGHT"}}};
-  for (const auto& [left, right] : anywhere) {
-    if (const auto at = name.find(left); at != std::string::npos) {
-      return std::string(name).replace(at, std::string(left).size(), right);
-    }
-  }
-  if (name.size() < 2) return {};
-  std::string other = name;
-  for (std::size_t i = 0; i < name.size(); ++i) {
-    const bool begins = i == 0 || name[i - 1] == '_';
-    const bool ends = i + 1 == name.size() || name[i + 1] == '_' || (name[i] == 'L' && i == 0);
-    if (!begins || !ends || (name[i] != 'l' && name[i] != 'L')) continue;
-    other[i] = name[i] == 'l' ? 'r' : 'R';
-    return other;
-  }
-  return {};
-}
 
 Vec3d mirrored(const Vec3d& v) { return {v.x, -v.y, v.z}; }
 
@@ -94,13 +73,13 @@ std::vector<Finding> examine_symmetry(const description::RobotDescription& descr
   std::vector<Finding> findings;
   const auto places = robot::body_places(description);
   for (std::size_t l = 0; l < description.bodies.size(); ++l) {
-    const auto twin = bodies.find(right_name(description.bodies[l].name));
+    const auto twin = bodies.find(robot::right_name(description.bodies[l].name));
     if (twin == bodies.end()) continue;
     compare_masses(description.bodies[l], description.bodies[twin->second], findings);
     compare_centers(description.bodies[l], description.bodies[twin->second], places[l], places[twin->second], findings);
   }
   for (const auto& [name, joint] : joints) {
-    const auto twin = joints.find(right_name(name));
+    const auto twin = joints.find(robot::right_name(name));
     if (twin != joints.end()) compare_ranges(*joint, *twin->second, findings);
   }
   return findings;

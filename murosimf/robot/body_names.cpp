@@ -39,6 +39,26 @@ Side side_of(const std::string& name) {
   return left ? Side::left : Side::right;
 }
 
+std::string right_name(const std::string& name) {
+  constexpr std::array<std::array<const char*, 2>, 3> anywhere{
+      {{"left", "right"}, {"Left", "Right"}, {"LEFT", "RIGHT"}}};
+  for (const auto& [left, right] : anywhere) {
+    if (const auto at = name.find(left); at != std::string::npos) {
+      return std::string(name).replace(at, std::string(left).size(), right);
+    }
+  }
+  if (name.size() < 2) return {};
+  std::string other = name;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const bool begins = i == 0 || name[i - 1] == '_';
+    const bool ends = i + 1 == name.size() || name[i + 1] == '_' || (name[i] == 'L' && i == 0);
+    if (!begins || !ends || (name[i] != 'l' && name[i] != 'L')) continue;
+    other[i] = name[i] == 'l' ? 'r' : 'R';
+    return other;
+  }
+  return {};
+}
+
 bool names_hand(const std::string& name) {
   static constexpr std::array<std::string_view, 4> words{"hand", "gripper", "wrist", "palm"};
   return has_one_of(name, words);

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "murosimf/robot/lump_fixed_joints.h"
+#include "murosimf/robot/mesh_up_axis.h"
 #include "murosimf/robot/repair_solids.h"
 #include "murosimf/robot/robot_builder.h"
 #include "murosimf/robot/robot_config.h"
@@ -65,6 +66,7 @@ RobotFile read_robot(const std::filesystem::path& file, const description::Reade
   apply_rate_limits(robot.description, table);
   weld_fixed_bodies(robot.description, find_cuts(robot.description, table));
   repair_solids(robot.description);
+  turn_meshes_up(robot.description);
   apply_sole_sizes(robot.description, table);
   if (options.guess) guess_roles(robot.description, table);
   if (options.face_forward) face_forward(robot.description, table);

@@ -122,4 +122,12 @@ class Reader {
 
 MeshFile read_dae(const std::filesystem::path& file) { return Reader(file).read(); }
 
+bool has_y_up(const std::filesystem::path& file) {
+  const files::XmlFile xml(file);
+  for (const files::XmlElement& asset : xml.root().children("asset")) {
+    for (const files::XmlElement& axis : asset.children("up_axis")) return axis.text() == "Y_UP";
+  }
+  return true;
+}
+
 }  // namespace murosimf::formats::mesh
