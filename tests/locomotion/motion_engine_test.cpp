@@ -131,6 +131,15 @@ TEST(MotionEngine, GetsUpFromEverySideAndWalksOn) {
   }
 }
 
+TEST(MotionEngine, GetsSparkNaosUpFromTheirFronts) {
+  for (const char* model : {"spark_nao0", "spark_nao1", "spark_nao3", "spark_nao4"}) {
+    Walker walker(articulated, "[0,0,0]", {std::string("walker.model=") + model, "walker.pitch_deg=90"});
+    walker.run(9s);
+    EXPECT_GT(walker.upright(), 0.9) << model;
+    EXPECT_EQ(walker.mode(), MotionMode::walk) << model;
+  }
+}
+
 TEST(MotionEngine, FallsGetsUpAndGoesOnAfterAPushThatNothingHelpsAgainst) {
   Walker walker(articulated, "[0.15,0,0]");
   walker.run(3s);
