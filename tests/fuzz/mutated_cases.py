@@ -57,8 +57,8 @@ class Cases:
         properties = subprocess.run([program, "list", "properties"], capture_output=True, text=True, check=True).stdout
         self.properties = re.findall(r"^([a-z_]+)", properties, re.MULTILINE)
         self.kinds = [(self.scene, 24), (self.mjcf, 14), (self.urdf, 8), (self.proto, 6), (self.sdf, 3),
-                      (self.table, 9), (self.motion, 6), (self.part, 6), (self.servo, 4), (self.lens, 4), (self.log, 4), (self.mesh, 5),
-                      (self.numbers, 3), (self.options, 24)]
+                      (self.table, 9), (self.motion, 6), (self.part, 6), (self.servo, 4), (self.lens, 4),
+                      (self.log, 4), (self.mesh, 5), (self.numbers, 3), (self.options, 24)]
 
     def make(self, rng):
         kinds, weights = zip(*self.kinds, strict=True)
