@@ -35,13 +35,19 @@ std::optional<fs::path> look_for(std::string_view name, std::string_view kind, s
 }
 
 /// The shared library that this code is in; empty: it is in the program itself.
-fs::path own_library() {
+fs::path find_own_library() {
   static const int here = 0;
   Dl_info info{};
   std::error_code error;
   if (dladdr(&here, &info) == 0 || !info.dli_fname) return {};
   const fs::path file = fs::canonical(info.dli_fname, error);
   return error || file.string().find(".so") == std::string::npos ? fs::path() : file;
+}
+
+/// Looking for it goes through all symbols of the program: once.
+const fs::path& own_library() {
+  static const fs::path library = find_own_library();
+  return library;
 }
 
 }  // namespace
@@ -53,7 +59,7 @@ std::vector<fs::path> data_folders() {
   if (const fs::path program = fs::read_symlink("/proc/self/exe", error); !error) {
     roots.push_back(program.parent_path().parent_path() / "share" / "murosimf");
   }
-  if (const fs::path library = own_library(); !library.empty()) {  // in lib/, or in lib/x86_64-linux-gnu/
+  if (const fs::path& library = own_library(); !library.empty()) {  // in lib/, or in lib/x86_64-linux-gnu/
     const fs::path folder = library.parent_path().parent_path();
     roots.push_back(folder / "share" / "murosimf");
     roots.push_back(folder.parent_path() / "share" / "murosimf");

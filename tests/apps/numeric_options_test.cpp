@@ -41,6 +41,8 @@ constexpr NumericOption numeric_options[]{
     {"tune walk --model kid21", "--minutes"},
     {"tune walk --model kid21", "--seed"},
     {"tune kick --model kid21 --goal kicks", "--toward"},
+    {"tune balance --model kid21", "--impulse"},
+    {"tune balance --model kid21", "--fastest"},
     {"view walk --record FILE", "--record-rate"},
     {"view walk --record FILE", "--record-states"},
     {"view walk --record FILE --record-on asked", "--keep"},

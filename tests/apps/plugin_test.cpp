@@ -81,9 +81,9 @@ TEST(Plugin, FormatIsRead) {
 TEST(Plugin, FormatIsListed) {
   EXPECT_EQ(murosimf("list formats").output.find(".lump"), std::string::npos);
   EXPECT_NE(murosimf("list formats" + own_plugin).output.find("lump       .lump"), std::string::npos);
-  const fs::path other = write("robot.xml", "<sdf/>");
+  const fs::path other = write("robot.xml", "<collada/>");
   expect_mistake("check " + other.string() + own_plugin,
-                 {"unknown format of a robot file", "mjcf (<mujoco>), urdf (<robot>)", "lump (.lump)"}, 1);
+                 {"unknown format of a robot file", "mjcf (<mujoco>), urdf (<robot>), sdf (<sdf>)", "lump (.lump)"}, 1);
 }
 
 TEST(Plugin, FormatsMistakeIsOneLine) {

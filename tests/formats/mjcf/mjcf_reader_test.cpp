@@ -605,8 +605,9 @@ TEST(MjcfReader, NamesMissingAndBrokenFiles) {
   expect_complaint(message("<mujoco>\n<worldbody>\n</mujoco>"), 2, "not well-formed XML");
   expect_complaint(message(""), 1, "not well-formed XML");
   expect_complaint(message("just text"), 1, "not well-formed XML");
-  expect_complaint(message("<!-- -->\n<sdf/>"), 2,
-                   "unknown format of a robot file: its root is <sdf>; known: mjcf (<mujoco>), urdf (<robot>)");
+  expect_complaint(
+      message("<!-- -->\n<collada/>"), 2,
+      "unknown format of a robot file: its root is <collada>; known: mjcf (<mujoco>), urdf (<robot>), sdf (<sdf>)");
 }
 
 TEST(MjcfReader, NamesUnknownWords) {
