@@ -111,6 +111,7 @@ void Viewer::take_frame() {
   }
   // frames come at intervals; one who stands still is shown where it stands
   const bool late = status_.paused && (!frame_ || frame_->time != status_.time);
+  if (!late) asked_poses_at_ = Duration::min();  // where it stands next may be the same instant
   if (!late || asked_poses_at_ == status_.time) return;
   asked_poses_at_ = status_.time;
   ask("poses", session().visit([](scene::Scene& scene) { scene.simulation().publish_poses(); }), true);

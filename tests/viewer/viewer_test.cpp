@@ -39,7 +39,8 @@ void watch_to_end(Viewer& viewer) {
   viewer.session().go_on();
   for (int i = 0; i < 60000; ++i) {
     viewer.refresh(0.001);
-    if (viewer.status().paused && viewer.status().time >= viewer.status().end) return;
+    const auto& status = viewer.status();  // may come before the last frame
+    if (status.paused && status.time >= status.end && viewer.frame() && viewer.frame()->time >= status.end) return;
     std::this_thread::sleep_for(1ms);
   }
   FAIL() << "it did not come to its end";
