@@ -44,9 +44,7 @@ Vec3d GaitClock::goal(const GaitLimits& limits) const noexcept {
   return halted_ != 0 ? Vec3d{} : clipped(limits.velocity.value_or(command_), limits.fastest);
 }
 
-bool GaitClock::is_idle(const GaitLimits& limits) const noexcept {
-  return is_zero(goal(limits)) && is_zero(velocity_);
-}
+bool GaitClock::is_idle(const GaitLimits& limits) const noexcept { return is_zero(goal(limits)) && is_zero(velocity_); }
 
 void GaitClock::start_at(double phase, double amplitude) noexcept {
   phase_ = phase;

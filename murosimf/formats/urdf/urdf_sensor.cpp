@@ -185,12 +185,9 @@ double text_number(const files::XmlElement& element) {
 description::SensorDescription read_sensor(const files::XmlElement& sensor, const SensorPlace& at, UrdfLog& log) {
   if (!at.place) log.take(files::validate(sensor, gazebo_schema()));
   name_plugins(sensor, log);
-  description::SensorDescription description{sensor.attribute("type").value_or(""),
-                                             sensor.attribute("name").value_or(""),
-                                             at.frame,
-                                             sensor.where(),
-                                             at.place ? *at.place : read_pose(sensor),
-                                             child_number(sensor, "update_rate")};
+  description::SensorDescription description{
+      sensor.attribute("type").value_or(""),    sensor.attribute("name").value_or(""), at.frame, sensor.where(),
+      at.place ? *at.place : read_pose(sensor), child_number(sensor, "update_rate")};
   const auto cameras = sensor.children("camera");
   if (!cameras.empty()) {
     description.numbers = read_camera(sensor, cameras[0]);
