@@ -25,7 +25,7 @@ inline namespace v0 {
 
 class MUROSIMF_API Kinematics {
  public:
-  // who moves a handle gets a copy: none is ever empty
+  // moving copies: no handle is ever empty
   Kinematics(const Kinematics&) = default;
   Kinematics& operator=(const Kinematics&) = default;
 

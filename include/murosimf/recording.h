@@ -53,7 +53,7 @@ class MUROSIMF_API Recording {
  public:
   /// Throws InputError: no such file, no recording, or nothing of it can be read.
   explicit Recording(const std::string& file);
-  Recording(const Recording&) = default;  // who moves one gets a copy
+  Recording(const Recording&) = default;  // moving copies, too
   Recording& operator=(const Recording&) = default;
 
   /// Names of all numbers.

@@ -33,7 +33,7 @@ struct SensorOutput {
 /// Keeps the scene's insides alive; to be used as handles of world.h.
 class MUROSIMF_API Sensor {
  public:
-  // who moves a handle gets a copy: none is ever empty
+  // moving copies: no handle is ever empty
   Sensor(const Sensor&) = default;
   Sensor& operator=(const Sensor&) = default;
 
@@ -71,7 +71,7 @@ struct Image {
 /// Draws from the start on only if it was asked for (Robot::camera) before the first step, or is `always_on` in its file.
 class MUROSIMF_API Camera {
  public:
-  // who moves a handle gets a copy: none is ever empty
+  // moving copies: no handle is ever empty
   Camera(const Camera&) = default;
   Camera& operator=(const Camera&) = default;
 

@@ -44,7 +44,7 @@ struct PropertyView {
 /// A robot, the ball, a body or the field.
 class MUROSIMF_API EntityHandle {
  public:
-  // who moves a handle gets a copy: none is ever empty
+  // moving copies: no handle is ever empty
   EntityHandle(const EntityHandle&) = default;
   EntityHandle& operator=(const EntityHandle&) = default;
 

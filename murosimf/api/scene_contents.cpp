@@ -1,4 +1,4 @@
-// include/murosimf/scene.h: who is in a scene, what touches what, what is seen.
+// include/murosimf/scene.h: entities of a scene, contacts, rays, pictures.
 #include <algorithm>
 #include <cmath>
 #include <utility>

@@ -50,7 +50,7 @@ struct SceneInside {
   [[nodiscard]] Entity& entity(int number) { return *world().entities()[static_cast<std::size_t>(number)]; }
   /// Its number. Throws UnknownName.
   [[nodiscard]] int number_of(std::string_view entity);
-  /// All that is read is there from now on; cameras that nobody has asked for are not drawn.
+  /// All that is read is there from now on; cameras without a handle are not drawn.
   void begin();
   void step();
   /// Throws what a controller of the program has thrown.
@@ -72,7 +72,7 @@ struct SceneInside {
   std::map<int, JointRows> joint_rows;
   std::map<int, ControllerTask*> controllers;                   ///< of the program
   std::map<int, bool> targets_are_free;                         ///< of those that were asked for
-  std::unique_ptr<collision::QueryScene> queries;               ///< null: nobody has asked yet
+  std::unique_ptr<collision::QueryScene> queries;               ///< null: before the first query
   std::unique_ptr<scene::ScenePainter> painter;                 ///< likewise
   std::vector<std::unique_ptr<recording::Recorder>> recorders;  ///< the simulation calls them
 

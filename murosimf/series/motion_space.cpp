@@ -31,10 +31,7 @@ bool is_foot(const Channel& channel) { return channel.name.find("_foot.") != std
 
 /// [rad/s | m/s] 0: the model knows none.
 double largest_rate_of(const Model& model, int joint) {
-  const Servo* servo = model.find(properties::servo, joint);
-  const double own = motion::joint_rate_limit(model, joint);
-  const double of_servo = servo && servo->no_load_speed > 0 ? servo->no_load_speed : HUGE_VAL;
-  const double rate = std::min(own, of_servo);
+  const double rate = motion::fastest_rate(model, joint);
   return std::isfinite(rate) ? rate : 0;
 }
 

@@ -50,18 +50,6 @@ std::optional<Shape> primitive(const files::XmlElement& element) {
   return Ellipsoid{size};
 }
 
-PlacedShape placed(const murosimf::Shape& shape, const Transformd& place, const Color& color, bool collides,
-                   double friction) {
-  PlacedShape result;
-  result.shape = shape;
-  result.position = place.position;
-  result.orientation = place.orientation;
-  result.surface.friction = friction;
-  result.color = color;
-  result.collides = collides;
-  return result;
-}
-
 SymMat3d tensor(const files::XmlElement& inertia) {
   return {number(inertia, "ixx", 1), number(inertia, "iyy", 1), number(inertia, "izz", 1),
           number(inertia, "ixy", 0), number(inertia, "ixz", 0), number(inertia, "iyz", 0)};
@@ -145,7 +133,7 @@ void SdfLinks::add_shape(const Shape& shape, urdf::UrdfMeshes& meshes, descripti
     const auto known = primitive(element);
     if (!known) continue;  // the schema has told about it
     body.shapes.push_back({shape.owner.attribute("name").value_or(""), shape.owner.where(),
-                           placed(*known, shape.place, shape.color, shape.collides, shape.friction), ""});
+                           urdf::placed_shape(*known, shape.place, shape.color, shape.collides, shape.friction), ""});
     return;
   }
 }
@@ -166,8 +154,8 @@ void SdfLinks::add_mesh(const Shape& shape, const files::XmlElement& mesh, urdf:
     for (const formats::mesh::ConvexPart& convex : meshes.parts(*found, mesh)) {
       const Transformd at_middle = shape.place * Transformd{convex.middle, {}};
       body.shapes.push_back({name, shape.owner.where(),
-                             placed(convex.shape, at_middle, shape.color, true, shape.friction), found->name,
-                             convex.middle});
+                             urdf::placed_shape(convex.shape, at_middle, shape.color, true, shape.friction),
+                             found->name, convex.middle});
     }
   } catch (const SetupError& error) {
     if (!log_.lenient()) throw;

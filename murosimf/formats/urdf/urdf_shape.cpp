@@ -45,17 +45,6 @@ files::XmlElement only_shape(const files::XmlElement& owner) {
   return shapes[0];
 }
 
-PlacedShape placed_shape(const Shape& shape, const Transformd& place, const Color& color, bool collides) {
-  PlacedShape placed;
-  placed.shape = shape;
-  placed.position = place.position;
-  placed.orientation = place.orientation;
-  placed.surface.friction = standard_friction;
-  placed.color = color;
-  placed.collides = collides;
-  return placed;
-}
-
 /// [1] What the link's `contact` says.
 std::optional<double> own_friction(const files::XmlElement& link) {
   const auto contact = only_child(link, "contact");
@@ -65,6 +54,18 @@ std::optional<double> own_friction(const files::XmlElement& link) {
 }
 
 }  // namespace
+
+PlacedShape placed_shape(const Shape& shape, const Transformd& place, const Color& color, bool collides,
+                         double friction) {
+  PlacedShape placed;
+  placed.shape = shape;
+  placed.position = place.position;
+  placed.orientation = place.orientation;
+  placed.surface.friction = friction;
+  placed.color = color;
+  placed.collides = collides;
+  return placed;
+}
 
 UrdfColors read_colors(const files::XmlElement& robot) {
   UrdfColors colors;

@@ -18,6 +18,10 @@ using UrdfColors = std::map<std::string, Color>;
 
 inline constexpr double standard_friction = 1.0;  ///< [1] what Gazebo and MuJoCo take where a URDF file is silent
 
+/// A shape at its place in a body [m, axes of the body], with its `friction` [1] and color.
+[[nodiscard]] PlacedShape placed_shape(const Shape& shape, const Transformd& place, const Color& color, bool collides,
+                                       double friction = standard_friction);
+
 class UrdfShapes {
  public:
   UrdfShapes(UrdfColors colors, UrdfMeshes meshes, UrdfLog& log)
