@@ -10,7 +10,7 @@
 #include "murosimf/files/file_roles.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/model/error.h"
-#include "murosimf/series/branches.h"
+#include "murosimf/studies/branches.h"
 
 namespace murosimf::app {
 namespace {
@@ -54,7 +54,7 @@ int branch(const BranchArguments& arguments) {
   const recording::RecordedRun run(arguments.file);
   check_plugins(run, arguments.how);
   end_gently();
-  const series::Branches result = series::branch(run, {.time = time_of("--time", arguments.time),
+  const studies::Branches result = studies::branch(run, {.time = time_of("--time", arguments.time),
                                                        .duration = time_of("--duration", arguments.duration),
                                                        .changes = arguments.changes,
                                                        .results = arguments.results,

@@ -11,8 +11,8 @@
 #include "apps/scene_arguments.h"
 #include "apps/standard_output.h"
 #include "murosimf/appearance/robot_picture.h"
-#include "murosimf/check/model_report.h"
-#include "murosimf/check/robot_checks.h"
+#include "murosimf/robot/model_report.h"
+#include "murosimf/robot/robot_checks.h"
 #include "murosimf/files/data_path.h"
 #include "murosimf/files/file_roles.h"
 #include "murosimf/files/output_file.h"
@@ -57,12 +57,12 @@ struct Reading {
   std::optional<std::string> error;
 };
 
-Reading read(const std::filesystem::path& file, const description::ReaderOptions& options) {
+Reading read(const std::filesystem::path& file, const robot_formats::ReaderOptions& options) {
   try {
     return {robot::read_robot(file, options), {}};
   } catch (const SetupError& error) {
     if (options.lenient) throw;
-    description::ReaderOptions leniently = options;
+    robot_formats::ReaderOptions leniently = options;
     leniently.lenient = true;
     try {
       return {robot::read_robot(file, leniently), error.what()};
@@ -74,11 +74,11 @@ Reading read(const std::filesystem::path& file, const description::ReaderOptions
 
 /// Of a file in which there is no robot at all.
 int report_unreadable(const CheckOptions& options, const SetupError& error) {
-  check::ModelReport report;
+  robot::ModelReport report;
   report.name = options.model;
-  report.findings.push_back(check::make_finding(check::Severity::error, error.what()));
-  check::shorten_paths(report.findings, std::filesystem::current_path());
-  if (!options.json.empty()) write_result(options.json, "", check::to_json(report));
+  report.findings.push_back(robot::make_finding(robot::Severity::error, error.what()));
+  robot::shorten_paths(report.findings, std::filesystem::current_path());
+  if (!options.json.empty()) write_result(options.json, "", robot::to_json(report));
   say_error(error.what());
   return 1;
 }
@@ -97,18 +97,18 @@ void check_roles(const std::filesystem::path& file, const robot::RobotFile& robo
 
 int show(const CheckOptions& options, const Reading& reading) {
   const auto& [robot, error] = reading;
-  auto findings = check::examine(robot);
-  if (error) findings.insert(findings.begin(), check::make_finding(check::Severity::error, *error));
-  check::shorten_paths(findings, std::filesystem::current_path());
+  auto findings = robot::examine(robot);
+  if (error) findings.insert(findings.begin(), robot::make_finding(robot::Severity::error, *error));
+  robot::shorten_paths(findings, std::filesystem::current_path());
   if (!options.roles.empty()) check_roles(options.roles, robot);
-  const auto is_error = [](const check::Finding& finding) { return finding.severity == check::Severity::error; };
+  const auto is_error = [](const robot::Finding& finding) { return finding.severity == robot::Severity::error; };
   const bool wrong = std::ranges::any_of(findings, is_error);
-  const check::ModelReport report = check::make_report(*robot.model, std::move(findings), robot.sensors);
+  const robot::ModelReport report = robot::make_report(*robot.model, std::move(findings), robot.sensors);
   Results results;
   if (!options.roles.empty()) {
     results.write([&] { files::write_file(options.roles, robot::roles_toml(robot.description, robot.table)); });
   }
-  results.write([&] { write_result(options.json, check::to_text(report, options.all), check::to_json(report)); });
+  results.write([&] { write_result(options.json, robot::to_text(report, options.all), robot::to_json(report)); });
   // the last, since not every machine can draw
   if (!options.picture.empty()) {
     results.write([&] { files::write_file(options.picture, appearance::robot_picture_png(robot.description)); });
@@ -123,7 +123,7 @@ int check(const CheckOptions& options) {
   if (!options.roles.empty()) files::claim_output("--roles", options.roles);
   const auto file = files::find_data_file(options.model, "models", ".xml");
   files::note_input(file);  // refused before the readers, whose mistakes are findings
-  const description::ReaderOptions how{.lenient = options.lenient,
+  const robot_formats::ReaderOptions how{.lenient = options.lenient,
                                        .xacro = xacro_values(options.xacro),
                                        .body = options.body};
   std::optional<Reading> reading;

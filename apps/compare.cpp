@@ -10,15 +10,15 @@
 #include "apps/results.h"
 #include "apps/scene_arguments.h"
 #include "apps/standard_output.h"
-#include "murosimf/compare/compare_report.h"
-#include "murosimf/compare/compare_seeds.h"
+#include "murosimf/studies/compare_report.h"
+#include "murosimf/studies/compare_seeds.h"
 #include "murosimf/recording/state_file.h"
 
 namespace murosimf::app {
 namespace {
 
 struct CompareArguments {
-  compare::CompareOptions options;
+  studies::CompareOptions options;
   std::vector<std::string> thresholds;  ///< NAME=VALUE
   std::string json;                     ///< file, "-" for standard output
   std::string plots;                    ///< folder for PNG files
@@ -30,7 +30,7 @@ struct CompareArguments {
 };
 
 void define(const Command& command, CompareArguments& arguments) {
-  compare::CompareOptions& options = arguments.options;
+  studies::CompareOptions& options = arguments.options;
   add_scene_file(command, options.scene);
   command.add("--entity", options.entity, "The robot whose level changes").required();
   command.add("--levels", options.levels, "Levels, separated by commas; all if not given").separated_by(',');
@@ -63,16 +63,16 @@ void define(const Command& command, CompareArguments& arguments) {
 }
 
 int compare(const CompareArguments& arguments) {
-  compare::Thresholds thresholds;
+  studies::Thresholds thresholds;
   for (const std::string& text : arguments.thresholds) thresholds.set(text);
   // where results go is checked before anything is computed, so that no result is lost
   check_json_file(arguments.json);
-  if (!arguments.plots.empty()) compare::check_plots(arguments.plots);
+  if (!arguments.plots.empty()) studies::check_plots(arguments.plots);
   load_plugins(arguments.plugins);
 
   end_gently();
   std::optional<Progress> progress(std::in_place);
-  compare::CompareOptions options = arguments.options;
+  studies::CompareOptions options = arguments.options;
   options.progress = [&](double share, const std::string& what) { progress->show(share, what); };
   options.stop = interrupted;
   options.servo_tolerance = arguments.servo_tolerance / 100;
@@ -80,20 +80,20 @@ int compare(const CompareArguments& arguments) {
     options.go_to_start = [&](scene::Scene& scene) { recording::load_state(scene, arguments.from); };
   }
   const bool several = arguments.seeds > 1 || options.servo_tolerance > 0;
-  const compare::SeedsComparison result = compare::compare_seeds(options, arguments.seeds, thresholds);
-  const compare::Comparison& comparison = result.first;
+  const studies::SeedsComparison result = studies::compare_seeds(options, arguments.seeds, thresholds);
+  const studies::Comparison& comparison = result.first;
   progress.reset();
   if (result.stopped) say_error(fmt::format("stopped by {}; what had not ended is missing", signal_name()));
-  std::string text = several ? compare::summary(result) : compare::summary(comparison, result.of_first);
-  if (arguments.details) text += compare::details(comparison, result.of_first);
+  std::string text = several ? studies::summary(result) : studies::summary(comparison, result.of_first);
+  if (arguments.details) text += studies::details(comparison, result.of_first);
   Results results;
   results.write([&] {
     write_result(arguments.json, text,
-                 several ? compare::to_json(result, thresholds)
-                         : compare::to_json(comparison, result.of_first, thresholds));
+                 several ? studies::to_json(result, thresholds)
+                         : studies::to_json(comparison, result.of_first, thresholds));
   });
   if (!arguments.plots.empty() && !comparison.stopped) {
-    results.write([&] { compare::write_plots(comparison, arguments.plots); });
+    results.write([&] { studies::write_plots(comparison, arguments.plots); });
   }
   return results.exit_code(result.stopped ? exit_code() : 0);
 }

@@ -8,7 +8,7 @@
 #include "apps/series_arguments.h"
 #include "apps/standard_output.h"
 #include "murosimf/model/error.h"
-#include "murosimf/series/doctor.h"
+#include "murosimf/studies/doctor.h"
 
 namespace murosimf::app {
 namespace {
@@ -25,7 +25,7 @@ void define(const Command& command, DoctorArguments& arguments) {
   add_scene_file(command, arguments.runs.scene.file);
   command.add("--only", arguments.only, "What is changed, separated by commas: steps, levels, gravity, seeds, servos")
       .separated_by(',')
-      .offers(series::doctor_dimensions());
+      .offers(studies::doctor_dimensions());
   command.add("--quick", arguments.quick, "Only the ends of each row: half as many runs");
   add_seed(command, arguments.runs.scene.seed);
   add_series(command, arguments.runs);
@@ -41,7 +41,7 @@ void check(const DoctorArguments& arguments) {
 
 int doctor(const DoctorArguments& arguments) {
   check(arguments);
-  series::DoctorOptions options{.scene = arguments.runs.scene.file,
+  studies::DoctorOptions options{.scene = arguments.runs.scene.file,
                                 .quick = arguments.quick,
                                 .dimensions = arguments.only,
                                 .duration = arguments.runs.duration,
@@ -51,7 +51,7 @@ int doctor(const DoctorArguments& arguments) {
   options.progress = [&](std::size_t done, std::size_t all) {
     progress->show(static_cast<double>(done) / static_cast<double>(all), fmt::format("{} of {} runs", done, all));
   };
-  const series::Checkup checkup = series::examine(options);
+  const studies::Checkup checkup = studies::examine(options);
   progress.reset();
   if (checkup.stopped) {
     say_error(fmt::format("stopped by {}; there is no result", signal_name()));

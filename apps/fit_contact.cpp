@@ -8,13 +8,13 @@
 #include "murosimf/air/air.h"
 #include "murosimf/files/file_roles.h"
 #include "murosimf/files/output_file.h"
-#include "murosimf/formats/contact_log/contact_logs.h"
+#include "murosimf/identification/contact_logs.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::app {
 namespace {
 
-namespace contact_log = formats::contact_log;
+namespace contact_log = identification;
 
 struct FitContactOptions {
   std::vector<std::string> rolls, slides, drops;  ///< files (CSV)

@@ -16,9 +16,9 @@
 #include "murosimf/components/servo_table.h"
 #include "murosimf/files/file_roles.h"
 #include "murosimf/files/output_file.h"
-#include "murosimf/formats/servo_log/fit_report.h"
-#include "murosimf/formats/servo_log/prior_file.h"
-#include "murosimf/formats/servo_log/servo_log_reader.h"
+#include "murosimf/identification/fit_report.h"
+#include "murosimf/identification/prior_file.h"
+#include "murosimf/identification/servo_log_reader.h"
 #include "murosimf/identification/bench_servo.h"
 #include "murosimf/identification/folds.h"
 #include "murosimf/identification/search.h"
@@ -95,9 +95,9 @@ struct Task {
 Task task_of(const FitServoOptions& options, const Logs& logs) {
   const std::string type = options.servo.empty() ? motor_of(logs) : options.servo;
   const Servo base = components::read_servo(type);
-  const std::string prior = options.prior.empty() ? formats::servo_log::prior_of_type(base.type) : options.prior;
+  const std::string prior = options.prior.empty() ? identification::prior_of_type(base.type) : options.prior;
   return {options, identification::friction_model(options.model), type, prior,
-          base,    formats::servo_log::read_prior(prior)};
+          base,    identification::read_prior(prior)};
 }
 
 /// How long a fit searches.
@@ -115,7 +115,7 @@ int threads_of(const FitServoOptions& options, int starts) {
 }
 
 struct Result {
-  formats::servo_log::FittedServo servo;
+  identification::FittedServo servo;
   std::vector<double> costs;
 };
 
@@ -151,9 +151,9 @@ Result fit(const Task& task, const Logs& logs, double windows, const Effort& eff
 }
 
 /// What fits to the other folds foresee of each; as far as they come before an interruption.
-std::vector<formats::servo_log::UnseenGroup> foresee(const Task& task, const std::vector<Fold>& folds, double windows,
+std::vector<identification::UnseenGroup> foresee(const Task& task, const std::vector<Fold>& folds, double windows,
                                                      const Effort& effort) {
-  std::vector<formats::servo_log::UnseenGroup> groups;
+  std::vector<identification::UnseenGroup> groups;
   for (const Fold& fold : folds) {
     const Result other =
         fit(task, fold.fitted, windows, effort, fmt::format("windows {:g}, without {}", windows, fold.unseen));
@@ -163,7 +163,7 @@ std::vector<formats::servo_log::UnseenGroup> foresee(const Task& task, const std
   return groups;
 }
 
-identification::WindowTrial trial_of(double share, const std::vector<formats::servo_log::UnseenGroup>& groups) {
+identification::WindowTrial trial_of(double share, const std::vector<identification::UnseenGroup>& groups) {
   identification::WindowTrial trial{share, {}};
   for (const auto& group : groups) {
     for (const auto& log : group.logs) trial.errors.push_back(log.error);
@@ -173,7 +173,7 @@ identification::WindowTrial trial_of(double share, const std::vector<formats::se
 
 /// The share of windows that foresees other trajectories best; `usual` if an interruption comes first.
 double choose_windows(const Task& task, const std::vector<Fold>& folds, double usual,
-                      formats::servo_log::FitReport& report) {
+                      identification::FitReport& report) {
   std::vector<identification::WindowTrial> trials;
   std::size_t usual_trial = 0;
   for (const double share : identification::window_shares) {
@@ -187,7 +187,7 @@ double choose_windows(const Task& task, const std::vector<Fold>& folds, double u
 
 /// The servo, with the share of windows that was asked for or foresees best. One is there already when an interruption
 /// comes while others are tried.
-Result fit_with_best_windows(const Task& task, const Logs& logs, formats::servo_log::FitReport& report) {
+Result fit_with_best_windows(const Task& task, const Logs& logs, identification::FitReport& report) {
   const Effort full{.starts = task.options.starts};
   report.window_share = task.options.windows.value_or(identification::usual_window_share(task.model));
   Result result = fit(task, logs, report.window_share, full, "fit");
@@ -205,14 +205,14 @@ int fit_servo(const FitServoOptions& options) {
   (void)identification::friction_model(options.model);
   check_json_file(options.json);
   files::claim_output("--out", options.out);
-  const Logs logs = formats::servo_log::read_servo_logs(options.logs);
-  const Logs unseen = options.validate.empty() ? Logs{} : formats::servo_log::read_servo_logs(options.validate);
+  const Logs logs = identification::read_servo_logs(options.logs);
+  const Logs unseen = options.validate.empty() ? Logs{} : identification::read_servo_logs(options.validate);
   const Task task = task_of(options, logs);
   std::vector<Fold> folds;
   if (!options.cross_validate.empty()) folds = identification::folds(logs, options.cross_validate);
 
   end_gently();
-  formats::servo_log::FitReport report{.servo = {}, .seed = static_cast<std::uint64_t>(options.seed)};
+  identification::FitReport report{.servo = {}, .seed = static_cast<std::uint64_t>(options.seed)};
   const Result result = fit_with_best_windows(task, logs, report);
   report.servo = result.servo;
   report.costs = result.costs;
@@ -221,10 +221,10 @@ int fit_servo(const FitServoOptions& options) {
   if (!interrupted()) report.cross_validated = foresee(task, folds, report.window_share, {.starts = options.starts});
   report.stopped = interrupted();
   Results results;
-  results.write([&] { files::write_file(options.out, formats::servo_log::to_toml(report.servo)); });
+  results.write([&] { files::write_file(options.out, identification::to_toml(report.servo)); });
   const bool there = results.all();
   results.write(
-      [&] { write_result(options.json, formats::servo_log::to_text(report), formats::servo_log::to_json(report)); });
+      [&] { write_result(options.json, identification::to_text(report), identification::to_json(report)); });
   if (report.stopped && there) {
     say_error(fmt::format("stopped by {}; '{}' is the best so far", signal_name(), options.out));
   }

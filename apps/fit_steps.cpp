@@ -15,14 +15,14 @@
 #include "murosimf/files/file_roles.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/robot/step_table_file.h"
-#include "murosimf/series/step_learning.h"
+#include "murosimf/studies/step_learning.h"
 
 namespace murosimf::app {
 namespace {
 
 struct StepArguments {
   std::string out;
-  series::StepLearningOptions steps;
+  studies::StepLearningOptions steps;
   int threads = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 256U));
   std::vector<std::string> set;
   bool lenient = false;
@@ -55,7 +55,7 @@ int learn(const StepArguments& arguments) {
   files::claim_output("--out", arguments.out);
   load_plugins(arguments.plugins);
   end_gently();
-  series::StepLearningOptions options = arguments.steps;
+  studies::StepLearningOptions options = arguments.steps;
   options.common.threads = arguments.threads;
   options.common.lenient = arguments.lenient;
   options.common.overrides = arguments.set;
@@ -64,7 +64,7 @@ int learn(const StepArguments& arguments) {
   options.progress = [&](std::size_t done, std::size_t all) {
     progress->show(static_cast<double>(done) / static_cast<double>(all), fmt::format("{} of {} walks", done, all));
   };
-  const series::StepLearning learning = series::learn_steps(options);
+  const studies::StepLearning learning = studies::learn_steps(options);
   progress.reset();
   Results results;
   results.write([&] { write_standard_output(to_text(learning)); });

@@ -9,7 +9,7 @@
 
 #include "apps/interruption.h"
 #include "apps/option_values.h"
-#include "murosimf/connect/drawn.h"
+#include "murosimf/drawing/drawn.h"
 #include "murosimf/imaging/depth_numbers.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/recording/recorded_drawings.h"
@@ -93,12 +93,12 @@ class Eye final : public PictureSource {
 
  private:
   /// By robots now, and by others then.
-  [[nodiscard]] std::vector<connect::Drawn> all_drawn() {
+  [[nodiscard]] std::vector<drawing::Drawn> all_drawn() {
     const World& world = scene_.simulation().world();
-    std::vector<connect::Drawn> all = connect::drawn_by_robots(world);
+    std::vector<drawing::Drawn> all = drawing::drawn_by_robots(world);
     if (!recorded_) return all;
     (void)others_->take(recorded_->news(scene_.simulation().now()));
-    std::ranges::move(connect::drawn_by_others(others_->shown(), connect::teams_of(world)), std::back_inserter(all));
+    std::ranges::move(drawing::drawn_by_others(others_->shown(), drawing::teams_of(world)), std::back_inserter(all));
     return all;
   }
 
@@ -106,7 +106,7 @@ class Eye final : public PictureSource {
   void draw_drawings(const sensors::Perspective& from, imaging::ColorImage& picture) {
     const World& world = scene_.simulation().world();
     std::vector<render::SeenShape> shapes;
-    for (const connect::Drawn& drawn : all_drawn()) {
+    for (const drawing::Drawn& drawn : all_drawn()) {
       Transformd robot;
       if (drawn.entity >= 0) {
         const auto& entity = world.entities()[static_cast<std::size_t>(drawn.entity)];

@@ -154,7 +154,7 @@ void check(const RecordOptions& options, bool somebody_asks) {
 
 std::unique_ptr<recording::Recorder> make_recorder(scene::Scene& scene, const RecordOptions& options,
                                                    const files::FilesRead& files, const recording::RunDescription& run,
-                                                   const connect::DrawingBoard* others) {
+                                                   const drawing::DrawingBoard* others) {
   recording::RecorderOptions all = recorder_options(options);
   all.others = others;
   all.run = run;

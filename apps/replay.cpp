@@ -9,9 +9,9 @@
 #include "apps/results.h"
 #include "apps/standard_output.h"
 #include "apps/web_arguments.h"
-#include "murosimf/connect/drawing_board.h"
+#include "murosimf/drawing/drawing_board.h"
 #include "murosimf/model/time.h"
-#include "murosimf/playback/recorded_course.h"
+#include "murosimf/recording/recorded_course.h"
 #include "murosimf/recording/mcap/growing_file.h"
 
 namespace murosimf::app {
@@ -46,8 +46,8 @@ std::string summary(const recording::McapReader& file) {
 
 void write_html(const std::shared_ptr<const recording::RecordedRun>& run, const recording::RepeatOptions& repeat,
                 const WebArguments& arguments) {
-  const auto others = std::make_shared<connect::PinnedDrawings>();
-  playback::RecordedCourse course(run, repeat, others);
+  const auto others = std::make_shared<drawing::PinnedDrawings>();
+  recording::RecordedCourse course(run, repeat, others);
   web::HtmlRecording page(
       course.scene(), {.file = arguments.html, .rate = arguments.html_rate, .by_hand = true, .others = others.get()});
   course.begin();
@@ -61,8 +61,8 @@ void write_html(const std::shared_ptr<const recording::RecordedRun>& run, const 
 
 void show_in_browsers(const std::shared_ptr<const recording::RecordedRun>& run, const recording::RepeatOptions& repeat,
                       const ReplayOptions& options) {
-  const auto others = std::make_shared<connect::PinnedDrawings>();
-  session::Session session(std::make_unique<playback::RecordedCourse>(run, repeat, others),
+  const auto others = std::make_shared<drawing::PinnedDrawings>();
+  session::Session session(std::make_unique<recording::RecordedCourse>(run, repeat, others),
                            {.speed = read_speed(options.speed)});
   const auto view = web_view_of(session.scene(), session, options.web, {.others = others.get()});
   session.run(run->end());

@@ -9,8 +9,8 @@
 #include "apps/servo_logs.h"
 #include "apps/standard_output.h"
 #include "murosimf/files/file_roles.h"
-#include "murosimf/formats/servo_log/fit_report.h"
-#include "murosimf/formats/servo_log/servo_log_reader.h"
+#include "murosimf/identification/fit_report.h"
+#include "murosimf/identification/servo_log_reader.h"
 #include "murosimf/logging/plot.h"
 #include "murosimf/model/error.h"
 
@@ -66,14 +66,14 @@ void plot(const fs::path& file, const ServoLog& log, const std::vector<double>& 
 
 int replay_servo(const ReplayServoOptions& options) {
   check_json_file(options.json);
-  const std::vector<ServoLog> logs = formats::servo_log::read_servo_logs(options.logs);
-  const formats::servo_log::FittedServo servo = formats::servo_log::read_fitted_servo(options.servo);
+  const std::vector<ServoLog> logs = identification::read_servo_logs(options.logs);
+  const identification::FittedServo servo = identification::read_fitted_servo(options.servo);
   if (!options.plot.empty()) check_plots(options.plot, logs);
   const ServoReplay replay(servo, logs);
-  const formats::servo_log::ReplayReport report{servo.servo.type, replay.errors()};
+  const identification::ReplayReport report{servo.servo.type, replay.errors()};
   Results results;
   results.write(
-      [&] { write_result(options.json, formats::servo_log::to_text(report), formats::servo_log::to_json(report)); });
+      [&] { write_result(options.json, identification::to_text(report), identification::to_json(report)); });
   if (!options.plot.empty()) {
     results.write([&] {
       for (std::size_t i = 0; i < logs.size(); ++i) {

@@ -38,7 +38,7 @@ int run_scene(const RunOptions& options, Steering& steering) {
   const double asked = options.duration.value_or(scene.spec().duration);
   const Duration end = read_duration(asked);
   const std::unique_ptr<league::League> game = game_of(scene, options.game);
-  const std::unique_ptr<connect::RobovizDoor> roboviz = roboviz_door(options.roboviz);
+  const std::unique_ptr<drawing::RobovizDoor> roboviz = roboviz_door(options.roboviz);
   outputs.attach(scene, scene_options, game.get(), roboviz.get());
   scene.simulation().initialize();
   outputs.scene_is_read();

@@ -14,7 +14,7 @@
 namespace murosimf::app {
 
 RunAdvance::RunAdvance(scene::Scene& scene, const RunOptions& options, RunOutputs& outputs, const league::League* game,
-                       const connect::DrawingBoard* others, Duration end)
+                       const drawing::DrawingBoard* others, Duration end)
     : scene_(scene),
       options_(options),
       outputs_(outputs),

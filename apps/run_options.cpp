@@ -113,7 +113,7 @@ scene::SceneOptions scene_options_of(const RunOptions& options) {
   all.pushable = is_steered(options);
   if (!options.from.empty()) all.pushable = recording::was_pushable(options.from).value_or(all.pushable);
   all.software = server_at(options.listen);
-  if (!options.record.file.empty()) all.outside.notes = std::make_shared<connect::OutsideNotes>();
+  if (!options.record.file.empty()) all.outside.notes = std::make_shared<OutsideNotes>();
   return all;
 }
 

@@ -16,7 +16,7 @@ std::vector<Piece> whole_logs(std::span<const ServoLog> logs) {
 
 }  // namespace
 
-ServoReplay::ServoReplay(const formats::servo_log::FittedServo& fitted, std::span<const ServoLog> logs)
+ServoReplay::ServoReplay(const identification::FittedServo& fitted, std::span<const ServoLog> logs)
     : bench_(whole_logs(logs), identification::duty_per_gain(fitted.servo), replay_step) {
   std::vector<double> errors(logs.size());
   bench_.errors(identification::bench_servo(fitted.servo, fitted.encoder_offset), errors);

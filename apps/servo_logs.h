@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "murosimf/formats/servo_log/fitted_servo.h"
+#include "murosimf/identification/fitted_servo.h"
 #include "murosimf/identification/bench_logs.h"
 
 namespace murosimf::app {
@@ -15,15 +15,15 @@ inline constexpr double replay_step = 1e-3;  ///< [s]
 class ServoReplay {
  public:
   /// Throws SetupError if the servo cannot be put on the bench.
-  ServoReplay(const formats::servo_log::FittedServo& fitted, std::span<const identification::ServoLog> logs);
+  ServoReplay(const identification::FittedServo& fitted, std::span<const identification::ServoLog> logs);
 
-  [[nodiscard]] const std::vector<formats::servo_log::LogError>& errors() const { return errors_; }
+  [[nodiscard]] const std::vector<identification::LogError>& errors() const { return errors_; }
   /// [rad] at every entry of log `i`.
   [[nodiscard]] std::vector<double> positions(std::size_t i) const { return bench_.positions(i); }
 
  private:
   identification::BenchLogs bench_;
-  std::vector<formats::servo_log::LogError> errors_;
+  std::vector<identification::LogError> errors_;
 };
 
 }  // namespace murosimf::app

@@ -12,7 +12,7 @@
 #include "murosimf/files/file_roles.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/model/error.h"
-#include "murosimf/series/sweep.h"
+#include "murosimf/studies/sweep.h"
 
 namespace murosimf::app {
 namespace {
@@ -47,12 +47,12 @@ void define(const Command& command, SweepArguments& arguments) {
   add_series_end(command, arguments.runs);
 }
 
-series::SweepOptions options_of(const SweepArguments& arguments) {
-  series::SweepOptions options{.scene = arguments.runs.scene.file,
+studies::SweepOptions options_of(const SweepArguments& arguments) {
+  studies::SweepOptions options{.scene = arguments.runs.scene.file,
                                .duration = arguments.runs.duration,
                                .results = arguments.results};
-  for (const std::string& axis : arguments.grid) options.axes.push_back(series::parse_axis(axis));
-  if (!arguments.seeds.empty()) options.seeds = series::parse_seeds(arguments.seeds);
+  for (const std::string& axis : arguments.grid) options.axes.push_back(studies::parse_axis(axis));
+  if (!arguments.seeds.empty()) options.seeds = studies::parse_seeds(arguments.seeds);
   options.common = options_of(arguments.runs);
   options.file = arguments.noted;
   options.program = this_program();
@@ -71,13 +71,13 @@ void check(const SweepArguments& arguments) {
 
 int sweep(const SweepArguments& arguments) {
   check(arguments);
-  series::SweepOptions options = options_of(arguments);
+  studies::SweepOptions options = options_of(arguments);
   end_gently();
   std::optional<Progress> progress(std::in_place);
   options.progress = [&](std::size_t done, std::size_t all) {
     progress->show(static_cast<double>(done) / static_cast<double>(all), fmt::format("{} of {} runs", done, all));
   };
-  const series::Sweep result = series::sweep(options);
+  const studies::Sweep result = studies::sweep(options);
   progress.reset();
   if (result.taken_over > 0) say_note(fmt::format("{} runs were in '{}' already", result.taken_over, arguments.noted));
   Results results;

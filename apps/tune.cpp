@@ -22,8 +22,8 @@
 #include "murosimf/files/output_file.h"
 #include "murosimf/model/error.h"
 #include "murosimf/robot/step_table_file.h"
-#include "murosimf/series/balance_tuning.h"
-#include "murosimf/series/walk_tuning.h"
+#include "murosimf/studies/balance_tuning.h"
+#include "murosimf/studies/walk_tuning.h"
 
 namespace murosimf::app {
 namespace {
@@ -143,7 +143,7 @@ Vec3d place_of_ball(const std::string& text) {
   throw SetupError(fmt::format("--ball '{}': must be X,Y in m, like 0.2,-0.056", text));
 }
 
-series::MotionTask task_of(const TuneArguments& arguments) {
+studies::MotionTask task_of(const TuneArguments& arguments) {
   constexpr double degree = pi / 180;
   struct Lies {
     double roll, pitch;  // [rad]
@@ -151,9 +151,9 @@ series::MotionTask task_of(const TuneArguments& arguments) {
   static const std::map<std::string, Lies> starts{{"", {0, 0}},           {"standing", {0, 0}},
                                                   {"front", {0, pi / 2}}, {"back", {0, -pi / 2}},
                                                   {"left", {-pi / 2, 0}}, {"right", {pi / 2, 0}}};
-  series::MotionTask task;
-  if (arguments.goal == "kicks") task.goal = series::MotionGoal::kicks;
-  if (arguments.goal == "lies") task.goal = series::MotionGoal::lies;
+  studies::MotionTask task;
+  if (arguments.goal == "kicks") task.goal = studies::MotionGoal::kicks;
+  if (arguments.goal == "lies") task.goal = studies::MotionGoal::lies;
   task.roll = starts.at(arguments.from).roll;
   task.pitch = starts.at(arguments.from).pitch;
   task.direction = degree * arguments.toward.value_or(0);
@@ -178,13 +178,13 @@ std::filesystem::path state_file(const std::string& out) {
   return out.empty() || is_device(out) ? std::filesystem::path() : std::filesystem::path(out + ".state");
 }
 
-series::TuningBudget budget_of(const TuneArguments& arguments, Progress& progress) {
-  series::TuningBudget budget{.evaluations = static_cast<std::size_t>(arguments.evaluations),
+studies::TuningBudget budget_of(const TuneArguments& arguments, Progress& progress) {
+  studies::TuningBudget budget{.evaluations = static_cast<std::size_t>(arguments.evaluations),
                               .seed = arguments.seed.value_or(1),
                               .state = state_file(arguments.out),
                               .program = this_program()};
   if (arguments.minutes) budget.minutes = *arguments.minutes;
-  budget.progress = [&progress](const series::CostSearchProgress& now) {
+  budget.progress = [&progress](const studies::CostSearchProgress& now) {
     progress.show(now.share, fmt::format("{} of {} evaluations, best cost {:.4f}", now.evaluations, now.of, now.best));
   };
   return budget;
@@ -202,21 +202,21 @@ template <class Tuning>
 std::string toml_of(const TuneArguments&, const Tuning& tuning, const std::string& head) {
   return to_toml(tuning, head);
 }
-std::string toml_of(const TuneArguments& arguments, const series::BalanceTuning& tuning, const std::string& head) {
+std::string toml_of(const TuneArguments& arguments, const studies::BalanceTuning& tuning, const std::string& head) {
   const std::string steps = steps_file(arguments).filename().string();
   return to_toml(tuning, head, steps.empty() ? "steps.csv" : steps);
 }
 
 template <class Tuning>
 void write_steps(const TuneArguments&, const Tuning&) {}
-void write_steps(const TuneArguments& arguments, const series::BalanceTuning& tuning) {
+void write_steps(const TuneArguments& arguments, const studies::BalanceTuning& tuning) {
   if (tuning.steps) files::write_file(steps_file(arguments), robot::to_csv(*tuning.steps));
 }
 
 /// Shows and writes what was found.
 template <class Tuning>
 int finish(const TuneArguments& arguments, const Tuning& tuning) {
-  const series::CostSearch& search = tuning.search;
+  const studies::CostSearch& search = tuning.search;
   const std::filesystem::path state = state_file(arguments.out);
   if (search.taken_over > 0)
     say_note(fmt::format("went on after {} evaluations with what was in '{}'", search.taken_over, state.string()));
@@ -252,9 +252,9 @@ int tune(const TuneArguments& arguments) {
   common.lenient = arguments.lenient;
   common.stop = interrupted;
   std::optional<Progress> progress(std::in_place);
-  const std::vector<std::string>& levels = arguments.levels.empty() ? series::usual_tuning_levels() : arguments.levels;
+  const std::vector<std::string>& levels = arguments.levels.empty() ? studies::usual_tuning_levels() : arguments.levels;
   if (arguments.what == "walk") {
-    const series::WalkTuning tuning = series::tune_walk({.model = arguments.model,
+    const studies::WalkTuning tuning = studies::tune_walk({.model = arguments.model,
                                                          .levels = levels,
                                                          .speed = arguments.speed.value_or(0.1),
                                                          .duration = arguments.duration.value_or(8),
@@ -264,7 +264,7 @@ int tune(const TuneArguments& arguments) {
     return finish(arguments, tuning);
   }
   if (arguments.what == "balance") {
-    const series::BalanceTuning tuning = series::tune_balance({.model = arguments.model,
+    const studies::BalanceTuning tuning = studies::tune_balance({.model = arguments.model,
                                                                .levels = levels,
                                                                .speed = arguments.speed.value_or(0.15),
                                                                .impulse = arguments.impulse,
@@ -274,7 +274,7 @@ int tune(const TuneArguments& arguments) {
     progress.reset();
     return finish(arguments, tuning);
   }
-  const series::MotionTuning tuning = series::tune_motion({.motion = arguments.what,
+  const studies::MotionTuning tuning = studies::tune_motion({.motion = arguments.what,
                                                            .model = arguments.model,
                                                            .task = task_of(arguments),
                                                            .levels = levels,

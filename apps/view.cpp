@@ -13,9 +13,9 @@
 #include "apps/scene_arguments.h"
 #include "apps/standard_output.h"
 #include "apps/view_recording.h"
-#include "murosimf/connect/drawing_board.h"
+#include "murosimf/drawing/drawing_board.h"
 #include "murosimf/model/error.h"
-#include "murosimf/playback/recorded_course.h"
+#include "murosimf/recording/recorded_course.h"
 #include "murosimf/recording/recorded_series.h"
 #include "murosimf/session/live_course.h"
 #include "murosimf/viewer/view_report.h"
@@ -74,7 +74,7 @@ viewer::WindowOptions window_options(const ViewOptions& options) {
 /// A scene that runs, or a recording that is played, with what other programs drew then; `end`: of it. `recording`: null if nothing is
 /// recorded.
 session::MakeCourse course_of(const SceneArguments& scene, ViewRecording* recording, Duration& end,
-                              const std::shared_ptr<connect::PinnedDrawings>& others) {
+                              const std::shared_ptr<drawing::PinnedDrawings>& others) {
   if (!recording::is_recording(scene.file)) {
     scene::SceneOptions options = options_of(scene);
     options.pushable = true;
@@ -88,7 +88,7 @@ session::MakeCourse course_of(const SceneArguments& scene, ViewRecording* record
   const auto run = recorded_run_of(scene.file, repeat_arguments(scene));
   end = std::min(end, run->end());
   return [run, repeat = options_of(repeat_arguments(scene)), others] {
-    return std::make_unique<playback::RecordedCourse>(run, repeat, others);
+    return std::make_unique<recording::RecordedCourse>(run, repeat, others);
   };
 }
 
@@ -111,7 +111,7 @@ int view(const ViewOptions& options) {
   if (options.duration) viewer_options.end = read_duration(*options.duration);
   if (const std::string reason = viewer::no_window_because(); !reason.empty()) throw SetupError(reason);
   const auto roboviz = roboviz_door(options.roboviz);
-  const auto drawn_then = std::make_shared<connect::PinnedDrawings>();
+  const auto drawn_then = std::make_shared<drawing::PinnedDrawings>();
   std::optional<ViewRecording> recording;
   if (!options.record.file.empty()) recording.emplace(options.scene, options.record, roboviz.get());
   viewer_options.make_course =
@@ -119,7 +119,7 @@ int view(const ViewOptions& options) {
   if (recording) viewer_options.session.no_way_back = ViewRecording::no_way_back();
   if (is_asked_for(options.record)) viewer_options.session.record = [&](bool on) { recording->record(on); };
   viewer_options.session.paused = options.paused;
-  viewer_options.others = roboviz ? static_cast<const connect::DrawingBoard*>(roboviz.get()) : drawn_then.get();
+  viewer_options.others = roboviz ? static_cast<const drawing::DrawingBoard*>(roboviz.get()) : drawn_then.get();
   viewer::Viewer viewer(viewer_options);
   const viewer::WindowReport shown = show(viewer, window);
   viewer.settle();

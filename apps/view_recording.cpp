@@ -9,7 +9,7 @@
 namespace murosimf::app {
 
 ViewRecording::ViewRecording(const SceneArguments& scene, const RecordOptions& options,
-                             const connect::DrawingBoard* others)
+                             const drawing::DrawingBoard* others)
     : arguments_(scene), options_(options), others_(others) {
   check(options, true);
 }

@@ -8,7 +8,7 @@
 
 #include "apps/record_options.h"
 #include "apps/scene_arguments.h"
-#include "murosimf/connect/drawing_board.h"
+#include "murosimf/drawing/drawing_board.h"
 #include "murosimf/session/course.h"
 
 namespace murosimf::app {
@@ -16,7 +16,7 @@ namespace murosimf::app {
 class ViewRecording {
  public:
   /// All must outlive it. `others`: what other programs draw; null: they do not. Throws SetupError if the file could not be written now.
-  ViewRecording(const SceneArguments& scene, const RecordOptions& options, const connect::DrawingBoard* others);
+  ViewRecording(const SceneArguments& scene, const RecordOptions& options, const drawing::DrawingBoard* others);
 
   /// The scene with its recorder; once. Throws SetupError.
   [[nodiscard]] std::unique_ptr<session::Course> make_course(const scene::SceneOptions& options);
@@ -30,7 +30,7 @@ class ViewRecording {
  private:
   const SceneArguments& arguments_;
   const RecordOptions& options_;
-  const connect::DrawingBoard* others_;
+  const drawing::DrawingBoard* others_;
   std::optional<files::FilesRead> files_;  // that the scene is made of
   scene::Scene* scene_ = nullptr;
   std::unique_ptr<recording::Recorder> recorder_;

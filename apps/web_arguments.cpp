@@ -35,7 +35,7 @@ void check(const WebArguments& arguments) {
 }
 
 std::unique_ptr<web::HtmlRecording> make_html_recording(scene::Scene& scene, const WebArguments& arguments,
-                                                        const connect::DrawingBoard* others) {
+                                                        const drawing::DrawingBoard* others) {
   if (arguments.html.empty()) return nullptr;
   return std::make_unique<web::HtmlRecording>(scene, web::HtmlOptions{.file = arguments.html,
                                                                       .rate = arguments.html_rate,

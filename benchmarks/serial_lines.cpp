@@ -20,7 +20,7 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/connect/dynamixel/packet_parser.h"
+#include "murosimf/serial/dynamixel/packet_parser.h"
 #include "murosimf/model/error.h"
 #include "murosimf/runtime/clock.h"
 #include "murosimf/scene/scene.h"
@@ -28,7 +28,7 @@
 namespace {
 
 using namespace murosimf;
-using namespace murosimf::connect::dynamixel;
+using namespace murosimf::serial::dynamixel;
 using WallClock = std::chrono::steady_clock;
 using Milliseconds = std::chrono::duration<double, std::milli>;
 

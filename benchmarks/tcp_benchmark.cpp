@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "murosimf/client/robot_client.h"
+#include "murosimf/wire/robot_client.h"
 #include "murosimf/connect/controller_task.h"
 #include "murosimf/connect/tcp_server.h"
 #include "murosimf/locomotion/gait_properties.h"
@@ -56,7 +56,7 @@ class Match {
  private:
   template <class Set>
   void play(const std::string& name, const Set& set) const {
-    client::RobotClient robot({.robot = name, .port = server_->address().port, .rate = 100});
+    wire::RobotClient robot({.robot = name, .port = server_->address().port, .rate = 100});
     for (const char* signal : {"joint.position", "imu.gyroscope", "imu.accelerometer"}) (void)robot.signal(signal);
     auto& velocity = robot.command("walk.velocity");
     auto& others = robot.command("walk.other_joints");

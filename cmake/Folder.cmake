@@ -2,19 +2,18 @@
 # Left alone are sources whose names in anonymous namespaces others of their folder have, too, or that define macros.
 # MUROSIMF_FOLDERS_ALONE has more of them.
 set(murosimf_folders_alone geometry ${MUROSIMF_FOLDERS_ALONE})
-set_source_files_properties(behavior/localize.cpp components/sensor_keys.cpp components/sensor_toml.cpp
-  components/servo_description.cpp files/data_path.cpp formats/mesh/obj_file.cpp formats/urdf/urdf_joint.cpp
-  connect/serial/line_rate.cpp locomotion/gait_clock.cpp motion/joint_stop.cpp robot/role_inference.cpp render/image_png.cpp render/opengl/gl_drawing.cpp web/server.cpp
+set_source_files_properties(soccer/localize.cpp components/sensor_keys.cpp components/sensor_toml.cpp
+  components/servo_description.cpp files/data_path.cpp robot_formats/mesh/obj_file.cpp robot_formats/urdf/urdf_joint.cpp
+  serial/line_rate.cpp locomotion/gait_clock.cpp motion/joint_stop.cpp robot/role_inference.cpp render/image_png.cpp render/opengl/gl_drawing.cpp web/server.cpp
   PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 
 # They read, check and write, and no step of a simulation runs through them: optimizing them fully is a fifth of their time.
-set(murosimf_cold_folders files description formats/mjcf formats/urdf formats/proto formats/sdf formats/servo_log components robot check catalog
-  scene_file scene logging compare web)
+set(murosimf_cold_folders files robot_formats components robot catalog scene_file scene logging web)
 
 # Where the time of a step goes. Nine of their sources are compiled as one, so that what is inlined, and the counted instructions
 # (tests/instruction_counts.txt), do not change with the other folders. Of others eighteen are: an eighth to three tenths less to compile.
-set(murosimf_hot_folders math model geometry multibody collision collision/relief motion air runtime imaging sensors locomotion
-  perception behavior)
+set(murosimf_hot_folders math model geometry multibody collision motion air runtime imaging sensors locomotion
+  soccer)
 # The thread sanitizer sees the same accesses in code that is not optimized, and that compiles in three fifths of the time.
 set(murosimf_optimize_hot_only OFF)
 if(CMAKE_CXX_FLAGS MATCHES "fsanitize=thread")
@@ -43,18 +42,17 @@ function(murosimf_precompile)
   endif()
 endfunction()
 
-# murosimf_folder(<folder> [USES <folders>] [LINKS <libraries>] [EXCEPT <sources>]): one folder of the library as a static
-# library murosimf_<folder>, with `_` for `/`. Adds it to the global properties murosimf_folders and murosimf_folder_targets.
+# murosimf_folder(<folder> [USES <folders>] [LINKS <libraries>] [EXCEPT <sources or folders in it>]): one folder of the library, with the
+# folders in it, as a static library murosimf_<folder>. Adds it to the global properties murosimf_folders and murosimf_folder_targets.
 function(murosimf_folder folder)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "USES;LINKS;EXCEPT")
-  string(REPLACE "/" "_" target "murosimf_${folder}")
-  file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.cpp)
+  set(target murosimf_${folder})
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${folder}/*.cpp)
   foreach(source IN LISTS arg_EXCEPT)
-    list(REMOVE_ITEM sources ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/${source})
+    list(FILTER sources EXCLUDE REGEX "^${CMAKE_CURRENT_SOURCE_DIR}/${folder}/${source}(/|$)")
   endforeach()
   set_property(GLOBAL APPEND PROPERTY murosimf_folders ${folder})
   set_property(GLOBAL APPEND PROPERTY murosimf_folder_targets ${target})
-  list(TRANSFORM arg_USES REPLACE "/" "_")
   list(TRANSFORM arg_USES PREPEND "murosimf_")
   add_library(${target} ${sources})
   set_target_properties(${target} PROPERTIES MUROSIMF_USES "${arg_USES}")

@@ -48,9 +48,9 @@ install(FILES ${PROJECT_SOURCE_DIR}/murosimf/connect/murosimf_controller.h
 install(TARGETS murosimf_plugin murosimf_controller EXPORT murosimf)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/murosimf/wire DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/murosimf
   FILES_MATCHING PATTERN "*.proto")
-if(TARGET murosimf_client)
-  install(FILES ${PROJECT_SOURCE_DIR}/murosimf/client/robot_client.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/murosimf/client)
-  install(TARGETS murosimf_client murosimf_wire EXPORT murosimf_client ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+if(TARGET murosimf::client)
+  install(FILES ${PROJECT_SOURCE_DIR}/murosimf/wire/robot_client.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/murosimf/wire)
+  install(TARGETS murosimf_wire EXPORT murosimf_client ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   install(EXPORT murosimf_client NAMESPACE murosimf:: FILE murosimfClientTargets.cmake DESTINATION ${murosimf_package_dir})
 endif()
 

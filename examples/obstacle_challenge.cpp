@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
-#include <murosimf/behavior/behavior_properties.h>
-#include <murosimf/behavior/obstacle_course.h>
+#include <murosimf/soccer/behavior_properties.h>
+#include <murosimf/soccer/obstacle_course.h>
 #include <murosimf/collision/queries.h>
 #include <murosimf/files/output_file.h>
-#include <murosimf/perception/planar.h>
+#include <murosimf/soccer/planar.h>
 #include <murosimf/render/field_picture.h>
 #include <murosimf/render/image_png.h>
 #include <murosimf/scene/scene.h>
@@ -69,17 +69,17 @@ void draw(const std::string& course_file, const std::string& camera_file, double
   scene::Scene scene("obstacle_challenge");
   scene.simulation().run(from_seconds(time));
   Entity& robot = scene.simulation().world().entity("robot");
-  const behavior::Course& course = robot.base().get(behavior::planned_course);
+  const soccer::Course& course = robot.base().get(soccer::planned_course);
   const Vec3d place = robot.base().get(properties::position);
   const Vec3d truth{place.x, place.y, heading(robot.base().get(properties::orientation))};
   const Vec3d believed = robot.base().get(properties::pose_estimate);
-  const auto shown = [&](const Vec3d& p) { return perception::from_frame(truth, perception::to_frame(believed, p)); };
+  const auto shown = [&](const Vec3d& p) { return soccer::from_frame(truth, soccer::to_frame(believed, p)); };
   render::Overlay overlay;
   for (Entity* moving_entity : scene.moving_entities()) {
     if (moving_entity == &robot) continue;
     overlay.circles.push_back({moving_entity->base().get(properties::position), 0.1, magenta, true});
   }
-  for (const perception::Obstacle& obstacle : course.obstacles.all()) {
+  for (const soccer::Obstacle& obstacle : course.obstacles.all()) {
     overlay.circles.push_back({shown(obstacle.place), 0.12, black});
   }
   overlay.lines.push_back({{}, red, true});

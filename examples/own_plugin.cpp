@@ -96,17 +96,17 @@ std::unique_ptr<sensors::Sensor> make_altimeter(Setup& setup, const sensors::Sen
 }
 
 /// A robot that is a ball, from a file with two numbers: its radius [m] and its mass [kg].
-description::RobotDescription read_lump(const std::filesystem::path& file, const description::ReaderOptions&) {
+robot_formats::RobotDescription read_lump(const std::filesystem::path& file, const robot_formats::ReaderOptions&) {
   double radius = 0, mass = 0;
   if (!(std::ifstream(file) >> radius >> mass && radius > 0 && mass > 0)) {
     throw SetupError(file.string() + ": two numbers above 0 are needed: a radius [m] and a mass [kg]");
   }
-  description::BodyDescription ball;
+  robot_formats::BodyDescription ball;
   ball.name = "ball";
   ball.where = file.string();
-  ball.solid = {mass, {}, mass * description::unit_inertia(Sphere{radius})};
+  ball.solid = {mass, {}, mass * robot_formats::unit_inertia(Sphere{radius})};
   ball.shapes.emplace_back().placed.shape = Sphere{radius};
-  description::RobotDescription robot;
+  robot_formats::RobotDescription robot;
   robot.name = "lump";
   robot.file = file;
   robot.bodies = {ball};

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include <murosimf/behavior/behavior_properties.h>
-#include <murosimf/behavior/localize.h>
+#include <murosimf/soccer/behavior_properties.h>
+#include <murosimf/soccer/localize.h>
 #include <murosimf/files/output_file.h>
 #include <murosimf/render/field_picture.h>
 #include <murosimf/scene/scene.h>
@@ -70,7 +70,7 @@ void run(const Setting& setting, std::uint64_t seed, double duration, Errors& er
     if (now >= near_since + 1) found = std::min(found, near_since);
     if (now <= time_to_find) continue;
     errors.place.push_back(away);
-    errors.heading.push_back(std::abs(perception::wrapped(believed.z - is.z)));
+    errors.heading.push_back(std::abs(soccer::wrapped(believed.z - is.z)));
   }
   errors.found.push_back(found);
 }
@@ -126,12 +126,12 @@ void draw(const std::string& file, double time) {
   scene::Scene scene("self_localization");
   scene.simulation().run(from_seconds(time));
   Entity& robot = scene.simulation().world().entity("robot");
-  const behavior::Particles& particles = robot.base().get(behavior::possible_poses);
+  const soccer::Particles& particles = robot.base().get(soccer::possible_poses);
   const Vec3d believed = robot.base().get(properties::pose_estimate);
   render::Overlay overlay;
-  for (const perception::Particle& particle : particles.all) overlay.arrows.push_back({particle.pose, 0.18, red});
-  for (const perception::LinePoint& point : particles.points) {
-    overlay.circles.push_back({perception::from_frame(believed, point.place), 0.02, yellow, true});
+  for (const soccer::Particle& particle : particles.all) overlay.arrows.push_back({particle.pose, 0.18, red});
+  for (const soccer::LinePoint& point : particles.points) {
+    overlay.circles.push_back({soccer::from_frame(believed, point.place), 0.02, yellow, true});
   }
   overlay.arrows.push_back({truth(robot), 0.5, blue});
   overlay.arrows.push_back({believed, 0.4, dark_blue});

@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/description/robot_description.h"
+#include "murosimf/robot_formats/robot_description.h"
 
-namespace murosimf::formats::description_checks {
+namespace murosimf::robot_formats::description_checks {
 
 inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
@@ -18,7 +18,7 @@ inline bool any_contains(const std::vector<std::string>& texts, const std::strin
 }
 
 /// Whether something without effect is told so.
-inline bool names_unused(const description::RobotDescription& description, const std::string& part) {
+inline bool names_unused(const robot_formats::RobotDescription& description, const std::string& part) {
   return std::ranges::any_of(description.unused, [&](const auto& unused) { return contains(unused.line, part); });
 }
 
@@ -27,4 +27,4 @@ inline void expect_near(const Vec3d& a, const Vec3d& b, double tolerance = 1e-12
                                     << b.z;
 }
 
-}  // namespace murosimf::formats::description_checks
+}  // namespace murosimf::robot_formats::description_checks

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/appearance/visual_meshes.h"
-#include "murosimf/description/robot_visuals.h"
+#include "murosimf/robot_formats/robot_visuals.h"
 #include "murosimf/geometry/support.h"
 #include "murosimf/model/chain.h"
 #include "murosimf/model/error.h"
@@ -40,13 +40,13 @@ bool add_meshes(const std::vector<VisualMesh>& visuals, const Transformd& place,
 }
 
 /// Everything in the frame of the base.
-render::EntityAppearance appearance_of(const description::RobotDescription& description) {
+render::EntityAppearance appearance_of(const robot_formats::RobotDescription& description) {
   render::EntityAppearance robot;
   const auto places = robot::body_places(description);
   for (std::size_t i = 0; i < description.bodies.size(); ++i) {
-    const description::BodyDescription& body = description.bodies[i];
-    const bool has_meshes = add_meshes(description::visuals_of(description, body), places[i], robot);
-    for (const description::ShapeDescription& shape : body.shapes) {
+    const robot_formats::BodyDescription& body = description.bodies[i];
+    const bool has_meshes = add_meshes(robot_formats::visuals_of(description, body), places[i], robot);
+    for (const robot_formats::ShapeDescription& shape : body.shapes) {
       PlacedShape placed = shape.placed;
       if (placed.color.alpha <= 0 || (has_meshes && placed.collides) || std::holds_alternative<Plane>(placed.shape))
         continue;
@@ -90,7 +90,7 @@ void place(Entity& entity, const Vec3d& position, const Mat3d& orientation) {
 
 }  // namespace
 
-imaging::ColorImage robot_picture(const description::RobotDescription& description, int columns, int rows) {
+imaging::ColorImage robot_picture(const robot_formats::RobotDescription& description, int columns, int rows) {
   // the eye looks along y: x is to the right, z up
   const std::array turns{rotation_z(-0.5 * pi), rotation_z(pi), rotation_x(0.5 * pi) * rotation_z(0.5 * pi),
                          rotation_x(0.3) * rotation_z(-0.5 * pi + 0.6)};
@@ -120,7 +120,7 @@ imaging::ColorImage robot_picture(const description::RobotDescription& descripti
   return std::move(drawn.color);
 }
 
-std::string robot_picture_png(const description::RobotDescription& description) {
+std::string robot_picture_png(const robot_formats::RobotDescription& description) {
   return render::image_png(robot_picture(description), description.name + ": front, left side, top, from an angle");
 }
 

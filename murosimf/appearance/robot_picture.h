@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "murosimf/description/robot_description.h"
+#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/imaging/image.h"
 
 namespace murosimf::appearance {
@@ -11,9 +11,9 @@ namespace murosimf::appearance {
 /// The robot in the pose of the file, four times in a row to the same scale. Bodies are drawn with
 /// their meshes for the eye, or else with the shapes that collide. Meshes that cannot be read are left out. Throws
 /// SetupError if this machine or this build cannot draw.
-[[nodiscard]] imaging::ColorImage robot_picture(const description::RobotDescription& description, int columns = 1600,
+[[nodiscard]] imaging::ColorImage robot_picture(const robot_formats::RobotDescription& description, int columns = 1600,
                                                 int rows = 640);
 /// The same with a title, as the bytes of a PNG file.
-[[nodiscard]] std::string robot_picture_png(const description::RobotDescription& description);
+[[nodiscard]] std::string robot_picture_png(const robot_formats::RobotDescription& description);
 
 }  // namespace murosimf::appearance

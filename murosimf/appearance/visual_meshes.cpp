@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "murosimf/collision/relief/relief.h"
-#include "murosimf/formats/mesh/mesh_file.h"
-#include "murosimf/formats/mesh/mesh_library.h"
+#include "murosimf/robot_formats/mesh/mesh_file.h"
+#include "murosimf/robot_formats/mesh/mesh_library.h"
 #include "murosimf/geometry/mesh_mass.h"
 #include "murosimf/geometry/mesh_reduction.h"
 #include "murosimf/model/error.h"
@@ -59,9 +59,9 @@ geometry::TriangleMesh visual_triangles(const VisualMesh& mesh) {
   if (s.x == 0 || s.y == 0 || s.z == 0) {
     throw SetupError(fmt::format("{}: a scale of 0 makes the mesh flat; correct it", mesh.file));
   }
-  geometry::TriangleMesh triangles = formats::mesh::read_mesh_file(mesh.file).mesh;
+  geometry::TriangleMesh triangles = robot_formats::mesh::read_mesh_file(mesh.file).mesh;
   for (Vec3d& v : triangles.vertices) v = transposed_times(mesh.file_orientation, v - mesh.file_position);
-  formats::mesh::scale_mesh(triangles, s);
+  robot_formats::mesh::scale_mesh(triangles, s);
   for (Vec3d& v : triangles.vertices) v = mesh.position + mesh.orientation * v;
   return triangles;
 }

@@ -11,8 +11,8 @@
 #include "murosimf/connect/command_arrival.h"
 #include "murosimf/connect/controller_task.h"
 #include "murosimf/connect/library_software.h"
-#include "murosimf/connect/outside_memory.h"
-#include "murosimf/connect/serial/serial_software.h"
+#include "murosimf/runtime/outside_memory.h"
+#include "murosimf/serial/serial_software.h"
 #include "murosimf/connect/tcp_server.h"
 #include "murosimf/connect/trajectory_file.h"
 #include "murosimf/connect/trajectory_player.h"
@@ -165,14 +165,14 @@ void attach_first_ready(connect::TcpServer& server, connect::TcpOptions options,
 }
 
 void attach_tcp(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
-  const connect::OutsideWorld& outside = options.outside;
+  const OutsideWorld& outside = options.outside;
   if (!options.software && !outside.repeated) {
     throw SetupError("controller 'tcp': no software can come; say where: murosimf run --listen PORT");
   }
   connect::TcpOptions given;
   tcp_options().apply(options.own, given);
-  connect::OutsideNotes::Channel* const channel = outside.channel("tcp:" + robot.name());
-  const connect::OutsidePen pen(channel);
+  OutsideNotes::Channel* const channel = outside.channel("tcp:" + robot.name());
+  const OutsidePen pen(channel);
   const auto attach = [&](const connect::ArrivedSoftware& arrived) {
     attach_software(simulation, robot, usual_rate(options.rate, arrived.rate), arrived.make,
                     {.software = arrived.name, .budget = from_seconds(options.call_budget)}, options);
@@ -206,21 +206,21 @@ void attach_library(Simulation& simulation, Entity& robot, const ControllerOptio
 }
 
 void attach_serial(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
-  connect::serial::SerialOptions given;
+  serial::SerialOptions given;
   serial_options().apply(options.own, given);
-  using connect::dynamixel::Protocol;
+  using serial::dynamixel::Protocol;
   const Protocol protocol = given.protocol < 2 ? Protocol::v1 : Protocol::v2;
   const Model& model = robot.model();
-  const std::vector<connect::serial::ServoPlace> layout =
+  const std::vector<serial::ServoPlace> layout =
       given.bus.empty()
-          ? connect::serial::usual_layout(model, protocol)
-          : connect::serial::read_layout(files::find_data_file(given.bus, "buses", ".csv", options.folder), model,
+          ? serial::usual_layout(model, protocol)
+          : serial::read_layout(files::find_data_file(given.bus, "buses", ".csv", options.folder), model,
                                          protocol);
   const connect::SoftwareMaker make = [&](Setup& setup, connect::RobotPort& port, const connect::SayLine& say) {
-    return std::make_unique<connect::serial::SerialSoftware>(setup, port, say, layout, given, options.terminals,
+    return std::make_unique<serial::SerialSoftware>(setup, port, say, layout, given, options.terminals,
                                                              options.outside);
   };
-  attach_software(simulation, robot, rate_of<connect::serial::SerialSoftware>(options), make,
+  attach_software(simulation, robot, rate_of<serial::SerialSoftware>(options), make,
                   {.software = "serial line"}, options);
 }
 
@@ -235,8 +235,8 @@ void attach_trot(Simulation& simulation, Entity& robot, const ControllerOptions&
 }
 
 void attach_ball_chaser(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
-  using behavior::BallChaser;
-  behavior::BallChaserOptions chaser{.goal = {options.attacks * options.half_field.x, 0, 0},
+  using soccer::BallChaser;
+  soccer::BallChaserOptions chaser{.goal = {options.attacks * options.half_field.x, 0, 0},
                                      .half_field = options.half_field};
   ball_chaser_options().apply(options.own, chaser);
   if (!sensors::find_reading(robot, "ground_truth")) {
@@ -256,18 +256,18 @@ void attach_ball_chaser(Simulation& simulation, Entity& robot, const ControllerO
 
 void attach_localize(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
   const double x = 0.5 * options.half_field.x, y = 0.45 * options.half_field.y;
-  behavior::LocalizeOptions localize{.markings = options.markings,
+  soccer::LocalizeOptions localize{.markings = options.markings,
                                      .start = options.start,
                                      .way = {{0, -y, 0}, {x, 0, 0}, {0, y, 0}, {-x, 0, 0}},
                                      .seed = options.seed};
   localize_options().apply(options.own, localize);
-  simulation.attach<behavior::Localize>("localize", robot, rate_of<behavior::Localize>(options), localize);
+  simulation.attach<soccer::Localize>("localize", robot, rate_of<soccer::Localize>(options), localize);
   simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz);
 }
 
 void attach_obstacle_course(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
-  using behavior::ObstacleCourse;
-  behavior::ObstacleCourseOptions course{.start = options.start,
+  using soccer::ObstacleCourse;
+  soccer::ObstacleCourseOptions course{.start = options.start,
                                          .goal_x = options.attacks * options.half_field.x,
                                          .half_width = options.half_field.y};
   obstacle_course_options().apply(options.own, course);

@@ -57,8 +57,8 @@ const OptionTable<connect::TcpOptions>& tcp_options() {
   return table;
 }
 
-const OptionTable<connect::serial::SerialOptions>& serial_options() {
-  using Options = connect::serial::SerialOptions;
+const OptionTable<serial::SerialOptions>& serial_options() {
+  using Options = serial::SerialOptions;
   constexpr double fastest_line = 1e7;  // [bit/s]
   static const OptionTable<Options> table{
       {"protocol", &Options::protocol, "", "of servos of the MX series and the IMU: 1 or 2", 1, 2},
@@ -67,7 +67,7 @@ const OptionTable<connect::serial::SerialOptions>& serial_options() {
        fastest_line},
       {"torque", &Options::torque, "", "is on at the start"},
       {"imu", &Options::imu, "", "sensor that is on the bus; not given: 'imu', if there is one"},
-      {"imu_id", &Options::imu_id, "", "its id", 0, connect::serial::first_no_id - 1},
+      {"imu_id", &Options::imu_id, "", "its id", 0, serial::first_no_id - 1},
       {"imu_ping", &Options::imu_ping, "", "it answers pings to everybody"},
   };
   return table;
@@ -82,8 +82,8 @@ const OptionTable<locomotion::DriveOptions>& drive_options() {
   return table;
 }
 
-const OptionTable<behavior::BallChaserOptions>& ball_chaser_options() {
-  using Options = behavior::BallChaserOptions;
+const OptionTable<soccer::BallChaserOptions>& ball_chaser_options() {
+  using Options = soccer::BallChaserOptions;
   static const OptionTable<Options> table{
       {"speed", &Options::speed, "m/s", "forward", 0, fastest},
       {"behind_ball", &Options::behind_ball, "m", "where a push begins", 0, longest_length},
@@ -97,8 +97,8 @@ const OptionTable<behavior::BallChaserOptions>& ball_chaser_options() {
   return table;
 }
 
-const OptionTable<behavior::LocalizeOptions>& localize_options() {
-  using Options = behavior::LocalizeOptions;
+const OptionTable<soccer::LocalizeOptions>& localize_options() {
+  using Options = soccer::LocalizeOptions;
   static const OptionTable<Options> table{
       {"speed", &Options::speed, "m/s", "on its round", 0, fastest},
       {"camera", &Options::camera, "", "name of the sensor"},
@@ -106,8 +106,8 @@ const OptionTable<behavior::LocalizeOptions>& localize_options() {
   return table;
 }
 
-const OptionTable<behavior::ObstacleCourseOptions>& obstacle_course_options() {
-  using Options = behavior::ObstacleCourseOptions;
+const OptionTable<soccer::ObstacleCourseOptions>& obstacle_course_options() {
+  using Options = soccer::ObstacleCourseOptions;
   static const OptionTable<Options> table{
       {"speed", &Options::speed, "m/s", "forward", 0, fastest},
       {"obstacle_radius", &Options::obstacle_radius, "m", "of the poles", 0, longest_length},

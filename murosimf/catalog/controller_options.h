@@ -3,10 +3,10 @@
 /// What else a controller needs (its start, the goal) comes from its robot's place in the scene.
 #pragma once
 
-#include "murosimf/behavior/ball_chaser.h"
-#include "murosimf/behavior/localize.h"
-#include "murosimf/behavior/obstacle_course.h"
-#include "murosimf/connect/serial/serial_software.h"
+#include "murosimf/soccer/ball_chaser.h"
+#include "murosimf/soccer/localize.h"
+#include "murosimf/soccer/obstacle_course.h"
+#include "murosimf/serial/serial_software.h"
 #include "murosimf/connect/tcp_server.h"
 #include "murosimf/connect/trajectory_player.h"
 #include "murosimf/locomotion/ankle_strategy.h"
@@ -18,10 +18,10 @@ namespace murosimf::catalog {
 [[nodiscard]] const OptionTable<locomotion::AnkleStrategyOptions>& balance_options();
 [[nodiscard]] const OptionTable<connect::TrajectoryOptions>& trajectory_options();
 [[nodiscard]] const OptionTable<connect::TcpOptions>& tcp_options();
-[[nodiscard]] const OptionTable<connect::serial::SerialOptions>& serial_options();
+[[nodiscard]] const OptionTable<serial::SerialOptions>& serial_options();
 [[nodiscard]] const OptionTable<locomotion::DriveOptions>& drive_options();
-[[nodiscard]] const OptionTable<behavior::BallChaserOptions>& ball_chaser_options();
-[[nodiscard]] const OptionTable<behavior::LocalizeOptions>& localize_options();
-[[nodiscard]] const OptionTable<behavior::ObstacleCourseOptions>& obstacle_course_options();
+[[nodiscard]] const OptionTable<soccer::BallChaserOptions>& ball_chaser_options();
+[[nodiscard]] const OptionTable<soccer::LocalizeOptions>& localize_options();
+[[nodiscard]] const OptionTable<soccer::ObstacleCourseOptions>& obstacle_course_options();
 
 }  // namespace murosimf::catalog

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "murosimf/air/air_properties.h"
-#include "murosimf/behavior/behavior_properties.h"
+#include "murosimf/soccer/behavior_properties.h"
 #include "murosimf/collision/contact_properties.h"
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/model/properties.h"

@@ -28,19 +28,19 @@ struct Group {
   std::vector<std::string> joints;
 };
 
-Drive drive_of(const description::JointDescription& joint) {
+Drive drive_of(const robot_formats::JointDescription& joint) {
   const Servo& servo = *joint.servo;
   return {
       servo.type == guessed_servo, servo.stall_torque,   servo.position_gain, servo.velocity_gain, servo.lowest_share,
       servo.highest_share,         servo.command_filter, joint.armature,      joint.friction,      joint.damping};
 }
 
-std::vector<Group> groups_of(const description::RobotDescription& description) {
+std::vector<Group> groups_of(const robot_formats::RobotDescription& description) {
   std::set<std::string> followers;
-  for (const description::MimicDescription& mimic : description.mimics) followers.insert(mimic.joint);
+  for (const robot_formats::MimicDescription& mimic : description.mimics) followers.insert(mimic.joint);
   std::vector<Group> groups;
-  for (const description::BodyDescription& body : description.bodies) {
-    for (const description::JointDescription& joint : body.joints) {
+  for (const robot_formats::BodyDescription& body : description.bodies) {
+    for (const robot_formats::JointDescription& joint : body.joints) {
       if (!joint.servo || followers.contains(joint.name)) continue;
       const Drive drive = drive_of(joint);
       auto group = std::ranges::find(groups, drive, &Group::drive);
@@ -101,7 +101,7 @@ std::string toml_quoted(const std::string& name) {
   return text + "\"";
 }
 
-std::string servo_sections(const description::RobotDescription& description, std::string_view name) {
+std::string servo_sections(const robot_formats::RobotDescription& description, std::string_view name) {
   std::string text;
   int number = 0;
   for (const Group& group : groups_of(description)) {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "murosimf/description/robot_description.h"
+#include "murosimf/robot_formats/robot_description.h"
 
 namespace murosimf::components {
 
@@ -17,7 +17,7 @@ inline constexpr const char* guessed_servo = "guessed";
 /// A section [servos.NAME] for each kind of drive, with the joints that have it: law ideal_pd, with the numbers of actuator
 /// and joint, because such a servo stands for both. Guessed gains say so. Joints that nothing drives, or
 /// that follow others, have none. NAME is `name` and a number.
-[[nodiscard]] std::string servo_sections(const description::RobotDescription& description,
+[[nodiscard]] std::string servo_sections(const robot_formats::RobotDescription& description,
                                          std::string_view name = "servo");
 
 }  // namespace murosimf::components

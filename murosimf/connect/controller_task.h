@@ -11,7 +11,7 @@
 
 #include "murosimf/connect/control_software.h"
 #include "murosimf/connect/crash_note.h"
-#include "murosimf/connect/outside_memory.h"
+#include "murosimf/runtime/outside_memory.h"
 #include "murosimf/connect/software_report.h"
 #include "murosimf/model/algorithm.h"
 

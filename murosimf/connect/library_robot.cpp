@@ -138,11 +138,11 @@ const murosimf_picture* LibraryRobot::picture(const murosimf_robot* robot, const
 int LibraryRobot::draw(const murosimf_robot* robot, const char* group, int of_robot, const murosimf_shape* shapes,
                        std::size_t count) noexcept {
   DrawnGroup drawn{.name = group ? group : "", .of_robot = of_robot != 0};
-  for (std::size_t i = 0; i < std::min(count, SketchPad::most_shapes + 1); ++i) {
+  for (std::size_t i = 0; i < std::min(count, drawing::SketchPad::most_shapes + 1); ++i) {
     const murosimf_shape& shape = shapes[i];
     DrawnShape& one = drawn.shapes.emplace_back();
     one.kind = static_cast<DrawnShape::Kind>(shape.kind);
-    for (std::size_t k = 0; k < std::min(shape.count, SketchPad::most_points + 1); ++k) {
+    for (std::size_t k = 0; k < std::min(shape.count, drawing::SketchPad::most_points + 1); ++k) {
       one.points.push_back({shape.points[3 * k], shape.points[3 * k + 1], shape.points[3 * k + 2]});
     }
     one.size = shape.size;

@@ -44,7 +44,7 @@
 #include "murosimf/connect/murosimf_controller.h"
 #include "murosimf/connect/port_commands.h"
 #include "murosimf/connect/port_pictures.h"
-#include "murosimf/connect/sketch_pad.h"
+#include "murosimf/drawing/sketch_pad.h"
 #include "murosimf/connect/team_radio.h"
 #include "murosimf/model/drawing.h"
 #include "murosimf/model/setup.h"
@@ -172,7 +172,7 @@ class RobotPort {
   TeamRadio radio_;
   GameSignals game_;
   PortPictures pictures_;
-  SketchPad pad_;
+  drawing::SketchPad pad_;
   Duration now_{};
   CallNote* note_ = nullptr;  // null: nobody listens
   CallNote heard_;

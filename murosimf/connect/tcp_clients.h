@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "murosimf/connect/outside_notes.h"
+#include "murosimf/runtime/outside_notes.h"
 #include "murosimf/connect/tcp_reception.h"
 #include "murosimf/wire/connection.h"
 

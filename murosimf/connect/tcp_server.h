@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "murosimf/connect/outside_notes.h"
+#include "murosimf/runtime/outside_notes.h"
 #include "murosimf/connect/software_maker.h"
 #include "murosimf/model/error.h"
 #include "murosimf/runtime/pacer.h"

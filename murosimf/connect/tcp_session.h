@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/connect/outside_notes.h"
+#include "murosimf/runtime/outside_notes.h"
 #include "murosimf/connect/robot_port.h"
 #include "murosimf/connect/tcp_clients.h"
 #include "murosimf/connect/tcp_server.h"

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "murosimf/connect/control_software.h"
-#include "murosimf/connect/outside_notes.h"
+#include "murosimf/runtime/outside_notes.h"
 #include "murosimf/connect/tcp_clients.h"
 #include "murosimf/connect/tcp_server.h"
 #include "murosimf/connect/tcp_session.h"

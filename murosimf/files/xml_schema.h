@@ -5,7 +5,7 @@
 ///   unused       it has no effect here: named, once per kind, by `check` as a line and by `run` as a word,
 ///   unsupported  it would change the robot and is not supported: refused, as is what nobody knows.
 /// to_text() writes the vocabulary down, `murosimf list mjcf` shows it. Tests change every attribute that is `used` and look for
-/// the difference (tests/formats/mjcf/mjcf_acts_test.cpp).
+/// the difference (tests/robot_formats/mjcf/mjcf_acts_test.cpp).
 #pragma once
 
 #include <functional>

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/behavior/behavior_properties.h"
+#include "murosimf/soccer/behavior_properties.h"
 #include "murosimf/connect/software_report.h"
 #include "murosimf/league/robot_status.h"
 #include "murosimf/league/rule_names.h"

@@ -90,7 +90,7 @@ class League::BetweenSteps final : public GameTask::Scene {
 
 League::League(scene::Scene& scene, const LeagueOptions& options) : scene_(&scene), outside_(options.outside) {
   outside_.memory = scene.parts().outside.memory;
-  const connect::OutsideNotes* recorded = outside_.repeated.get();
+  const OutsideNotes* recorded = outside_.repeated.get();
   if (recorded) repeated_ = GameLog::of(*recorded);
   if (!options.repeat.empty()) repeated_ = GameLog::read(options.repeat);
   const auto repeats = [&](const std::string& channel) {
@@ -129,7 +129,7 @@ Datagrams& League::open(const std::string& channel, const UdpPort::Options& opti
   datagrams_.push_back(std::move(source));
   datagrams_.push_back(std::make_unique<RememberedDatagrams>(*datagrams_.back(), outside_.memory->channel(channel)));
   datagrams_.push_back(std::make_unique<RecordedDatagrams>(*datagrams_.back(), log_, channel));
-  if (connect::OutsideNotes::Channel* notes = outside_.channel(channel)) {
+  if (OutsideNotes::Channel* notes = outside_.channel(channel)) {
     datagrams_.push_back(std::make_unique<NotedDatagrams>(*datagrams_.back(), *notes));
   }
   return *datagrams_.back();

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "murosimf/connect/drawn.h"
+#include "murosimf/drawing/drawn.h"
 #include "murosimf/model/error.h"
 #include "murosimf/recording/foxglove_messages.h"
 #include "murosimf/recording/frame_writer.h"
@@ -144,7 +144,7 @@ DrawnShape read_shape(std::string_view text) {
 
 /// Who has drawn it.
 std::string name_of(const DrawingTopic& topic) {
-  return topic.by_others ? std::string(connect::others_name) : topic.robot;
+  return topic.by_others ? std::string(drawing::others_name) : topic.robot;
 }
 
 /// "/drawings/blue1", "/drawings/roboviz", "/drawings/roboviz/blue1"

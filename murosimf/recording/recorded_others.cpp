@@ -6,7 +6,7 @@
 namespace murosimf::recording {
 
 void OthersWatch::meet(const World& world, const std::vector<RecordedEntity>& entities) {
-  teams_ = connect::teams_of(world);
+  teams_ = drawing::teams_of(world);
   names_.assign(teams_.size(), {});
   frames_.assign(teams_.size(), {});
   for (const RecordedEntity& one : entities) {
@@ -21,12 +21,12 @@ void OthersWatch::say_again() {
   again_ = true;
 }
 
-void OthersWatch::take(const connect::DrawnByOthers& others, RecordedFrame& frame) {
+void OthersWatch::take(const drawing::DrawnByOthers& others, RecordedFrame& frame) {
   if (changes_ == others.changes) return;
   changes_ = others.changes;
   std::map<std::string, FrameDrawings> now;
   for (const auto& [robot, groups] : drawn_) now[robot];  // nothing, unless it is there below
-  for (connect::Drawn& drawn : connect::drawn_by_others(others, teams_)) {
+  for (drawing::Drawn& drawn : drawing::drawn_by_others(others, teams_)) {
     const auto entity = static_cast<std::size_t>(drawn.entity);
     if (drawn.entity >= 0 && names_[entity].empty()) continue;  // nobody sees where it is
     FrameDrawings& sheet = now[drawn.entity < 0 ? "" : names_[entity]];
@@ -45,7 +45,7 @@ void OthersWatch::take(const connect::DrawnByOthers& others, RecordedFrame& fram
 }
 
 OthersThen::OthersThen(const World& world) {
-  const std::vector<std::optional<connect::TeamPlace>> places = connect::team_places(connect::teams_of(world));
+  const std::vector<std::optional<drawing::TeamPlace>> places = drawing::team_places(drawing::teams_of(world));
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (places[i]) places_[world.entities()[i]->name()] = *places[i];
   }
@@ -61,8 +61,8 @@ bool OthersThen::take(const std::map<DrawingTopic, std::vector<DrawnGroup>>& new
   return any;
 }
 
-connect::DrawnByOthers OthersThen::shown() const {
-  connect::DrawnByOthers all;
+drawing::DrawnByOthers OthersThen::shown() const {
+  drawing::DrawnByOthers all;
   for (const auto& [robot, groups] : drawn_) {
     if (robot.empty()) {
       all.groups = groups;

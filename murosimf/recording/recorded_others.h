@@ -1,4 +1,4 @@
-/// recorded_others.h - what programs draw that are no software of a robot (connect/drawing_board.h): on its way into a recording, and
+/// recorded_others.h - what programs draw that are no software of a robot (drawing/drawing_board.h): on its way into a recording, and
 /// as it was then.
 ///
 /// They send it when they like: it is recorded with the simulated time at which it was seen, and nothing hangs on it.
@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/connect/drawing_board.h"
-#include "murosimf/connect/drawn.h"
+#include "murosimf/drawing/drawing_board.h"
+#include "murosimf/drawing/drawn.h"
 #include "murosimf/model/world.h"
 #include "murosimf/recording/recorded_frame.h"
 
@@ -23,7 +23,7 @@ class OthersWatch {
   /// Who is there, between two steps: before the first take(), and when others have come.
   void meet(const World& world, const std::vector<RecordedEntity>& entities);
   /// In any thread.
-  void take(const connect::DrawnByOthers& others, RecordedFrame& frame);
+  void take(const drawing::DrawnByOthers& others, RecordedFrame& frame);
   /// The next take() takes all of it, also what is there no more.
   void say_again();
 
@@ -42,10 +42,10 @@ class OthersThen {
   explicit OthersThen(const World& world);
   /// News of a DrawingReader; whether something of them is by others.
   bool take(const std::map<DrawingTopic, std::vector<DrawnGroup>>& news);
-  [[nodiscard]] connect::DrawnByOthers shown() const;
+  [[nodiscard]] drawing::DrawnByOthers shown() const;
 
  private:
-  std::map<std::string, connect::TeamPlace> places_;  // by robot
+  std::map<std::string, drawing::TeamPlace> places_;  // by robot
   std::map<std::string, std::vector<DrawnGroup>> drawn_;
 };
 

@@ -10,8 +10,8 @@
 
 namespace murosimf::recording {
 
-using connect::OutsideNote;
-using connect::OutsideNotes;
+using OutsideNote;
+using OutsideNotes;
 
 void put_outside(std::string& bytes, const std::string& channel, const OutsideNote& note) {
   ProtobufWriter out(bytes);

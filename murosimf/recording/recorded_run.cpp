@@ -66,7 +66,7 @@ std::shared_ptr<scene::Scene> RecordedRun::build(const RepeatOptions& options) c
     scene_options.overrides.insert(scene_options.overrides.end(), options.overrides.begin(), options.overrides.end());
     const files::MovedFiles moved(files_.folder(), run.names);
     if (outside_) scene_options.outside.repeated = outside_;
-    if (outside_ && options.recorded) scene_options.outside.notes = std::make_shared<connect::OutsideNotes>();
+    if (outside_ && options.recorded) scene_options.outside.notes = std::make_shared<OutsideNotes>();
     const auto repeated = std::make_shared<RepeatedScene>(run.scene, scene_options);
     check_repeatable(repeated->scene);
     if (takes_part(run, "game") || takes_part(run, "team:")) {

@@ -55,7 +55,7 @@ void Recorder::keep_outside(RecordedFrame& dropped, RecordingThread::Batch& rest
     return;
   }
   for (auto& note : dropped.outside) {
-    if (connect::lasts(note.second.kind)) outside_between_.push_back(std::move(note));
+    if (lasts(note.second.kind)) outside_between_.push_back(std::move(note));
   }
 }
 

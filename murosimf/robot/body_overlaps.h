@@ -4,17 +4,17 @@
 #include <algorithm>
 #include <string>
 
-#include "murosimf/description/robot_description.h"
+#include "murosimf/robot_formats/robot_description.h"
 
 namespace murosimf::robot {
 
 /// Calls use(shape of a, its pose, shape of b, its pose) with each pair of shapes that collide and may touch each other, until it returns
 /// true; true then. `at_a`, `at_b`: places of the bodies in a common frame.
 template <class Use>
-bool any_touching_pair(const description::BodyDescription& a, const Transformd& at_a,
-                       const description::BodyDescription& b, const Transformd& at_b, Use&& use) {
-  return std::ranges::any_of(a.shapes, [&](const description::ShapeDescription& first) {
-    return std::ranges::any_of(b.shapes, [&](const description::ShapeDescription& second) {
+bool any_touching_pair(const robot_formats::BodyDescription& a, const Transformd& at_a,
+                       const robot_formats::BodyDescription& b, const Transformd& at_b, Use&& use) {
+  return std::ranges::any_of(a.shapes, [&](const robot_formats::ShapeDescription& first) {
+    return std::ranges::any_of(b.shapes, [&](const robot_formats::ShapeDescription& second) {
       const PlacedShape &one = first.placed, &other = second.placed;
       if (!one.collides || !other.collides || !may_touch(one, other)) return false;
       return use(one.shape, at_a * one.place(), other.shape, at_b * other.place());
@@ -23,9 +23,9 @@ bool any_touching_pair(const description::BodyDescription& a, const Transformd& 
 }
 
 /// By names of bodies, in either order.
-[[nodiscard]] inline bool is_excluded(const description::RobotDescription& description, const std::string& a,
+[[nodiscard]] inline bool is_excluded(const robot_formats::RobotDescription& description, const std::string& a,
                                       const std::string& b) {
-  return std::ranges::any_of(description.exclusions, [&](const description::ExclusionDescription& pair) {
+  return std::ranges::any_of(description.exclusions, [&](const robot_formats::ExclusionDescription& pair) {
     return (pair.body1 == a && pair.body2 == b) || (pair.body1 == b && pair.body2 == a);
   });
 }

@@ -15,9 +15,9 @@ namespace {
 
 constexpr double negative = 1e-12;  // [kg m^2] a smaller moment is rounding
 
-const Servo* guessed_servo_of(const description::RobotDescription& description, const std::string& joint) {
-  for (const description::BodyDescription& body : description.bodies) {
-    for (const description::JointDescription& other : body.joints) {
+const Servo* guessed_servo_of(const robot_formats::RobotDescription& description, const std::string& joint) {
+  for (const robot_formats::BodyDescription& body : description.bodies) {
+    for (const robot_formats::JointDescription& other : body.joints) {
       if (other.name == joint && other.servo) return &*other.servo;
     }
   }
@@ -39,7 +39,7 @@ Servo plain_servo(const Servo& servo) {
   return plain;
 }
 
-void give_servo(description::JointDescription& joint, const Servo& servo, bool of_table) {
+void give_servo(robot_formats::JointDescription& joint, const Servo& servo, bool of_table) {
   joint.servo = plain_servo(servo);
   if (joint.range && servo.position_gain > 0) joint.target_range = joint.range;
   if (!of_table) return;
@@ -49,29 +49,29 @@ void give_servo(description::JointDescription& joint, const Servo& servo, bool o
 }
 
 /// Moving body that each body is fixed to.
-std::vector<int> links_of(const description::RobotDescription& description) {
+std::vector<int> links_of(const robot_formats::RobotDescription& description) {
   std::vector<int> links;
   for (std::size_t i = 0; i < description.bodies.size(); ++i) {
-    const description::BodyDescription& body = description.bodies[i];
+    const robot_formats::BodyDescription& body = description.bodies[i];
     links.push_back(body.parent < 0 || !body.joints.empty() ? static_cast<int>(i) : links[body.parent]);
   }
   return links;
 }
 
-bool same_solid(const description::MassProperties& a, const description::MassProperties& b) {
+bool same_solid(const robot_formats::MassProperties& a, const robot_formats::MassProperties& b) {
   const SymMat3d &I = a.inertia, &J = b.inertia;
   return a.mass == b.mass && I.xx == J.xx && I.yy == J.yy && I.zz == J.zz && I.xy == J.xy && I.xz == J.xz &&
          I.yz == J.yz;
 }
 
 /// Of a part: formats have no word for inertia without mass, and readers refuse negative moments.
-bool can_be_written(const description::MassProperties& solid) {
-  const Vec3d moments = description::principal_moments(solid.inertia);
+bool can_be_written(const robot_formats::MassProperties& solid) {
+  const Vec3d moments = robot_formats::principal_moments(solid.inertia);
   return moments.x >= -negative && (solid.mass > 0 || moments.z <= negative);
 }
 
 /// As collision/inner_pairs.h has it.
-bool overlap(const description::BodyDescription& a, const Transformd& at_a, const description::BodyDescription& b,
+bool overlap(const robot_formats::BodyDescription& a, const Transformd& at_a, const robot_formats::BodyDescription& b,
              const Transformd& at_b) {
   geometry::Manifold manifold;
   return any_touching_pair(a, at_a, b, at_b,
@@ -81,7 +81,7 @@ bool overlap(const description::BodyDescription& a, const Transformd& at_a, cons
 }
 
 /// [m] of all shapes that collide, in the frame of the base turned as in the file; infinite without any.
-double lowest_point_turned(const description::RobotDescription& description, const Mat3d& turn) {
+double lowest_point_turned(const robot_formats::RobotDescription& description, const Mat3d& turn) {
   const auto places = body_places(description);
   double z = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -92,11 +92,11 @@ double lowest_point_turned(const description::RobotDescription& description, con
 
 }  // namespace
 
-void give_servos(description::RobotDescription& description, const RobotFile& robot) {
+void give_servos(robot_formats::RobotDescription& description, const RobotFile& robot) {
   std::set<std::string> followers;
-  for (const description::MimicDescription& mimic : description.mimics) followers.insert(mimic.joint);
-  for (description::BodyDescription& body : description.bodies) {
-    for (description::JointDescription& joint : body.joints) {
+  for (const robot_formats::MimicDescription& mimic : description.mimics) followers.insert(mimic.joint);
+  for (robot_formats::BodyDescription& body : description.bodies) {
+    for (robot_formats::JointDescription& joint : body.joints) {
       const auto of_table = robot.table.servos.find(joint.name);
       const bool in_table = of_table != robot.table.servos.end();
       const Servo* servo = in_table ? &of_table->second.servo : guessed_servo_of(robot.description, joint.name);
@@ -110,11 +110,11 @@ void give_servos(description::RobotDescription& description, const RobotFile& ro
   }
 }
 
-void give_soles(description::RobotDescription& description, RobotFile& robot) {
+void give_soles(robot_formats::RobotDescription& description, RobotFile& robot) {
   for (TableName& sole : robot.table.soles) {
-    for (const description::BodyDescription& from : robot.description.bodies) {
-      const auto frame = std::ranges::find(from.frames, sole.name + ".sole", &description::FrameDescription::name);
-      const auto body = std::ranges::find(description.bodies, from.name, &description::BodyDescription::name);
+    for (const robot_formats::BodyDescription& from : robot.description.bodies) {
+      const auto frame = std::ranges::find(from.frames, sole.name + ".sole", &robot_formats::FrameDescription::name);
+      const auto body = std::ranges::find(description.bodies, from.name, &robot_formats::BodyDescription::name);
       if (frame == from.frames.end() || !frame->box || body == description.bodies.end()) continue;
       body->frames.push_back(*frame);
       sole.name = frame->name;
@@ -123,30 +123,30 @@ void give_soles(description::RobotDescription& description, RobotFile& robot) {
   }
 }
 
-void take_repaired_solids(description::RobotDescription& description, const RobotFile& robot) {
-  description::RobotDescription welded = description;
+void take_repaired_solids(robot_formats::RobotDescription& description, const RobotFile& robot) {
+  robot_formats::RobotDescription welded = description;
   std::set<std::string> kept;
-  for (const description::BodyDescription& body : robot.description.bodies) kept.insert(body.name);
+  for (const robot_formats::BodyDescription& body : robot.description.bodies) kept.insert(body.name);
   weld_fixed_bodies(welded, kept);
   std::set<std::string> repaired;  // bodies that stay
   for (std::size_t i = 0; i < welded.bodies.size(); ++i) {
     if (!same_solid(robot.description.bodies[i].solid, welded.bodies[i].solid)) repaired.insert(welded.bodies[i].name);
   }
   std::vector<std::string> owners;  // of each body
-  for (const description::BodyDescription& body : description.bodies) {
+  for (const robot_formats::BodyDescription& body : description.bodies) {
     owners.push_back(kept.contains(body.name) ? body.name : owners[static_cast<std::size_t>(body.parent)]);
     if (!can_be_written(body.solid)) repaired.insert(owners.back());
   }
   for (std::size_t i = 0; i < owners.size(); ++i) {
     if (repaired.contains(owners[i])) description.bodies[i].solid = {};
   }
-  for (const description::BodyDescription& body : robot.description.bodies) {
-    const auto owner = std::ranges::find(description.bodies, body.name, &description::BodyDescription::name);
+  for (const robot_formats::BodyDescription& body : robot.description.bodies) {
+    const auto owner = std::ranges::find(description.bodies, body.name, &robot_formats::BodyDescription::name);
     if (repaired.contains(body.name)) owner->solid = body.solid;
   }
 }
 
-void exclude_overlaps(description::RobotDescription& description) {
+void exclude_overlaps(robot_formats::RobotDescription& description) {
   const auto places = body_places(description);
   const std::vector<int> links = links_of(description);
   const auto parent_link = [&](int link) {
@@ -155,7 +155,7 @@ void exclude_overlaps(description::RobotDescription& description) {
   };
   for (std::size_t a = 0; a < places.size(); ++a) {
     for (std::size_t b = a + 1; b < places.size(); ++b) {
-      const description::BodyDescription &first = description.bodies[a], &second = description.bodies[b];
+      const robot_formats::BodyDescription &first = description.bodies[a], &second = description.bodies[b];
       const bool neighbors =
           links[a] == links[b] || parent_link(links[a]) == links[b] || parent_link(links[b]) == links[a];
       if (neighbors || is_excluded(description, first.name, second.name)) continue;
@@ -166,16 +166,16 @@ void exclude_overlaps(description::RobotDescription& description) {
   }
 }
 
-void give_key(description::RobotDescription& description) {
+void give_key(robot_formats::RobotDescription& description) {
   if (!description.keyframes.empty()) return;
-  const description::BodyDescription& base = description.bodies[0];
+  const robot_formats::BodyDescription& base = description.bodies[0];
   const double lowest = lowest_point_turned(description, base.place.orientation);
-  description::KeyframeDescription key;
+  robot_formats::KeyframeDescription key;
   key.name = "stand";
   key.where = base.where;
   key.base = {{0, 0, std::isfinite(lowest) ? -lowest : 0}, base.place.orientation};
-  for (const description::BodyDescription& body : description.bodies) {
-    for (const description::JointDescription& joint : body.joints) {
+  for (const robot_formats::BodyDescription& body : description.bodies) {
+    for (const robot_formats::JointDescription& joint : body.joints) {
       key.positions[joint.name] = joint.reference;
       if (joint.servo && joint.servo->position_gain > 0) key.targets[joint.name] = joint.reference;
     }

@@ -6,23 +6,23 @@ namespace murosimf::robot {
 namespace {
 
 /// Moves everything that `body` has to `parent`.
-void weld(description::BodyDescription& body, description::BodyDescription& parent) {
+void weld(robot_formats::BodyDescription& body, robot_formats::BodyDescription& parent) {
   const Transformd& place = body.place;
   parent.solid =
-      description::combined({parent.solid, description::moved(body.solid, place.position, place.orientation)});
+      robot_formats::combined({parent.solid, robot_formats::moved(body.solid, place.position, place.orientation)});
   if (parent.solid_where.empty()) parent.solid_where = body.solid_where;
-  for (description::ShapeDescription& shape : body.shapes) {
+  for (robot_formats::ShapeDescription& shape : body.shapes) {
     const Transformd there = place * shape.placed.place();
     shape.placed.position = there.position;
     shape.placed.orientation = there.orientation;
     parent.shapes.push_back(std::move(shape));
   }
-  for (description::VisualDescription& visual : body.visuals) {
+  for (robot_formats::VisualDescription& visual : body.visuals) {
     visual.place = place * visual.place;
     parent.visuals.push_back(std::move(visual));
   }
   parent.frames.push_back({body.name, body.where, "body", place, {}});
-  for (description::FrameDescription& frame : body.frames) {
+  for (robot_formats::FrameDescription& frame : body.frames) {
     frame.place = place * frame.place;
     parent.frames.push_back(std::move(frame));
   }
@@ -30,11 +30,11 @@ void weld(description::BodyDescription& body, description::BodyDescription& pare
 
 }  // namespace
 
-void weld_fixed_bodies(description::RobotDescription& description, const std::set<std::string>& measured) {
-  std::vector<description::BodyDescription> kept;
+void weld_fixed_bodies(robot_formats::RobotDescription& description, const std::set<std::string>& measured) {
+  std::vector<robot_formats::BodyDescription> kept;
   std::vector<int> index;          // of each body, or of the one that it is welded to, among those kept
   std::vector<Transformd> welded;  // of each body in that one
-  for (description::BodyDescription& body : description.bodies) {
+  for (robot_formats::BodyDescription& body : description.bodies) {
     if (body.parent >= 0) {
       body.place = welded[body.parent] * body.place;
       body.parent = index[body.parent];

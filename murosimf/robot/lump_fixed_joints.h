@@ -7,11 +7,11 @@
 #include <set>
 #include <string>
 
-#include "murosimf/description/robot_description.h"
+#include "murosimf/robot_formats/robot_description.h"
 
 namespace murosimf::robot {
 
 /// `measured`: names of bodies that stay (sensor_cuts.h).
-void weld_fixed_bodies(description::RobotDescription& description, const std::set<std::string>& measured);
+void weld_fixed_bodies(robot_formats::RobotDescription& description, const std::set<std::string>& measured);
 
 }  // namespace murosimf::robot

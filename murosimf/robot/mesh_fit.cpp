@@ -14,26 +14,26 @@ namespace {
 
 using geometry::PrimitiveKind;
 
-std::set<std::string> meshes_of_files(const description::RobotDescription& description) {
+std::set<std::string> meshes_of_files(const robot_formats::RobotDescription& description) {
   std::set<std::string> names;
-  for (const description::MeshDescription& mesh : description.meshes) {
+  for (const robot_formats::MeshDescription& mesh : description.meshes) {
     if (!mesh.file.empty()) names.insert(mesh.name);
   }
   return names;
 }
 
 /// The mesh itself, to be looked at.
-description::VisualDescription visual_of(const description::ShapeDescription& shape) {
+robot_formats::VisualDescription visual_of(const robot_formats::ShapeDescription& shape) {
   const Transformd place = shape.placed.place() * Transformd{-shape.middle, {}};
   return {"", shape.where, shape.mesh, place, shape.placed.color};
 }
 
-bool shows(const description::BodyDescription& body, const std::string& mesh) {
+bool shows(const robot_formats::BodyDescription& body, const std::string& mesh) {
   return std::ranges::any_of(body.visuals,
-                             [&](const description::VisualDescription& visual) { return visual.mesh == mesh; });
+                             [&](const robot_formats::VisualDescription& visual) { return visual.mesh == mesh; });
 }
 
-void replace(description::ShapeDescription& shape, const geometry::FittedPrimitive& fitted) {
+void replace(robot_formats::ShapeDescription& shape, const geometry::FittedPrimitive& fitted) {
   const Transformd place = shape.placed.place() * Transformd{fitted.position, fitted.orientation};
   shape.placed.shape = fitted.shape;
   shape.placed.position = place.position;
@@ -44,12 +44,12 @@ void replace(description::ShapeDescription& shape, const geometry::FittedPrimiti
 
 class Fitter {
  public:
-  Fitter(const description::RobotDescription& description, PrimitiveKind kind)
+  Fitter(const robot_formats::RobotDescription& description, PrimitiveKind kind)
       : kind_(kind), files_(meshes_of_files(description)) {}
 
-  void fit(description::BodyDescription& body) {
-    std::vector<description::VisualDescription> visuals;
-    for (description::ShapeDescription& shape : body.shapes) {
+  void fit(robot_formats::BodyDescription& body) {
+    std::vector<robot_formats::VisualDescription> visuals;
+    for (robot_formats::ShapeDescription& shape : body.shapes) {
       const auto* convex = std::get_if<Convex>(&shape.placed.shape);
       if (!convex) continue;
       const bool first_part =
@@ -75,9 +75,9 @@ class Fitter {
 
 }  // namespace
 
-std::vector<MeshFit> fit_meshes(description::RobotDescription& description, PrimitiveKind kind) {
+std::vector<MeshFit> fit_meshes(robot_formats::RobotDescription& description, PrimitiveKind kind) {
   Fitter fitter(description, kind);
-  for (description::BodyDescription& body : description.bodies) fitter.fit(body);
+  for (robot_formats::BodyDescription& body : description.bodies) fitter.fit(body);
   return fitter.fits;
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/description/robot_description.h"
+#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/geometry/primitive_fit.h"
 
 namespace murosimf::robot {
@@ -18,7 +18,7 @@ struct MeshFit {
 
 /// Every convex part of a mesh becomes a primitive of the volume of its hull, which is what contact saw before. A mesh of a
 /// file stays to be looked at, unless its body shows it already. Of several parts the first keeps the name.
-std::vector<MeshFit> fit_meshes(description::RobotDescription& description, geometry::PrimitiveKind kind);
+std::vector<MeshFit> fit_meshes(robot_formats::RobotDescription& description, geometry::PrimitiveKind kind);
 
 /// "sphere", "capsule", "cylinder", "box" or "best". Throws SetupError for others.
 [[nodiscard]] geometry::PrimitiveKind primitive_kind(const std::string& name);

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/files/lower_case.h"
-#include "murosimf/formats/mesh/dae_file.h"
+#include "murosimf/robot_formats/mesh/dae_file.h"
 #include "murosimf/model/error.h"
 #include "murosimf/robot/body_names.h"
 #include "murosimf/robot/robot_soles.h"
@@ -17,10 +17,10 @@
 namespace murosimf::robot {
 namespace {
 
-using description::BodyDescription;
-using description::MeshDescription;
-using description::RobotDescription;
-using description::ShapeDescription;
+using robot_formats::BodyDescription;
+using robot_formats::MeshDescription;
+using robot_formats::RobotDescription;
+using robot_formats::ShapeDescription;
 
 constexpr double plain = 0.01;     // [m] beyond what masses and places of symmetric robots differ by
 constexpr std::size_t better = 4;  // times fewer of them
@@ -118,7 +118,7 @@ Asymmetry asymmetry(const std::vector<Pair>& pairs, const Names& turned) {
 /// False for one that cannot be read: whoever draws it says so.
 bool is_y_up(const MeshDescription& mesh) {
   try {
-    return is_dae(mesh) && formats::mesh::has_y_up(mesh.file);
+    return is_dae(mesh) && robot_formats::mesh::has_y_up(mesh.file);
   } catch (const SetupError&) {
     return false;
   }
@@ -133,7 +133,7 @@ void turn(RobotDescription& description, const Names& meshes) {
       shape.placed.position = there.position;
       shape.placed.orientation = there.orientation;
     }
-    for (description::VisualDescription& visual : body.visuals) {
+    for (robot_formats::VisualDescription& visual : body.visuals) {
       if (meshes.contains(visual.mesh)) visual.place = visual.place * up;
     }
   }

@@ -6,12 +6,12 @@
 /// that of the other. If meshes with y up, turned, leave at most a quarter of such pairs, the file means that.
 #pragma once
 
-#include "murosimf/description/robot_description.h"
+#include "murosimf/robot_formats/robot_description.h"
 
 namespace murosimf::robot {
 
 /// Turns all such meshes of the robot, for contact and for the eye, with a note, or none. Scales that differ by direction are left alone.
 /// Left and right are known by names (body_names.h).
-void turn_meshes_up(description::RobotDescription& description);
+void turn_meshes_up(robot_formats::RobotDescription& description);
 
 }  // namespace murosimf::robot

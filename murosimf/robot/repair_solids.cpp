@@ -11,8 +11,8 @@
 namespace murosimf::robot {
 namespace {
 
-using description::BodyDescription;
-using description::RobotDescription;
+using robot_formats::BodyDescription;
+using robot_formats::RobotDescription;
 
 constexpr double water = 1000;         // [kg/m^3]
 constexpr double a_point = 1e-12;      // [kg m^2] largest moment: rounding of what is zero
@@ -38,14 +38,14 @@ std::string without(const BodyDescription& body, const char* what, const std::st
 
 /// To inertia without mass.
 void give_mass(BodyDescription& body, RobotDescription& description) {
-  if (body.solid.mass > 0 || !(description::principal_moments(body.solid.inertia).z > 0)) return;
+  if (body.solid.mass > 0 || !(robot_formats::principal_moments(body.solid.inertia).z > 0)) return;
   body.solid.mass = least_mass;
   description.notes.push_back(without(body, "mass", fmt::format("{:.2g} kg is", least_mass)));
 }
 
 /// What the converter writes for bodies without mass, since other programs want one.
-void forget_placeholder(description::MassProperties& solid) {
-  if (solid.mass <= placeholder && description::principal_moments(solid.inertia).z <= placeholder) solid = {};
+void forget_placeholder(robot_formats::MassProperties& solid) {
+  if (solid.mass <= placeholder && robot_formats::principal_moments(solid.inertia).z <= placeholder) solid = {};
 }
 
 void give_sphere(BodyDescription& body, RobotDescription& description) {
@@ -66,13 +66,13 @@ void replace_by_sphere(BodyDescription& body, const Vec3d& moments, RobotDescrip
 }
 
 void make_definite(BodyDescription& body, RobotDescription& description) {
-  const Vec3d moments = description::principal_moments(body.solid.inertia);
+  const Vec3d moments = robot_formats::principal_moments(body.solid.inertia);
   if (body.solid.mass == 0 || moments.x > rod * moments.z) return;
   const bool is_wrong = moments.x < std::min(wrong * moments.z, -a_point);
   if (moments.z <= a_point && !is_wrong) return give_sphere(body, description);
   if (moments.z <= 0) return replace_by_sphere(body, moments, description);
   const double least = std::max(moments.z - moments.y, thickened * moments.z);
-  body.solid.inertia = description::with_least_moment(body.solid.inertia, least);
+  body.solid.inertia = robot_formats::with_least_moment(body.solid.inertia, least);
   auto& lines = is_wrong ? description.warnings : description.notes;
   lines.push_back(
       line(body, fmt::format("inertia of link '{}' is not positive definite (smallest principal moment {:.3g} "

@@ -9,7 +9,7 @@
 /// Masses and moments of up to 1e-12, with which MJCF files stand for none (mjcf_writer.h), are none.
 #pragma once
 
-#include "murosimf/description/robot_description.h"
+#include "murosimf/robot_formats/robot_description.h"
 
 namespace murosimf::robot {
 
@@ -17,6 +17,6 @@ constexpr double least_mass = 1e-6;     ///< [kg] of what moves; not noticed in 
 constexpr double least_inertia = 1e-6;  ///< [kg m^2] of a coin of 10 g
 
 /// To be called after the welding: what is fixed to a body counts as part of it.
-void repair_solids(description::RobotDescription& description);
+void repair_solids(robot_formats::RobotDescription& description);
 
 }  // namespace murosimf::robot

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/collision/contact_properties.h"
-#include "murosimf/description/robot_visuals.h"
+#include "murosimf/robot_formats/robot_visuals.h"
 #include "murosimf/files/xml_element.h"
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/locomotion/mirrored_motion.h"
@@ -24,19 +24,19 @@ namespace {
 /// One object to come, with the joint it stands for.
 struct Step {
   Object object;
-  const description::JointDescription* joint = nullptr;
+  const robot_formats::JointDescription* joint = nullptr;
 };
 
 class Builder {
  public:
-  Builder(description::RobotDescription& description, const RobotConfig& table)
+  Builder(robot_formats::RobotDescription& description, const RobotConfig& table)
       : description_(description), table_(table), children_(description.bodies.size()) {
     for (std::size_t i = 0; i < description.bodies.size(); ++i) {
-      const description::BodyDescription& body = description.bodies[i];
+      const robot_formats::BodyDescription& body = description.bodies[i];
       bodies_.insert(body.name);
-      for (const description::JointDescription& joint : body.joints) joints_.insert(joint.name);
+      for (const robot_formats::JointDescription& joint : body.joints) joints_.insert(joint.name);
       if (body.parent >= 0) children_[body.parent].push_back(i);
-      for (const description::FrameDescription& frame : body.frames)
+      for (const robot_formats::FrameDescription& frame : body.frames)
         (frame.kind == "body" ? bodies_ : frames_).insert(frame.name);
     }
   }
@@ -62,17 +62,17 @@ class Builder {
  private:
   /// The base or the last object of a body: mass and shapes, then everything that hangs on it.
   void finish(Chain& chain, std::size_t index) {
-    const description::BodyDescription& body = description_.bodies[index];
+    const robot_formats::BodyDescription& body = description_.bodies[index];
     add_mass(chain, body);
     add_shapes(chain, body);
     std::vector<Chain> branches;
     for (const std::size_t child : children_[index]) branches.push_back(build_body(child));
-    for (const description::FrameDescription& frame : body.frames) branches.push_back(build_frame(frame));
+    for (const robot_formats::FrameDescription& frame : body.frames) branches.push_back(build_frame(frame));
     chain.fork(branches);
   }
 
   [[nodiscard]] Chain build_body(std::size_t index) {
-    const description::BodyDescription& body = description_.bodies[index];
+    const robot_formats::BodyDescription& body = description_.bodies[index];
     Chain chain;
     for (const Step& step : name_last(steps(body), body)) add(chain, step);
     if (chain.objects().back().is_joint()) add_alias(chain, body);
@@ -81,12 +81,12 @@ class Builder {
     return chain;
   }
 
-  [[nodiscard]] static std::vector<Step> steps(const description::BodyDescription& body) {
+  [[nodiscard]] static std::vector<Step> steps(const robot_formats::BodyDescription& body) {
     const auto& [offset, turn] = body.place;
     std::vector<Step> result;
     if (!is_zero(offset)) result.push_back({{Kind::translation, -1, offset, {}, body.name + ".offset", true}});
     if (!is_identity(turn)) result.push_back({{Kind::rotation, -1, {}, turn, body.name + ".turn", true}});
-    for (const description::JointDescription& joint : body.joints) {
+    for (const robot_formats::JointDescription& joint : body.joints) {
       const bool away = !is_zero(joint.anchor);
       if (away) result.push_back({{Kind::translation, -1, joint.anchor, {}, joint.name + ".anchor", true}});
       if (joint.reference != 0) result.push_back({back_to_zero(joint)});
@@ -98,7 +98,7 @@ class Builder {
   }
 
   /// In the pose of the file the joint stands at `reference`, so this undoes it.
-  [[nodiscard]] static Object back_to_zero(const description::JointDescription& joint) {
+  [[nodiscard]] static Object back_to_zero(const robot_formats::JointDescription& joint) {
     const Vec3d axis = (1.0 / norm(joint.axis)) * joint.axis;
     const std::string name = joint.name + ".zero";
     if (joint.kind == Kind::prismatic) return {Kind::translation, -1, -joint.reference * axis, {}, name, true};
@@ -106,7 +106,7 @@ class Builder {
   }
 
   /// The body's name for the last object, if it is no joint.
-  [[nodiscard]] std::vector<Step> name_last(std::vector<Step> steps, const description::BodyDescription& body) {
+  [[nodiscard]] std::vector<Step> name_last(std::vector<Step> steps, const robot_formats::BodyDescription& body) {
     Object& last = steps.back().object;
     if (!steps.back().joint) last.name = free_name(body.name, body.where, "body");
     last.structural = false;  // it is the body, and somebody may look at it
@@ -128,7 +128,7 @@ class Builder {
   }
 
   /// A servo of the table has rotor, friction and speed-torque line of its own: the file's describe the same part.
-  void add_joint_constants(Chain& chain, const description::JointDescription& joint) const {
+  void add_joint_constants(Chain& chain, const robot_formats::JointDescription& joint) const {
     if (joint.range) chain.with(properties::joint_range, *joint.range);
     if (joint.reference != 0) chain.with(properties::joint_start, joint.reference);
     if (joint.rate_limit > 0) chain.with(properties::joint_rate_limit, joint.rate_limit);
@@ -136,7 +136,7 @@ class Builder {
       chain.with(properties::joint_stiffness, joint.stiffness);
       chain.with(properties::joint_spring_reference, joint.spring_reference);
     }
-    for (const description::MimicDescription& mimic : description_.mimics) {
+    for (const robot_formats::MimicDescription& mimic : description_.mimics) {
       if (mimic.joint == joint.name) {
         chain.with(properties::joint_coupling, {mimic.leader, mimic.ratio, mimic.offset});
       }
@@ -166,17 +166,17 @@ class Builder {
     }
   }
 
-  void add_alias(Chain& chain, const description::BodyDescription& body) {
+  void add_alias(Chain& chain, const robot_formats::BodyDescription& body) {
     if (chain.objects().back().name != body.name) chain.alias(free_name(body.name, body.where, "body"));
   }
 
   void add_pairs(Chain& chain) const {
     ExcludedPairs excluded;
-    for (const description::ExclusionDescription& pair : description_.exclusions) {
+    for (const robot_formats::ExclusionDescription& pair : description_.exclusions) {
       excluded.emplace_back(object_of(pair.body1), object_of(pair.body2));
     }
     AllowedPairs allowed;
-    for (const description::PairDescription& pair : description_.pairs) {
+    for (const robot_formats::PairDescription& pair : description_.pairs) {
       for (const ShapeOfObject& a : find_shapes(pair.shape1)) {
         for (const ShapeOfObject& b : find_shapes(pair.shape2)) allowed.emplace_back(a, b);
       }
@@ -187,7 +187,7 @@ class Builder {
 
   void add_keyframes(Chain& chain) const {
     Keyframes keyframes;
-    for (const description::KeyframeDescription& key : description_.keyframes) {
+    for (const robot_formats::KeyframeDescription& key : description_.keyframes) {
       keyframes.push_back({key.name,
                            {key.positions.begin(), key.positions.end()},
                            {key.targets.begin(), key.targets.end()},
@@ -204,7 +204,7 @@ class Builder {
   /// Several if it is a mesh of several parts.
   [[nodiscard]] std::vector<ShapeOfObject> find_shapes(const std::string& name) const {
     std::vector<ShapeOfObject> shapes;
-    for (const description::BodyDescription& body : description_.bodies) {
+    for (const robot_formats::BodyDescription& body : description_.bodies) {
       for (std::size_t i = 0; i < body.shapes.size(); ++i) {
         if (body.shapes[i].name == name) shapes.push_back({object_of(body.name), i});
       }
@@ -230,15 +230,15 @@ class Builder {
     return free;
   }
 
-  void add_shapes(Chain& chain, const description::BodyDescription& body) const {
+  void add_shapes(Chain& chain, const robot_formats::BodyDescription& body) const {
     Shapes shapes;
-    for (const description::ShapeDescription& shape : body.shapes) shapes.push_back(shape.placed);
+    for (const robot_formats::ShapeDescription& shape : body.shapes) shapes.push_back(shape.placed);
     if (!shapes.empty()) chain.with(properties::shapes, shapes);
-    const Visuals visuals = description::visuals_of(description_, body);
+    const Visuals visuals = robot_formats::visuals_of(description_, body);
     if (!visuals.empty()) chain.with(properties::visuals, visuals);
   }
 
-  void add_mass(Chain& chain, const description::BodyDescription& body) {
+  void add_mass(Chain& chain, const robot_formats::BodyDescription& body) {
     if (body.solid.mass > 0) {
       chain.with(properties::mass, body.solid.mass);
       chain.with(properties::center_of_mass, body.solid.center);
@@ -249,7 +249,7 @@ class Builder {
     }
   }
 
-  [[nodiscard]] Chain build_frame(const description::FrameDescription& frame) {
+  [[nodiscard]] Chain build_frame(const robot_formats::FrameDescription& frame) {
     const std::string name = free_name(frame.name, frame.where, frame.kind);
     const auto& [offset, turn] = frame.place;
     Chain chain;
@@ -263,17 +263,17 @@ class Builder {
   }
 
   /// The second frame of a loop knows the first one by another name, since that one's may not be given yet.
-  void close_loops(Chain& chain, const description::FrameDescription& frame) const {
+  void close_loops(Chain& chain, const robot_formats::FrameDescription& frame) const {
     if (frame.kind != "site" && frame.kind != "loop") return;
     for (std::size_t i = 0; i < description_.loops.size(); ++i) {
-      const description::LoopDescription& loop = description_.loops[i];
+      const robot_formats::LoopDescription& loop = description_.loops[i];
       const std::string first = fmt::format("loop.{}", i);
       if (loop.frame1 == frame.name) chain.alias(first);
       if (loop.frame2 == frame.name) chain.with(properties::loop_closure, {first, loop.welded});
     }
   }
 
-  description::RobotDescription& description_;
+  robot_formats::RobotDescription& description_;
   const RobotConfig& table_;
   std::vector<std::vector<std::size_t>> children_;
   std::set<std::string> joints_, bodies_, frames_;  // bodies also those that are welded to others
@@ -292,7 +292,7 @@ locomotion::NamedMotions motions_of(const RobotConfig& table, const Model& model
 
 }  // namespace
 
-ModelPtr build_model(description::RobotDescription& description, const RobotConfig& table) {
+ModelPtr build_model(robot_formats::RobotDescription& description, const RobotConfig& table) {
   const Chain chain = Builder(description, table).build();
   auto model =
       with_context(description.bodies[0].where, [&] { return std::make_shared<const Model>(description.name, chain); });

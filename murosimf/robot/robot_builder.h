@@ -8,7 +8,7 @@
 /// In a Model no two objects share a name: a joint keeps it, a body or frame of the same name gets a suffix.
 #pragma once
 
-#include "murosimf/description/robot_description.h"
+#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/model/model.h"
 #include "murosimf/robot/robot_config.h"
 
@@ -17,6 +17,6 @@ namespace murosimf::robot {
 /// Takes servos, soles and surfaces of the table, which win over those of the file. Bodies without joints should be
 /// welded and soles placed before (lump_fixed_joints.h, role_inference.h). Renamed and massless bodies are lines in the description's warnings.
 /// Throws SetupError, with the place in the file, for what Model refuses.
-[[nodiscard]] ModelPtr build_model(description::RobotDescription& description, const RobotConfig& table);
+[[nodiscard]] ModelPtr build_model(robot_formats::RobotDescription& description, const RobotConfig& table);
 
 }  // namespace murosimf::robot

@@ -7,9 +7,9 @@
 #include "murosimf/components/sensor_sections.h"
 #include "murosimf/components/servo_sections.h"
 #include "murosimf/files/input_file.h"
-#include "murosimf/formats/mjcf/mjcf_sensor.h"
-#include "murosimf/formats/mjcf/mjcf_writer.h"
-#include "murosimf/formats/urdf/urdf_writer.h"
+#include "murosimf/robot_formats/mjcf/mjcf_sensor.h"
+#include "murosimf/robot_formats/mjcf/mjcf_writer.h"
+#include "murosimf/robot_formats/urdf/urdf_writer.h"
 #include "murosimf/robot/conversion_additions.h"
 #include "murosimf/robot/conversion_sensors.h"
 #include "murosimf/robot/robot_config.h"
@@ -24,20 +24,20 @@ namespace {
 namespace fs = std::filesystem;
 
 /// With all of the bodies of the file: read_robot has welded those that do not move.
-description::RobotDescription read_all_bodies(const fs::path& file, description::ReaderOptions options) {
+robot_formats::RobotDescription read_all_bodies(const fs::path& file, robot_formats::ReaderOptions options) {
   for (const TableName& mesh : read_table_beside(file).part_per_group) options.part_per_group.push_back(mesh.name);
   return read_description(file, options);
 }
 
-bool has_words_for(WrittenFormat format, const description::SensorDescription& sensor,
-                   const description::RobotDescription& description) {
-  return format == WrittenFormat::urdf ? formats::urdf::is_urdf_sensor(sensor)
-                                       : formats::mjcf::is_mjcf_sensor(sensor, description);
+bool has_words_for(WrittenFormat format, const robot_formats::SensorDescription& sensor,
+                   const robot_formats::RobotDescription& description) {
+  return format == WrittenFormat::urdf ? robot_formats::urdf::is_urdf_sensor(sensor)
+                                       : robot_formats::mjcf::is_mjcf_sensor(sensor, description);
 }
 
 /// Sensors of the robot file that the format has no word for. `description`: as it is written, with the same sensors as the robot's.
 std::vector<sensors::SensorSpec> sensors_for_table(WrittenFormat format, const RobotFile& robot,
-                                                   const description::RobotDescription& description,
+                                                   const robot_formats::RobotDescription& description,
                                                    std::vector<std::string>& warnings) {
   std::vector<sensors::SensorSpec> specs;
   for (std::size_t i = 0; i < robot.description.sensors.size(); ++i) {
@@ -58,28 +58,28 @@ std::vector<sensors::SensorSpec> sensors_for_table(WrittenFormat format, const R
 }
 
 /// The largest rates of joints, for which MJCF has no word, as a section of the table, which has none.
-std::string rate_limits_toml(const description::RobotDescription& description) {
+std::string rate_limits_toml(const robot_formats::RobotDescription& description) {
   std::string text;
-  for (const description::BodyDescription& body : description.bodies) {
-    for (const description::JointDescription& joint : body.joints) {
+  for (const robot_formats::BodyDescription& body : description.bodies) {
+    for (const robot_formats::JointDescription& joint : body.joints) {
       if (joint.rate_limit > 0) text += fmt::format("{} = {}\n", components::toml_quoted(joint.name), joint.rate_limit);
     }
   }
   return text.empty() ? "" : "\n[rate_limits]  # [rad/s | m/s]\n" + text;
 }
 
-void count(const description::RobotDescription& description, RobotConversion& result) {
+void count(const robot_formats::RobotDescription& description, RobotConversion& result) {
   result.bodies = static_cast<int>(description.bodies.size());
-  for (const description::BodyDescription& body : description.bodies) {
+  for (const robot_formats::BodyDescription& body : description.bodies) {
     result.joints += static_cast<int>(body.joints.size());
     result.mass += body.solid.mass;
   }
 }
 
 /// Actuators of the file for which the robot's own table, which is copied, has no servo: URDF has no word for gains.
-std::string servos_toml(const RobotFile& robot, description::RobotDescription description) {
-  for (description::BodyDescription& body : description.bodies) {
-    for (description::JointDescription& joint : body.joints) {
+std::string servos_toml(const RobotFile& robot, robot_formats::RobotDescription description) {
+  for (robot_formats::BodyDescription& body : description.bodies) {
+    for (robot_formats::JointDescription& joint : body.joints) {
       const bool has_gain = joint.servo && (joint.servo->position_gain > 0 || joint.servo->velocity_gain > 0);
       if (!has_gain || robot.table.servos.contains(joint.name)) joint.servo.reset();
     }
@@ -89,10 +89,10 @@ std::string servos_toml(const RobotFile& robot, description::RobotDescription de
 }
 
 /// Rectangles of the file's own frames, for which URDF has no word.
-std::string sole_sizes_toml(const RobotFile& robot, const description::RobotDescription& description) {
+std::string sole_sizes_toml(const RobotFile& robot, const robot_formats::RobotDescription& description) {
   std::string text;
-  for (const description::BodyDescription& body : description.bodies) {
-    for (const description::FrameDescription& frame : body.frames) {
+  for (const robot_formats::BodyDescription& body : description.bodies) {
+    for (const robot_formats::FrameDescription& frame : body.frames) {
       if (!is_sole(frame, robot.table)) continue;
       text += fmt::format("{} = [{}, {}]\n", components::toml_quoted(frame.name), 2 * frame.box->half_length,
                           2 * frame.box->half_width);
@@ -102,12 +102,12 @@ std::string sole_sizes_toml(const RobotFile& robot, const description::RobotDesc
 }
 
 /// What URDF has no words for.
-std::string toml_beside_urdf(const RobotFile& robot, const description::RobotDescription& description, bool own_table) {
+std::string toml_beside_urdf(const RobotFile& robot, const robot_formats::RobotDescription& description, bool own_table) {
   const std::string sizes = robot.table.sole_sizes.empty() ? sole_sizes_toml(robot, description) : "";
   return sizes + (own_table ? servos_toml(robot, description) : "");
 }
 
-std::string rates_for_table(const RobotFile& robot, const description::RobotDescription& description,
+std::string rates_for_table(const RobotFile& robot, const robot_formats::RobotDescription& description,
                             RobotConversion& result) {
   const std::string rates = rate_limits_toml(description);
   if (robot.table.rate_limits.empty() || rates.empty()) return rates;
@@ -148,10 +148,10 @@ void name_table_files(const fs::path& file, const RobotFile& robot, bool lenient
 }
 
 /// MuJoCo reads no file with an inertia that no solid body has, unless it may even it out (mjcf_writer.h).
-void name_evened_inertias(const description::RobotDescription& description, RobotConversion& result) {
-  for (const description::BodyDescription& body : description.bodies) {
-    const Vec3d moments = description::principal_moments(body.solid.inertia);
-    if (!(body.solid.mass > 0) || !description::breaks_triangle_inequality(moments)) continue;
+void name_evened_inertias(const robot_formats::RobotDescription& description, RobotConversion& result) {
+  for (const robot_formats::BodyDescription& body : description.bodies) {
+    const Vec3d moments = robot_formats::principal_moments(body.solid.inertia);
+    if (!(body.solid.mass > 0) || !robot_formats::breaks_triangle_inequality(moments)) continue;
     result.left_out.push_back(
         fmt::format("{}: inertia of body '{}', which no solid body has: its mean moment {:.3g} kg m^2 is read",
                     body.solid_where.empty() ? body.where : body.solid_where, body.name,
@@ -160,7 +160,7 @@ void name_evened_inertias(const description::RobotDescription& description, Robo
 }
 
 /// What belongs into the TOML file because of it.
-std::string write_mjcf(description::RobotDescription& description, RobotFile& robot, bool with_sensors,
+std::string write_mjcf(robot_formats::RobotDescription& description, RobotFile& robot, bool with_sensors,
                        const ConversionOptions& options, RobotConversion& result) {
   if (!result.own_table) give_soles(description, robot);
   exclude_overlaps(description);
@@ -168,13 +168,13 @@ std::string write_mjcf(description::RobotDescription& description, RobotFile& ro
   std::vector<std::string> doubles;
   if (with_sensors) doubles = give_mjcf_sensors(description, robot.description);
   name_evened_inertias(description, result);
-  result.text = formats::mjcf::to_mjcf(description, {options.folder});
+  result.text = robot_formats::mjcf::to_mjcf(description, {options.folder});
   return rates_for_table(robot, description, result) + removed_sensors_toml(doubles);
 }
 
-std::string write_urdf(const description::RobotDescription& description, const RobotFile& robot,
+std::string write_urdf(const robot_formats::RobotDescription& description, const RobotFile& robot,
                        const ConversionOptions& options, RobotConversion& result) {
-  formats::urdf::UrdfText urdf = formats::urdf::to_urdf(description, {options.folder, options.mesh_folder});
+  robot_formats::urdf::UrdfText urdf = robot_formats::urdf::to_urdf(description, {options.folder, options.mesh_folder});
   result.text = std::move(urdf.text);
   result.meshes = std::move(urdf.meshes);
   result.left_out = std::move(urdf.left_out);
@@ -185,11 +185,11 @@ std::string write_urdf(const description::RobotDescription& description, const R
 
 RobotConversion convert_robot(const fs::path& file, const ConversionOptions& options) {
   RobotConversion result;
-  description::ReaderOptions as_written = options.reader;
+  robot_formats::ReaderOptions as_written = options.reader;
   as_written.face_forward = false;
   RobotFile robot = read_robot(file, as_written);
   result.warnings = robot.warnings;
-  description::RobotDescription description = read_all_bodies(file, options.reader);
+  robot_formats::RobotDescription description = read_all_bodies(file, options.reader);
   take_repaired_solids(description, robot);
   give_servos(description, robot);
   if (options.fit) result.fits = fit_meshes(description, *options.fit);

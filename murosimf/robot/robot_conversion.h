@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/description/reader_options.h"
+#include "murosimf/robot_formats/reader_options.h"
 #include "murosimf/robot/mesh_fit.h"
 #include "murosimf/robot/table_files.h"
 
@@ -19,7 +19,7 @@ enum class WrittenFormat : std::uint8_t { mjcf, urdf };
 struct ConversionOptions {
   std::filesystem::path folder{};                ///< where the new file will stand
   std::optional<geometry::PrimitiveKind> fit{};  ///< what meshes that collide become; nothing: they stay
-  description::ReaderOptions reader{};
+  robot_formats::ReaderOptions reader{};
   WrittenFormat format = WrittenFormat::mjcf;
   std::string mesh_folder = "meshes";  ///< of a URDF file, below `folder`: for meshes that no file holds
 };

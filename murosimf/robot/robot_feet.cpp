@@ -18,8 +18,8 @@ constexpr double roundness = 0.9;         // [1] smallest reach of a wheel over 
 constexpr double level_axis = 0.3;        // [1] sine of an axle's slope at most
 constexpr int around = 32;                // directions
 
-using description::BodyDescription;
-using description::RobotDescription;
+using robot_formats::BodyDescription;
+using robot_formats::RobotDescription;
 
 std::size_t joints_above(const RobotDescription& description, std::size_t body) {
   std::size_t count = 0;
@@ -28,14 +28,14 @@ std::size_t joints_above(const RobotDescription& description, std::size_t body) 
   return count;
 }
 
-bool is_endless(const description::JointDescription& joint) {
+bool is_endless(const robot_formats::JointDescription& joint) {
   return joint.kind == Kind::revolute && (!joint.range || joint.range->y - joint.range->x > endless);
 }
 
 /// [m] How far the colliding shapes of a body reach from a point of it; body frame.
 double reach(const BodyDescription& body, const Vec3d& from, const Vec3d& direction) {
   double farthest = 0;
-  for (const description::ShapeDescription& shape : body.shapes) {
+  for (const robot_formats::ShapeDescription& shape : body.shapes) {
     if (!shape.placed.collides) continue;
     const Transformd place = shape.placed.place();
     const Vec3d tip = geometry::support(shape.placed.shape, transposed_times(place.orientation, direction));
@@ -47,7 +47,7 @@ double reach(const BodyDescription& body, const Vec3d& from, const Vec3d& direct
 /// Round about a level joint that turns without end.
 bool is_wheel(const BodyDescription& body, const Transformd& place) {
   if (body.joints.empty() || !is_endless(body.joints.back())) return false;
-  const description::JointDescription& joint = body.joints.back();
+  const robot_formats::JointDescription& joint = body.joints.back();
   const Vec3d axis = (1.0 / norm(joint.axis)) * joint.axis;
   if (std::abs((place.orientation * axis).z) > level_axis) return false;
   const Vec3d other = std::abs(axis.x) < 0.5 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
@@ -96,7 +96,7 @@ bool bear_weight(const RobotDescription& description, const std::vector<Transfor
       if (p.z <= ground + level_feet) points.push_back(p);
     }
   }
-  const description::MassProperties robot = whole_solid(description);
+  const robot_formats::MassProperties robot = whole_solid(description);
   if (robot.mass == 0) return true;
   const double tolerance = off_balance * (robot.center.z - ground);
   for (int i = 0; i < around; ++i) {

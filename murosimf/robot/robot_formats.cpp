@@ -7,14 +7,14 @@
 
 #include "murosimf/files/lower_case.h"
 #include "murosimf/files/xml_element.h"
-#include "murosimf/formats/mjcf/mjcf_reader.h"
-#include "murosimf/formats/mjcf/mjcf_schema.h"
-#include "murosimf/formats/proto/proto_reader.h"
-#include "murosimf/formats/sdf/sdf_reader.h"
-#include "murosimf/formats/sdf/sdf_schema.h"
-#include "murosimf/formats/urdf/gazebo_schema.h"
-#include "murosimf/formats/urdf/urdf_reader.h"
-#include "murosimf/formats/urdf/xacro_file.h"
+#include "murosimf/robot_formats/mjcf/mjcf_reader.h"
+#include "murosimf/robot_formats/mjcf/mjcf_schema.h"
+#include "murosimf/robot_formats/proto/proto_reader.h"
+#include "murosimf/robot_formats/sdf/sdf_reader.h"
+#include "murosimf/robot_formats/sdf/sdf_schema.h"
+#include "murosimf/robot_formats/urdf/gazebo_schema.h"
+#include "murosimf/robot_formats/urdf/urdf_reader.h"
+#include "murosimf/robot_formats/urdf/xacro_file.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::robot {
@@ -22,15 +22,15 @@ namespace {
 
 std::vector<RobotFormat> built_in_formats() {
   return {
-      RobotFormat{"mjcf", "the format of MuJoCo", ".xml", "mujoco", formats::mjcf::read_mjcf,
-                  formats::mjcf::mjcf_schema},
-      RobotFormat{"urdf", "the format of ROS, with gazebo blocks", ".urdf .xml", "robot", formats::urdf::read_urdf,
-                  formats::urdf::urdf_words},
-      RobotFormat{"sdf", "the format of Gazebo, models and worlds", ".sdf .world", "sdf", formats::sdf::read_sdf,
-                  formats::sdf::sdf_schema},
-      RobotFormat{"xacro", "URDF with macros, by the program xacro", ".xacro", "", formats::urdf::read_xacro},
+      RobotFormat{"mjcf", "the format of MuJoCo", ".xml", "mujoco", robot_formats::mjcf::read_mjcf,
+                  robot_formats::mjcf::mjcf_schema},
+      RobotFormat{"urdf", "the format of ROS, with gazebo blocks", ".urdf .xml", "robot", robot_formats::urdf::read_urdf,
+                  robot_formats::urdf::urdf_words},
+      RobotFormat{"sdf", "the format of Gazebo, models and worlds", ".sdf .world", "sdf", robot_formats::sdf::read_sdf,
+                  robot_formats::sdf::sdf_schema},
+      RobotFormat{"xacro", "URDF with macros, by the program xacro", ".xacro", "", robot_formats::urdf::read_xacro},
       RobotFormat{"proto", "PROTO files of Webots, and worlds with one robot", ".proto .wbt", "",
-                  formats::proto::read_proto},
+                  robot_formats::proto::read_proto},
   };
 }
 
@@ -86,8 +86,8 @@ const RobotFormat& format_of(const std::filesystem::path& file) {
   xml->root().fail(fmt::format("unknown format of a robot file: its root is <{}>; known: {}", root, known_formats()));
 }
 
-description::RobotDescription read_description(const std::filesystem::path& file,
-                                               const description::ReaderOptions& options) {
+robot_formats::RobotDescription read_description(const std::filesystem::path& file,
+                                               const robot_formats::ReaderOptions& options) {
   const RobotFormat& format = format_of(file);
   if (!options.xacro.empty() && format.name != "xacro") {
     throw SetupError(fmt::format("{}: arguments of xacro mean nothing here: it is no .xacro file", file.string()));

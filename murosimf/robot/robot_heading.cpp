@@ -12,9 +12,9 @@
 namespace murosimf::robot {
 namespace {
 
-using description::BodyDescription;
-using description::FrameDescription;
-using description::RobotDescription;
+using robot_formats::BodyDescription;
+using robot_formats::FrameDescription;
+using robot_formats::RobotDescription;
 
 constexpr double least_distance = 0.01;  // [m] between hips, so that their axis has a direction
 constexpr double backward = 0.01;        // [m] behind the ankle: no foot's middle is there
@@ -48,7 +48,7 @@ std::optional<Leg> leg_of(const RobotDescription& description, const std::vector
   const auto places = body_places(description);
   std::vector<Vec3d> anchors;
   for (std::size_t i = shared; i < path.size(); ++i) {
-    for (const description::JointDescription& joint : description.bodies[path[i]].joints)
+    for (const robot_formats::JointDescription& joint : description.bodies[path[i]].joints)
       anchors.push_back(places[path[i]].position + places[path[i]].orientation * joint.anchor);
   }
   if (anchors.empty()) return std::nullopt;
@@ -81,22 +81,22 @@ std::optional<std::array<std::size_t, 2>> named_feet(const RobotDescription& des
 void turn_base(RobotDescription& description, const Mat3d& forward) {
   const Transformd back{{}, transpose(forward)};
   BodyDescription& base = description.bodies[0];
-  base.solid = description::moved(base.solid, {}, back.orientation);
+  base.solid = robot_formats::moved(base.solid, {}, back.orientation);
   base.place.orientation = base.place.orientation * forward;
-  for (description::ShapeDescription& shape : base.shapes) {
+  for (robot_formats::ShapeDescription& shape : base.shapes) {
     const Transformd there = back * shape.placed.place();
     shape.placed.position = there.position;
     shape.placed.orientation = there.orientation;
   }
-  for (description::VisualDescription& visual : base.visuals) visual.place = back * visual.place;
+  for (robot_formats::VisualDescription& visual : base.visuals) visual.place = back * visual.place;
   for (FrameDescription& frame : base.frames) frame.place = back * frame.place;
   for (BodyDescription& body : description.bodies) {
     if (body.parent == 0) body.place = back * body.place;
   }
-  for (description::SensorDescription& sensor : description.sensors) {
+  for (robot_formats::SensorDescription& sensor : description.sensors) {
     if (sensor.frame == base.name) sensor.place = back * sensor.place;
   }
-  for (description::KeyframeDescription& key : description.keyframes) {
+  for (robot_formats::KeyframeDescription& key : description.keyframes) {
     key.base.orientation = key.base.orientation * forward;
   }
 }

@@ -17,15 +17,15 @@ namespace murosimf::robot {
 namespace {
 
 /// Materials of the table, by the bodies of the file.
-void apply_surfaces(description::RobotDescription& description, const RobotConfig& table) {
-  for (description::BodyDescription& body : description.bodies) {
-    for (description::ShapeDescription& shape : body.shapes) shape.placed.surface.material = table.surface(body.name);
+void apply_surfaces(robot_formats::RobotDescription& description, const RobotConfig& table) {
+  for (robot_formats::BodyDescription& body : description.bodies) {
+    for (robot_formats::ShapeDescription& shape : body.shapes) shape.placed.surface.material = table.surface(body.name);
   }
 }
 
-void apply_rate_limits(description::RobotDescription& description, const RobotConfig& table) {
-  for (description::BodyDescription& body : description.bodies) {
-    for (description::JointDescription& joint : body.joints) {
+void apply_rate_limits(robot_formats::RobotDescription& description, const RobotConfig& table) {
+  for (robot_formats::BodyDescription& body : description.bodies) {
+    for (robot_formats::JointDescription& joint : body.joints) {
       const auto found = table.rate_limits.find(joint.name);
       if (found != table.rate_limits.end()) joint.rate_limit = found->second.number;
     }
@@ -33,31 +33,31 @@ void apply_rate_limits(description::RobotDescription& description, const RobotCo
 }
 
 /// To be called after the welding, which makes frames of links that a URDF file has for soles.
-void apply_sole_sizes(description::RobotDescription& description, const RobotConfig& table) {
-  for (description::BodyDescription& body : description.bodies) {
-    for (description::FrameDescription& frame : body.frames) {
+void apply_sole_sizes(robot_formats::RobotDescription& description, const RobotConfig& table) {
+  for (robot_formats::BodyDescription& body : description.bodies) {
+    for (robot_formats::FrameDescription& frame : body.frames) {
       const auto found = table.sole_sizes.find(frame.name);
       if (found != table.sole_sizes.end()) frame.box = found->second.sole;
     }
   }
 }
 
-void check_names(const RobotConfig& table, const description::RobotDescription& description) {
+void check_names(const RobotConfig& table, const robot_formats::RobotDescription& description) {
   RobotNames names;
-  for (const description::BodyDescription& body : description.bodies) {
+  for (const robot_formats::BodyDescription& body : description.bodies) {
     names.bodies.push_back(body.name);
-    for (const description::JointDescription& joint : body.joints) names.joints.push_back(joint.name);
-    for (const description::FrameDescription& frame : body.frames) names.frames.push_back(frame.name);
+    for (const robot_formats::JointDescription& joint : body.joints) names.joints.push_back(joint.name);
+    for (const robot_formats::FrameDescription& frame : body.frames) names.frames.push_back(frame.name);
   }
-  for (const description::MeshDescription& mesh : description.meshes) names.meshes.push_back(mesh.name);
+  for (const robot_formats::MeshDescription& mesh : description.meshes) names.meshes.push_back(mesh.name);
   check_names(table, names);
 }
 
 }  // namespace
 
-RobotFile read_robot(const std::filesystem::path& file, const description::ReaderOptions& options) {
+RobotFile read_robot(const std::filesystem::path& file, const robot_formats::ReaderOptions& options) {
   RobotConfig table = read_table_beside(file);
-  description::ReaderOptions all = options;
+  robot_formats::ReaderOptions all = options;
   for (const TableName& mesh : table.part_per_group) all.part_per_group.push_back(mesh.name);
   RobotFile robot;
   robot.description = read_description(file, all);
@@ -74,7 +74,7 @@ RobotFile read_robot(const std::filesystem::path& file, const description::Reade
   robot.model = build_model(robot.description, table);
   robot.sensors = sensors_of(robot.description, table, *robot.model, file.parent_path(), options.lenient);
   robot.warnings = std::move(robot.description.warnings);
-  for (const description::Unused& unused : robot.description.unused) robot.notes.push_back(unused.line);
+  for (const robot_formats::Unused& unused : robot.description.unused) robot.notes.push_back(unused.line);
   robot.notes.insert(robot.notes.end(), robot.description.notes.begin(), robot.description.notes.end());
   robot.table = std::move(table);
   return robot;

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/description/reader_options.h"
-#include "murosimf/description/robot_description.h"
+#include "murosimf/robot_formats/reader_options.h"
+#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/model/model.h"
 #include "murosimf/robot/robot_config.h"
 #include "murosimf/sensors/sensor_spec.h"
@@ -20,10 +20,10 @@ struct RobotFile {
   std::vector<std::string> notes;  ///< one line each: file:line: what has no effect here, what was guessed
   RobotConfig table;               ///< of the TOML file, completed by what was guessed (role_inference.h)
   std::vector<sensors::SensorSpec> sensors;   ///< that it carries
-  description::RobotDescription description;  ///< what the model was made of; bodies without joints are welded
+  robot_formats::RobotDescription description;  ///< what the model was made of; bodies without joints are welded
 };
 
 /// Throws SetupError: file, line, what is wrong, what to do.
-[[nodiscard]] RobotFile read_robot(const std::filesystem::path& file, const description::ReaderOptions& options = {});
+[[nodiscard]] RobotFile read_robot(const std::filesystem::path& file, const robot_formats::ReaderOptions& options = {});
 
 }  // namespace murosimf::robot

@@ -55,7 +55,7 @@ const SensorKind* find_kind(std::string_view name) {
 }
 
 /// A name that can stand in a path, and that no other sensor has.
-std::string free_name(const description::SensorDescription& sensor, const std::string& type,
+std::string free_name(const robot_formats::SensorDescription& sensor, const std::string& type,
                       const std::vector<SensorSpec>& others) {
   std::string name = sensor.name.empty() ? type : sensor.name;
   std::ranges::replace_if(
@@ -73,7 +73,7 @@ std::string free_name(const description::SensorDescription& sensor, const std::s
 }
 
 /// The object of the model that a site, body or joint of the file has become (robot_builder.h).
-std::string object_of(const description::SensorDescription& sensor, const Model& model) {
+std::string object_of(const robot_formats::SensorDescription& sensor, const Model& model) {
   if (sensor.object_kind.empty()) return sensor.frame;
   const std::string suffix = sensor.object_kind == "xbody" ? "body" : sensor.object_kind;
   const std::string renamed = sensor.frame + "." + suffix;
@@ -81,8 +81,8 @@ std::string object_of(const description::SensorDescription& sensor, const Model&
 }
 
 /// Empty: it can be simulated.
-std::string why_not(const description::SensorDescription& sensor, const SensorKind* kind,
-                    const description::RobotDescription& description) {
+std::string why_not(const robot_formats::SensorDescription& sensor, const SensorKind* kind,
+                    const robot_formats::RobotDescription& description) {
   if (!kind) return "not simulated";
   if (!sensor.obstacle.empty()) return "not simulated: " + sensor.obstacle;
   const bool of_base = sensor.frame == description.bodies[0].name;
@@ -90,12 +90,12 @@ std::string why_not(const description::SensorDescription& sensor, const SensorKi
   return {};
 }
 
-std::string line_of(const description::SensorDescription& sensor, std::string_view text) {
+std::string line_of(const robot_formats::SensorDescription& sensor, std::string_view text) {
   return files::one_line(
       fmt::format("{}: sensor {} '{}' at '{}': {}", sensor.where, sensor.kind, sensor.name, sensor.frame, text));
 }
 
-void note(description::RobotDescription& description, const description::SensorDescription& sensor,
+void note(robot_formats::RobotDescription& description, const robot_formats::SensorDescription& sensor,
           std::string_view text) {
   if (!text.empty()) description.notes.push_back(line_of(sensor, text));
 }
@@ -108,7 +108,7 @@ double rate_of_steps(double rate) {
 }
 
 /// The rate of a camera, with a note where it is not the file's.
-double camera_rate(description::RobotDescription& description, const description::SensorDescription& camera) {
+double camera_rate(robot_formats::RobotDescription& description, const robot_formats::SensorDescription& camera) {
   const double rate = rate_of_steps(camera.rate > 0 ? camera.rate : usual_camera_rate);
   if (camera.rate == 0) {
     note(description, camera, fmt::format("assumed: {:.4g} pictures per second", rate));
@@ -125,14 +125,14 @@ std::string object_of_body(const std::string& body, const Model& model) {
 }
 
 /// A cut at a body with joints is behind the last of them, which has its mass; those before have none.
-void name_objects(SensorSpec& spec, const description::SensorDescription& sensor, const Model& model) {
+void name_objects(SensorSpec& spec, const robot_formats::SensorDescription& sensor, const Model& model) {
   spec.texts["behind"] = object_of_body(sensor.behind, model);
   if (const auto axes = spec.texts.find("axes"); axes != spec.texts.end()) {
     axes->second = object_of_body(axes->second, model);
   }
 }
 
-SensorSpec spec_of(const description::SensorDescription& sensor, const std::string& type, const Model& model) {
+SensorSpec spec_of(const robot_formats::SensorDescription& sensor, const std::string& type, const Model& model) {
   SensorSpec spec;
   spec.type = type;
   spec.where = sensor.where;
@@ -159,7 +159,7 @@ void check_frame(const SensorSpec& spec, const Model& model) {
 }
 
 /// Its frame is in the model; else it is an error, or a warning if `lenient`.
-bool has_place(const SensorSpec& spec, const Model& model, bool lenient, description::RobotDescription& description) {
+bool has_place(const SensorSpec& spec, const Model& model, bool lenient, robot_formats::RobotDescription& description) {
   try {
     check_frame(spec, model);
   } catch (const SetupError& error) {
@@ -170,9 +170,9 @@ bool has_place(const SensorSpec& spec, const Model& model, bool lenient, descrip
   return true;
 }
 
-std::vector<SensorSpec> sensors_of_file(description::RobotDescription& description, const Model& model, bool lenient) {
+std::vector<SensorSpec> sensors_of_file(robot_formats::RobotDescription& description, const Model& model, bool lenient) {
   std::vector<SensorSpec> specs;
-  for (description::SensorDescription& sensor : description.sensors) {
+  for (robot_formats::SensorDescription& sensor : description.sensors) {
     const SensorKind* kind = find_kind(sensor.kind);
     const std::string reason = why_not(sensor, kind, description);
     if (!reason.empty()) {
@@ -192,7 +192,7 @@ std::vector<SensorSpec> sensors_of_file(description::RobotDescription& descripti
 
 }  // namespace
 
-std::vector<SensorSpec> sensors_of(description::RobotDescription& description, const RobotConfig& table,
+std::vector<SensorSpec> sensors_of(robot_formats::RobotDescription& description, const RobotConfig& table,
                                    const Model& model, const std::filesystem::path& folder, bool lenient) {
   std::vector<SensorSpec> specs = sensors_of_file(description, model, lenient);
   components::change_sensors(specs, table.sensors, folder);

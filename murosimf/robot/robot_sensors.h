@@ -26,7 +26,7 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/description/robot_description.h"
+#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/model/model.h"
 #include "murosimf/robot/robot_config.h"
 #include "murosimf/sensors/sensor_spec.h"
@@ -36,7 +36,7 @@ namespace murosimf::robot {
 /// The sensors of the description, changed by the table's, whose parts may stand in `folder`. Sensors of the file that are not
 /// simulated are lines in the description's notes. Throws SetupError with the place of a sensor on a frame that the model does
 /// not have; with `lenient` such sensors of the file are lines in its warnings.
-[[nodiscard]] std::vector<sensors::SensorSpec> sensors_of(description::RobotDescription& description,
+[[nodiscard]] std::vector<sensors::SensorSpec> sensors_of(robot_formats::RobotDescription& description,
                                                           const RobotConfig& table, const Model& model,
                                                           const std::filesystem::path& folder, bool lenient);
 

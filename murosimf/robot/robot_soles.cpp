@@ -38,13 +38,13 @@ Vec3d take_nearest(std::vector<Vec3d>& candidates, const Vec3d& direction) {
 }
 
 /// Points of what hangs on a foot and ends as low, in the axes of the sole from the origin of the foot.
-std::vector<Vec3d> points_of_toes(const description::RobotDescription& description, std::size_t foot, double bottom,
+std::vector<Vec3d> points_of_toes(const robot_formats::RobotDescription& description, std::size_t foot, double bottom,
                                   const Mat3d& sole_axes) {
   std::vector<Vec3d> points;
   std::vector<std::optional<Transformd>> places(description.bodies.size());  // in those axes; none: not behind the foot
   places[foot] = Transformd{{}, transpose(sole_axes)};
   for (std::size_t i = foot + 1; i < places.size(); ++i) {
-    const description::BodyDescription& body = description.bodies[i];
+    const robot_formats::BodyDescription& body = description.bodies[i];
     if (body.parent < 0 || !places[static_cast<std::size_t>(body.parent)]) continue;
     places[i] = *places[static_cast<std::size_t>(body.parent)] * body.place;
     const std::vector<Vec3d> of_toe = low_points(body, *places[i]);
@@ -63,20 +63,20 @@ Mat3d level_axes(const Mat3d& turn) {
 
 }  // namespace
 
-bool is_sole(const description::FrameDescription& frame, const RobotConfig& table) {
+bool is_sole(const robot_formats::FrameDescription& frame, const RobotConfig& table) {
   if (!frame.box) return false;
   if (table.soles.empty()) return frame.name.ends_with("sole");
   return std::ranges::find(table.sole_frames, frame.name) != table.sole_frames.end();
 }
 
-std::set<std::size_t> bodies_with_soles(const description::RobotDescription& description, const RobotConfig& table) {
+std::set<std::size_t> bodies_with_soles(const robot_formats::RobotDescription& description, const RobotConfig& table) {
   std::set<std::size_t> feet;
   for (std::size_t i = 0; i < description.bodies.size(); ++i) {
-    const description::BodyDescription& body = description.bodies[i];
+    const robot_formats::BodyDescription& body = description.bodies[i];
     const auto is_named = [&](const std::string& name) {
       return std::ranges::find(table.soles, name, &TableName::name) != table.soles.end();
     };
-    const bool by_frame = std::ranges::any_of(body.frames, [&](const description::FrameDescription& frame) {
+    const bool by_frame = std::ranges::any_of(body.frames, [&](const robot_formats::FrameDescription& frame) {
       return is_named(frame.name) || is_sole(frame, table);
     });
     if (by_frame || is_named(body.name)) feet.insert(i);
@@ -84,9 +84,9 @@ std::set<std::size_t> bodies_with_soles(const description::RobotDescription& des
   return feet;
 }
 
-std::vector<Vec3d> low_points(const description::BodyDescription& body, const Transformd& place) {
+std::vector<Vec3d> low_points(const robot_formats::BodyDescription& body, const Transformd& place) {
   std::vector<Vec3d> points;
-  for (const description::ShapeDescription& shape : body.shapes) {
+  for (const robot_formats::ShapeDescription& shape : body.shapes) {
     const PlacedShape& placed = shape.placed;
     if (placed.collides) add_low_points(placed.shape, place * placed.place(), points);
   }
@@ -99,24 +99,24 @@ double lowest(const std::vector<Vec3d>& points) {
   return z;
 }
 
-std::vector<Transformd> body_places(const description::RobotDescription& description) {
+std::vector<Transformd> body_places(const robot_formats::RobotDescription& description) {
   std::vector<Transformd> places;
-  for (const description::BodyDescription& body : description.bodies) {
+  for (const robot_formats::BodyDescription& body : description.bodies) {
     places.push_back(body.parent < 0 ? Transformd{} : places[body.parent] * body.place);
   }
   return places;
 }
 
-description::MassProperties whole_solid(const description::RobotDescription& description) {
+robot_formats::MassProperties whole_solid(const robot_formats::RobotDescription& description) {
   const auto places = body_places(description);
-  std::vector<description::MassProperties> parts;
+  std::vector<robot_formats::MassProperties> parts;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    parts.push_back(description::moved(description.bodies[i].solid, places[i].position, places[i].orientation));
+    parts.push_back(robot_formats::moved(description.bodies[i].solid, places[i].position, places[i].orientation));
   }
-  return description::combined(parts);
+  return robot_formats::combined(parts);
 }
 
-double lowest_point(const description::RobotDescription& description) {
+double lowest_point(const robot_formats::RobotDescription& description) {
   const auto places = body_places(description);
   double bottom = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < places.size(); ++i)
@@ -124,7 +124,7 @@ double lowest_point(const description::RobotDescription& description) {
   return bottom;
 }
 
-std::optional<description::FrameDescription> sole_under(const description::RobotDescription& description,
+std::optional<robot_formats::FrameDescription> sole_under(const robot_formats::RobotDescription& description,
                                                         std::size_t body, const std::string& name, const Mat3d& axes) {
   const Transformd place = body_places(description)[body];
   // axes of the sole to those of the body
@@ -136,7 +136,7 @@ std::optional<description::FrameDescription> sole_under(const description::Robot
   std::erase_if(points, [&](const Vec3d& p) { return p.z > bottom + thickness; });
   const auto [right, left] = std::ranges::minmax(points, {}, &Vec3d::y);
   const auto [back, front] = std::ranges::minmax(points, {}, &Vec3d::x);
-  description::FrameDescription sole{name, description.bodies[body].where};
+  robot_formats::FrameDescription sole{name, description.bodies[body].where};
   sole.place = {sole_axes * Vec3d{0.5 * (back.x + front.x), 0.5 * (left.y + right.y), bottom}, sole_axes};
   sole.box = Sole{std::max(least_half, 0.5 * (front.x - back.x)), std::max(least_half, 0.5 * (left.y - right.y))};
   return sole;

@@ -8,40 +8,40 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/description/robot_description.h"
+#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/robot/robot_config.h"
 
 namespace murosimf::robot {
 
 /// The one rule for files: a sole is a frame with a rectangle that [soles] of the table means; without such a section, any
 /// box site whose name ends with "sole". To be asked when soles are placed (role_inference.h).
-[[nodiscard]] bool is_sole(const description::FrameDescription& frame, const RobotConfig& table);
+[[nodiscard]] bool is_sole(const robot_formats::FrameDescription& frame, const RobotConfig& table);
 
 /// Bodies with a sole by that rule, or that [soles] of the table names: indices.
-[[nodiscard]] std::set<std::size_t> bodies_with_soles(const description::RobotDescription& description,
+[[nodiscard]] std::set<std::size_t> bodies_with_soles(const robot_formats::RobotDescription& description,
                                                       const RobotConfig& table);
 
 /// Place of every body in the frame of the base, in the pose of the file.
-[[nodiscard]] std::vector<Transformd> body_places(const description::RobotDescription& description);
+[[nodiscard]] std::vector<Transformd> body_places(const robot_formats::RobotDescription& description);
 
 /// All bodies as one, in the frame of the base and the pose of the file.
-[[nodiscard]] description::MassProperties whole_solid(const description::RobotDescription& description);
+[[nodiscard]] robot_formats::MassProperties whole_solid(const robot_formats::RobotDescription& description);
 
 /// [m] Lowest point of all shapes that collide, in the frame of the base and the pose of the file; infinite without any.
-[[nodiscard]] double lowest_point(const description::RobotDescription& description);
+[[nodiscard]] double lowest_point(const robot_formats::RobotDescription& description);
 
 /// The rectangle that the lowest few millimeters of the colliding shapes of a body fill, at least 2 cm wide; a frame of
 /// `name` at its middle. Parts are drawn along their own axes, but a foot need not be level in the pose of the file: x, y, z
 /// of the sole are those axes of `axes` (seen in the body), with either sign, that come nearest to forward, left and up
 /// there. Nothing if the body has no such shape.
 /// Bodies that hang on it and end within those millimeters of its bottom, toes, count with it.
-[[nodiscard]] std::optional<description::FrameDescription> sole_under(const description::RobotDescription& description,
+[[nodiscard]] std::optional<robot_formats::FrameDescription> sole_under(const robot_formats::RobotDescription& description,
                                                                       std::size_t body, const std::string& name,
                                                                       const Mat3d& axes = {});
 
 /// Farthest points downwards, and nearly so, of all shapes of a body that collide; `place`: of the body in the frame whose -z
 /// is down.
-[[nodiscard]] std::vector<Vec3d> low_points(const description::BodyDescription& body, const Transformd& place);
+[[nodiscard]] std::vector<Vec3d> low_points(const robot_formats::BodyDescription& body, const Transformd& place);
 /// [m] z of the lowest; infinite without points.
 [[nodiscard]] double lowest(const std::vector<Vec3d>& points);
 

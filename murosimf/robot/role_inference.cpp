@@ -24,12 +24,12 @@ bool contains(const std::string& text, std::string_view part) {
 /// The body that has a frame or is called `name`, and the frame.
 struct Found {
   std::size_t body = 0;
-  description::FrameDescription* frame = nullptr;
+  robot_formats::FrameDescription* frame = nullptr;
 };
 
-std::optional<Found> find_place(description::RobotDescription& description, const std::string& name) {
+std::optional<Found> find_place(robot_formats::RobotDescription& description, const std::string& name) {
   for (std::size_t i = 0; i < description.bodies.size(); ++i) {
-    for (description::FrameDescription& frame : description.bodies[i].frames) {
+    for (robot_formats::FrameDescription& frame : description.bodies[i].frames) {
       if (frame.name == name) return Found{i, &frame};
     }
   }
@@ -40,26 +40,26 @@ std::optional<Found> find_place(description::RobotDescription& description, cons
 }
 
 /// A sole on the body, under its shapes; its name is `name` with ".sole".
-bool add_sole(description::RobotDescription& description, const Found& foot, const std::string& name) {
+bool add_sole(robot_formats::RobotDescription& description, const Found& foot, const std::string& name) {
   const Mat3d axes = foot.frame ? foot.frame->place.orientation : Mat3d{};
   auto sole = sole_under(description, foot.body, name + ".sole", axes);
   if (sole) description.bodies[foot.body].frames.push_back(*std::move(sole));
   return sole.has_value();
 }
 
-bool has_sole(const description::RobotDescription& description, const RobotConfig& table) {
-  return std::ranges::any_of(description.bodies, [&](const description::BodyDescription& body) {
+bool has_sole(const robot_formats::RobotDescription& description, const RobotConfig& table) {
+  return std::ranges::any_of(description.bodies, [&](const robot_formats::BodyDescription& body) {
     return std::ranges::any_of(body.frames,
-                               [&](const description::FrameDescription& frame) { return is_sole(frame, table); });
+                               [&](const robot_formats::FrameDescription& frame) { return is_sole(frame, table); });
   });
 }
 
 /// Frames that whoever wrote the file may have meant for soles. Not the rule of is_sole: they need no rectangle, since
 /// one is worked out for them, and capital letters do not matter for a guess that is shown to the user.
-std::vector<std::string> frames_called_sole(const description::RobotDescription& description) {
+std::vector<std::string> frames_called_sole(const robot_formats::RobotDescription& description) {
   std::vector<std::string> names;
-  for (const description::BodyDescription& body : description.bodies) {
-    for (const description::FrameDescription& frame : body.frames) {
+  for (const robot_formats::BodyDescription& body : description.bodies) {
+    for (const robot_formats::FrameDescription& frame : body.frames) {
       if (files::lower_case(frame.name).ends_with("sole")) names.push_back(frame.name);
     }
   }
@@ -67,7 +67,7 @@ std::vector<std::string> frames_called_sole(const description::RobotDescription&
 }
 
 /// Left before right, of four the front ones first; sides as names say them, if all do: a robot may look backwards.
-void sort_feet(description::RobotDescription& description, std::vector<std::string>& feet) {
+void sort_feet(robot_formats::RobotDescription& description, std::vector<std::string>& feet) {
   const auto places = body_places(description);
   const auto place = [&](const std::string& foot) { return places[find_place(description, foot)->body].position; };
   const bool named = std::ranges::all_of(feet, [](const std::string& foot) { return side_of(foot) != Side::unknown; });
@@ -81,7 +81,7 @@ void sort_feet(description::RobotDescription& description, std::vector<std::stri
   std::sort(feet.begin(), feet.begin() + 2, left_first);
 }
 
-void guess_soles(description::RobotDescription& description, RobotConfig& table) {
+void guess_soles(robot_formats::RobotDescription& description, RobotConfig& table) {
   if (description.fixed_base || !table.soles.empty() || has_sole(description, table)) return;
   std::vector<std::string> feet = frames_called_sole(description);
   std::erase_if(feet, [&](const std::string& foot) {
@@ -97,13 +97,13 @@ void guess_soles(description::RobotDescription& description, RobotConfig& table)
       fmt::format("{}: guessed: the soles are under {}", description.bodies[0].where, fmt::join(feet, ", ")));
 }
 
-bool is_joint(const description::RobotDescription& description, const std::string& name) {
-  return std::ranges::any_of(description.bodies, [&](const description::BodyDescription& body) {
-    return std::ranges::find(body.joints, name, &description::JointDescription::name) != body.joints.end();
+bool is_joint(const robot_formats::RobotDescription& description, const std::string& name) {
+  return std::ranges::any_of(description.bodies, [&](const robot_formats::BodyDescription& body) {
+    return std::ranges::find(body.joints, name, &robot_formats::JointDescription::name) != body.joints.end();
   });
 }
 
-void take_frame(description::RobotDescription& description, RobotConfig& table, const std::string& role,
+void take_frame(robot_formats::RobotDescription& description, RobotConfig& table, const std::string& role,
                 const std::string& name) {
   const bool taken = table.frames.contains(role) || table.joints.contains(role) || find_place(description, role) ||
                      is_joint(description, role) || role == description.base_joint;
@@ -113,33 +113,33 @@ void take_frame(description::RobotDescription& description, RobotConfig& table, 
 }
 
 /// The first frame or body with `word` in its name; one with `better`, too, is preferred.
-std::string name_with(const description::RobotDescription& description, std::string_view word,
+std::string name_with(const robot_formats::RobotDescription& description, std::string_view word,
                       std::string_view better) {
   std::string found;
   const auto look_at = [&](const std::string& name) {
     if (!contains(name, word)) return;
     if (found.empty() || (!contains(found, better) && contains(name, better))) found = name;
   };
-  for (const description::BodyDescription& body : description.bodies) {
-    for (const description::FrameDescription& frame : body.frames) look_at(frame.name);
+  for (const robot_formats::BodyDescription& body : description.bodies) {
+    for (const robot_formats::FrameDescription& frame : body.frames) look_at(frame.name);
   }
-  for (const description::BodyDescription& body : description.bodies) look_at(body.name);
+  for (const robot_formats::BodyDescription& body : description.bodies) look_at(body.name);
   return found;
 }
 
-std::string frame_of_sensor(description::RobotDescription& description, std::string_view kind) {
-  for (const description::SensorDescription& sensor : description.sensors) {
+std::string frame_of_sensor(robot_formats::RobotDescription& description, std::string_view kind) {
+  for (const robot_formats::SensorDescription& sensor : description.sensors) {
     if (sensor.kind == kind && sensor.obstacle.empty() && find_place(description, sensor.frame)) return sensor.frame;
   }
   return {};
 }
 
 /// The last of the bodies whose names say hand in a row: that which has the fingers, if there are any.
-std::size_t end_of_hand(const description::RobotDescription& description, std::size_t hand) {
+std::size_t end_of_hand(const robot_formats::RobotDescription& description, std::size_t hand) {
   for (;;) {
     std::vector<std::size_t> next;
     for (std::size_t i = hand + 1; i < description.bodies.size(); ++i) {
-      const description::BodyDescription& body = description.bodies[i];
+      const robot_formats::BodyDescription& body = description.bodies[i];
       if (body.parent == static_cast<int>(hand) && names_hand(body.name) && !names_finger(body.name)) next.push_back(i);
     }
     if (next.size() != 1) return hand;
@@ -148,17 +148,17 @@ std::size_t end_of_hand(const description::RobotDescription& description, std::s
 }
 
 /// Bodies whose names say hand and whose parents' do not.
-std::vector<std::size_t> first_of_hands(const description::RobotDescription& description) {
+std::vector<std::size_t> first_of_hands(const robot_formats::RobotDescription& description) {
   std::vector<std::size_t> firsts;
   for (std::size_t i = 1; i < description.bodies.size(); ++i) {
-    const description::BodyDescription& body = description.bodies[i];
+    const robot_formats::BodyDescription& body = description.bodies[i];
     if (names_hand(body.name) && !names_hand(description.bodies[body.parent].name)) firsts.push_back(i);
   }
   return firsts;
 }
 
 /// One hand on each side: sides as names say them, or else as the bodies stand, if there is one on both.
-void guess_hands(description::RobotDescription& description, RobotConfig& table) {
+void guess_hands(robot_formats::RobotDescription& description, RobotConfig& table) {
   const auto places = body_places(description);
   std::map<Side, std::string> named, placed;
   for (const std::size_t first : first_of_hands(description)) {
@@ -177,7 +177,7 @@ void guess_hands(description::RobotDescription& description, RobotConfig& table)
   }
 }
 
-void guess_frames(description::RobotDescription& description, RobotConfig& table) {
+void guess_frames(robot_formats::RobotDescription& description, RobotConfig& table) {
   std::string imu = frame_of_sensor(description, "gyro");
   if (imu.empty()) imu = frame_of_sensor(description, "imu");
   take_frame(description, table, "imu", imu.empty() ? name_with(description, "imu", "imu_") : imu);
@@ -207,7 +207,7 @@ std::string frames_toml(const RobotConfig& table) {
 
 }  // namespace
 
-void place_soles(description::RobotDescription& description, RobotConfig& table) {
+void place_soles(robot_formats::RobotDescription& description, RobotConfig& table) {
   for (const TableName& sole : table.soles) {
     const auto found = find_place(description, sole.name);
     const bool placed = found && found->frame && found->frame->box;
@@ -219,13 +219,13 @@ void place_soles(description::RobotDescription& description, RobotConfig& table)
   }
 }
 
-void guess_roles(description::RobotDescription& description, RobotConfig& table) {
+void guess_roles(robot_formats::RobotDescription& description, RobotConfig& table) {
   guess_soles(description, table);
   guess_frames(description, table);
   guess_servos(description, table);
 }
 
-std::string roles_toml(const description::RobotDescription& description, const RobotConfig& table) {
+std::string roles_toml(const robot_formats::RobotDescription& description, const RobotConfig& table) {
   const std::string head = fmt::format(
       "# What the file of {} cannot say, partly guessed (docs/robots.md): correct it. Servos are on the output side "
       "of\n"

@@ -6,22 +6,22 @@
 
 #include <string>
 
-#include "murosimf/description/robot_description.h"
+#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/robot/robot_config.h"
 
 namespace murosimf::robot {
 
 /// Gives every sole of the table a frame with a rectangle: a foot, or a frame without a box, gets one under the shapes of
 /// its body. Throws SetupError, at the table's line, if there is none. To be called after the welding.
-void place_soles(description::RobotDescription& description, RobotConfig& table);
+void place_soles(robot_formats::RobotDescription& description, RobotConfig& table);
 
 /// Completes `table` and `description` where both are silent:
 ///   soles    frames called "...sole", else the two or four feet that the robot stands on in the pose of the file (robot_feet.h)
 ///   frames   imu, camera, left_hand, right_hand: by the names of frames, sensors and bodies; left is what is called so
 ///   servos   servo_inference.h
-void guess_roles(description::RobotDescription& description, RobotConfig& table);
+void guess_roles(robot_formats::RobotDescription& description, RobotConfig& table);
 
 /// Soles, frames and servos as the TOML file that would stand beside the robot.
-[[nodiscard]] std::string roles_toml(const description::RobotDescription& description, const RobotConfig& table);
+[[nodiscard]] std::string roles_toml(const robot_formats::RobotDescription& description, const RobotConfig& table);
 
 }  // namespace murosimf::robot

@@ -5,20 +5,20 @@
 namespace murosimf::robot {
 namespace {
 
-bool is_cut(const description::SensorDescription& sensor) {
+bool is_cut(const robot_formats::SensorDescription& sensor) {
   return sensor.kind == "force_torque" || sensor.kind == "force" || sensor.kind == "torque";
 }
 
 /// The body that is called so, that has a joint or a frame of this name.
-const description::BodyDescription* body_with(const description::RobotDescription& description,
+const robot_formats::BodyDescription* body_with(const robot_formats::RobotDescription& description,
                                               const std::string& name) {
-  const auto has = [&](const description::BodyDescription& body) {
-    return std::ranges::find(body.joints, name, &description::JointDescription::name) != body.joints.end() ||
-           std::ranges::find(body.frames, name, &description::FrameDescription::name) != body.frames.end();
+  const auto has = [&](const robot_formats::BodyDescription& body) {
+    return std::ranges::find(body.joints, name, &robot_formats::JointDescription::name) != body.joints.end() ||
+           std::ranges::find(body.frames, name, &robot_formats::FrameDescription::name) != body.frames.end();
   };
   const auto& bodies = description.bodies;
   auto found = std::ranges::find_if(bodies, has);
-  if (found == bodies.end()) found = std::ranges::find(bodies, name, &description::BodyDescription::name);
+  if (found == bodies.end()) found = std::ranges::find(bodies, name, &robot_formats::BodyDescription::name);
   return found == bodies.end() ? nullptr : &*found;
 }
 
@@ -31,17 +31,17 @@ std::string word(const components::SensorTable& table, const std::string& key) {
 
 }  // namespace
 
-std::set<std::string> find_cuts(description::RobotDescription& description, const RobotConfig& table) {
+std::set<std::string> find_cuts(robot_formats::RobotDescription& description, const RobotConfig& table) {
   std::set<std::string> bodies;
-  for (description::SensorDescription& sensor : description.sensors) {
+  for (robot_formats::SensorDescription& sensor : description.sensors) {
     if (!is_cut(sensor)) continue;
-    const description::BodyDescription* body = body_with(description, sensor.frame);
+    const robot_formats::BodyDescription* body = body_with(description, sensor.frame);
     if (body) bodies.insert(sensor.behind = body->name);
   }
   for (const components::SensorTable& sensor : table.sensors) {
     const std::string behind = word(sensor, "behind");
     if (behind.empty() && word(sensor, "type") != "joint_wrench") continue;
-    const description::BodyDescription* body = body_with(description, behind.empty() ? word(sensor, "frame") : behind);
+    const robot_formats::BodyDescription* body = body_with(description, behind.empty() ? word(sensor, "frame") : behind);
     if (body) bodies.insert(body->name);
   }
   return bodies;

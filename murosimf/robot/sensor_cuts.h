@@ -4,13 +4,13 @@
 #include <set>
 #include <string>
 
-#include "murosimf/description/robot_description.h"
+#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/robot/robot_config.h"
 
 namespace murosimf::robot {
 
 /// Sets SensorDescription::behind of force_torque of URDF and of force and torque of MJCF: the body on which the sensor, its site or its
 /// joint is. Gives all such bodies, also those of joint_wrench in the table: the welding leaves them alone, and is to be done after this.
-[[nodiscard]] std::set<std::string> find_cuts(description::RobotDescription& description, const RobotConfig& table);
+[[nodiscard]] std::set<std::string> find_cuts(robot_formats::RobotDescription& description, const RobotConfig& table);
 
 }  // namespace murosimf::robot

@@ -9,15 +9,15 @@
 #include <fmt/format.h>
 
 #include "murosimf/components/servo_sections.h"
-#include "murosimf/description/joint_inertia.h"
+#include "murosimf/robot_formats/joint_inertia.h"
 #include "murosimf/robot/robot_soles.h"
 
 namespace murosimf::robot {
 namespace {
 
-using description::BodyDescription;
-using description::JointDescription;
-using description::RobotDescription;
+using robot_formats::BodyDescription;
+using robot_formats::JointDescription;
+using robot_formats::RobotDescription;
 
 constexpr double gravity = 9.81;           // [m/s^2]
 constexpr double full_torque_bend = 0.1;   // [rad] a guessed servo gives all it has at this error
@@ -44,7 +44,7 @@ struct Weight {
 };
 
 Weight weight_of(const RobotDescription& description) {
-  const description::MassProperties robot = whole_solid(description);
+  const robot_formats::MassProperties robot = whole_solid(description);
   if (!(robot.mass > 0)) return {};
   return {robot.mass, robot.center.z - lowest_point(description)};
 }
@@ -89,14 +89,14 @@ double usual_gain(const JointDescription& joint, double torque) {
 std::vector<double> inertias_of(const RobotDescription& description) {
   std::size_t count = 0;
   for (const BodyDescription& body : description.bodies) count += body.joints.size();
-  return count > most_joints ? std::vector<double>{} : description::free_inertias(description);
+  return count > most_joints ? std::vector<double>{} : robot_formats::free_inertias(description);
 }
 
 /// Guesses servos one by one and counts what it did.
 class Guesser {
  public:
   Guesser(RobotDescription& description, const RobotConfig& table) : description_(description), table_(table) {
-    for (const description::MimicDescription& mimic : description.mimics) followers_.insert(mimic.joint);
+    for (const robot_formats::MimicDescription& mimic : description.mimics) followers_.insert(mimic.joint);
     const std::set<std::size_t> feet = bodies_with_soles(description, table);
     if (feet.size() != 2) return;
     weight_ = weight_of(description);

@@ -9,19 +9,19 @@
 ///     a leg's joint without a torque: F = 0.4 m g z_c, k = 4 m g z_c, rotor 0.005 m z_c^2
 ///
 /// No joint outside the legs has more than k = I / (2 ms)^2, with I what it moves in the pose of the file while nothing holds the others
-/// (description/joint_inertia.h): a quarter of what a step of 2 ms by semi-implicit Euler can bear, k dt^2 < 4 I.
+/// (robot_formats/joint_inertia.h): a quarter of what a step of 2 ms by semi-implicit Euler can bear, k dt^2 < 4 I.
 ///
 /// Source: an inverted pendulum of mass m with its center at z_c topples with m g z_c per radian; the factors are the project's, those
 ///         with which the humanoids of other people's files stood and walked (docs/robots.md, "Servos that are guessed").
 #pragma once
 
-#include "murosimf/description/robot_description.h"
+#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/robot/robot_config.h"
 
 namespace murosimf::robot {
 
 /// To be called when soles are known: those of `table`, or frames that are soles (robot_soles.h). Joints that follow others, or that
 /// have gains or a servo in the table, stay as they are, and so do those with a spring and no torque.
-void guess_servos(description::RobotDescription& description, const RobotConfig& table);
+void guess_servos(robot_formats::RobotDescription& description, const RobotConfig& table);
 
 }  // namespace murosimf::robot

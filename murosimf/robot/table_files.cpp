@@ -35,7 +35,7 @@ bool comes_with_the_program(const fs::path& file) {
 TableFiles table_files(const fs::path& file, const RobotFile& robot, bool lenient) {
   const files::FilesRead read;
   const RobotConfig table = read_table_beside(file);
-  description::RobotDescription description = robot.description;  // takes notes, which are known already
+  robot_formats::RobotDescription description = robot.description;  // takes notes, which are known already
   (void)sensors_of(description, table, *robot.model, file.parent_path(), lenient);
   TableFiles all;
   for (const fs::path& one : read.list()) {

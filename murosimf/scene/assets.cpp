@@ -6,26 +6,26 @@
 
 namespace murosimf::scene {
 
-Assets::RobotKey Assets::key_of(const std::filesystem::path& file, const description::ReaderOptions& options) {
+Assets::RobotKey Assets::key_of(const std::filesystem::path& file, const robot_formats::ReaderOptions& options) {
   return {std::filesystem::absolute(file), options.lenient, options.body, options.xacro};
 }
 
 std::shared_ptr<const RobotKind> Assets::robot(const std::filesystem::path& file,
-                                               const description::ReaderOptions& options) {
+                                               const robot_formats::ReaderOptions& options) {
   const std::lock_guard lock(mutex_);
   std::shared_ptr<const RobotKind>& known = robots_[key_of(file, options)];
   if (known) return known;
   robot::RobotFile read =
       robot::read_robot(file, {.lenient = options.lenient, .xacro = options.xacro, .body = options.body});
   RobotKind kind{std::move(read.model), std::move(read.sensors), std::move(read.warnings), {}};
-  for (description::Unused& unused : read.description.unused) {
+  for (robot_formats::Unused& unused : read.description.unused) {
     if (std::ranges::find(kind.unused, unused.word) == kind.unused.end()) kind.unused.push_back(std::move(unused.word));
   }
   known = std::make_shared<const RobotKind>(std::move(kind));
   return known;
 }
 
-void Assets::put(const std::filesystem::path& file, const description::ReaderOptions& options, RobotKind kind) {
+void Assets::put(const std::filesystem::path& file, const robot_formats::ReaderOptions& options, RobotKind kind) {
   const std::lock_guard lock(mutex_);
   robots_[key_of(file, options)] = std::make_shared<const RobotKind>(std::move(kind));
 }

@@ -16,7 +16,7 @@
 #include <tuple>
 #include <vector>
 
-#include "murosimf/description/reader_options.h"
+#include "murosimf/robot_formats/reader_options.h"
 #include "murosimf/model/model.h"
 #include "murosimf/sensors/sensor_spec.h"
 
@@ -27,7 +27,7 @@ struct RobotKind {
   ModelPtr model;
   std::vector<sensors::SensorSpec> sensors;
   std::vector<std::string> warnings;  ///< of reading
-  std::vector<std::string> unused;    ///< words of the file that have no effect (description::Unused), each once
+  std::vector<std::string> unused;    ///< words of the file that have no effect (robot_formats::Unused), each once
 };
 
 class Assets {
@@ -35,17 +35,17 @@ class Assets {
   /// Of the options those count that scenes have: lenient, body, xacro. Throws SetupError: no such file, a mistake in it; nothing is kept
   /// then.
   [[nodiscard]] std::shared_ptr<const RobotKind> robot(const std::filesystem::path& file,
-                                                       const description::ReaderOptions& options);
+                                                       const robot_formats::ReaderOptions& options);
 
   /// What robot() returns for this file and these options from now on, whatever stands in it: a robot that is not quite as its file says.
-  void put(const std::filesystem::path& file, const description::ReaderOptions& options, RobotKind kind);
+  void put(const std::filesystem::path& file, const robot_formats::ReaderOptions& options, RobotKind kind);
 
   /// What `make` returns for the first who asks with this key, from which it must follow. Throws what make() throws.
   [[nodiscard]] ModelPtr model(const std::string& key, const std::function<ModelPtr()>& make);
 
  private:
   using RobotKey = std::tuple<std::filesystem::path, bool, std::string, std::map<std::string, std::string>>;
-  static RobotKey key_of(const std::filesystem::path& file, const description::ReaderOptions& options);
+  static RobotKey key_of(const std::filesystem::path& file, const robot_formats::ReaderOptions& options);
 
   std::mutex mutex_;
   std::map<RobotKey, std::shared_ptr<const RobotKind>> robots_;

@@ -68,7 +68,7 @@ const RobotKind& ModelSource::robot(const scene_file::BodySpec& body) {
 }
 
 const RobotKind& ModelSource::read(const std::string& name, const std::string& where,
-                                   const description::ReaderOptions& options) {
+                                   const robot_formats::ReaderOptions& options) {
   std::shared_ptr<const RobotKind>& known = robots_[{name, options.body, options.xacro}];
   if (known) return *known;
   const auto file =

@@ -34,7 +34,7 @@ class ModelSource {
   void check_materials(const Model& model) const { scene::check_materials(model, spec_.materials); }
 
  private:
-  const RobotKind& read(const std::string& name, const std::string& where, const description::ReaderOptions& options);
+  const RobotKind& read(const std::string& name, const std::string& where, const robot_formats::ReaderOptions& options);
 
   const scene_file::SceneSpec& spec_;
   Assets& assets_;

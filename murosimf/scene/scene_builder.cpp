@@ -4,7 +4,7 @@
 
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/collision/body_contact.h"
-#include "murosimf/connect/outside_memory.h"
+#include "murosimf/runtime/outside_memory.h"
 #include "murosimf/connect/tcp_server.h"
 #include "murosimf/scene/assets.h"
 #include "murosimf/scene/contact_marks.h"
@@ -97,7 +97,7 @@ void build(SceneParts& parts, const SceneOptions& options) {
   parts.software = options.software;
   parts.terminals = options.terminals;
   parts.outside = options.outside;
-  if (!parts.outside.memory) parts.outside.memory = std::make_shared<connect::OutsideMemory>();
+  if (!parts.outside.memory) parts.outside.memory = std::make_shared<OutsideMemory>();
   if (options.cameras) parts.cameras = std::make_unique<CameraRenderer>(parts);
   parts.assets = options.assets ? options.assets : std::make_shared<Assets>();
   parts.lenient = options.lenient;

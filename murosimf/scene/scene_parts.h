@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "murosimf/connect/crash_note.h"
-#include "murosimf/connect/outside_notes.h"
+#include "murosimf/runtime/outside_notes.h"
 #include "murosimf/files/allowed_files.h"
 #include "murosimf/runtime/path_recorder.h"
 #include "murosimf/runtime/simulation.h"
@@ -86,7 +86,7 @@ struct SceneParts {
   std::shared_ptr<connect::CrashNote> crashes = std::make_shared<connect::CrashNote>();  ///< of control software
   std::shared_ptr<connect::TcpServer> software;  ///< that of the controller "tcp" comes in there; null: nowhere
   std::string terminals;                         ///< folder for links to serial lines; empty: there are none
-  connect::OutsideWorld outside;                 ///< what is done with all that comes from outside
+  OutsideWorld outside;                 ///< what is done with all that comes from outside
   bool libraries = false;                        ///< those that files name are loaded
   bool only_shown = false;                       ///< SceneOptions::only_shown
   std::shared_ptr<Assets> assets;                ///< for robots that come later

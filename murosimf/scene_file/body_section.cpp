@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/catalog/algorithm_catalog.h"
-#include "murosimf/description/mass_properties.h"
+#include "murosimf/robot_formats/mass_properties.h"
 #include "murosimf/files/toml_color.h"
 #include "murosimf/model/error.h"
 #include "murosimf/scene_file/all_sections.h"
@@ -92,7 +92,7 @@ void read_mass(const files::TomlTable& table, BodySpec& body) {
   const bool has_mass = table.find("mass") != nullptr, has_density = table.find("density") != nullptr;
   require(has_mass != has_density, table, has_density ? "density" : "mass",
           has_mass ? "and 'mass' say the same; keep one" : "is missing: in kg, or 'density' in kg/m^3");
-  if (has_density) body.mass = density * description::volume(*body.shape);
+  if (has_density) body.mass = density * robot_formats::volume(*body.shape);
   require(body.mass > 0, table, has_density ? "density" : "mass", "must be positive");
 }
 

@@ -6,7 +6,7 @@
 
 #include "murosimf/air/air_properties.h"
 #include "murosimf/collision/ground_points.h"
-#include "murosimf/description/mass_properties.h"
+#include "murosimf/robot_formats/mass_properties.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::scene_file {
@@ -38,7 +38,7 @@ ModelPtr body_model(const BodySpec& body) {
   Chain chain;
   chain.base(body.name)
       .with(properties::mass, body.mass)
-      .with(properties::inertia, body.mass * description::unit_inertia(*body.shape))
+      .with(properties::inertia, body.mass * robot_formats::unit_inertia(*body.shape))
       .with(properties::shapes, Shapes{shape_of(body)});
   if (body.mesh) chain.with(properties::visuals, Visuals{*body.mesh});
   if (std::holds_alternative<Sphere>(*body.shape)) {

@@ -7,9 +7,9 @@
 
 #include "murosimf/collision/relief/height_field.h"
 #include "murosimf/files/data_path.h"
-#include "murosimf/formats/heights/height_file.h"
-#include "murosimf/formats/mesh/mesh_file.h"
-#include "murosimf/formats/mesh/mesh_library.h"
+#include "murosimf/files/height_file.h"
+#include "murosimf/robot_formats/mesh/mesh_file.h"
+#include "murosimf/robot_formats/mesh/mesh_library.h"
 #include "murosimf/geometry/hull.h"
 #include "murosimf/geometry/mesh_mass.h"
 #include "murosimf/model/error.h"
@@ -18,7 +18,7 @@
 namespace murosimf::scene_file {
 namespace {
 
-using formats::heights::HeightTable;
+using files::HeightTable;
 
 constexpr double farthest = 1e3;                 // [m] of a surface from its middle
 constexpr std::size_t most_triangles = 200'000;  // of ground: each is a shape of its own
@@ -48,7 +48,7 @@ HeightTable read_numbers(const files::TomlTable& table) {
     heights.heights.insert(heights.heights.end(), row->begin(), row->end());
     ++heights.rows;
   }
-  formats::heights::check_heights(fmt::format("{}: 'heights'", table.where("heights")), heights);
+  files::check_heights(fmt::format("{}: 'heights'", table.where("heights")), heights);
   return heights;
 }
 
@@ -59,7 +59,7 @@ HeightTable read_heights(const files::TomlTable& table, const std::filesystem::p
                    : "of the heights is missing: PNG, NPY or CSV; or 'heights'");
   if (has_numbers) return read_numbers(table);
   const auto file = find_file(table, folder);
-  return with_context(table.where("file"), [&] { return formats::heights::read_height_file(file); });
+  return with_context(table.where("file"), [&] { return files::read_height_file(file); });
 }
 
 /// The triangles of a closed mesh that is inside out are turned round.
@@ -124,9 +124,9 @@ void read_height_field(const files::TomlTable& table, const std::filesystem::pat
 void read_mesh(const files::TomlTable& table, const std::filesystem::path& folder, BodySpec& body) {
   require(table.find("file") != nullptr, table, "file", "of the mesh is missing: STL, OBJ or DAE");
   const auto file = find_file(table, folder);
-  auto mesh = with_context(table.where("file"), [&] { return formats::mesh::read_mesh_file(file).mesh; });
+  auto mesh = with_context(table.where("file"), [&] { return robot_formats::mesh::read_mesh_file(file).mesh; });
   const double scale = read_positive(table, "scale", 1);
-  formats::mesh::scale_mesh(mesh, {scale, scale, scale});
+  robot_formats::mesh::scale_mesh(mesh, {scale, scale, scale});
   const auto is_far = [](const Vec3d& v) { return !(norm(v) <= farthest); };
   require(std::ranges::none_of(mesh.vertices, is_far), table, "file",
           "reaches farther than 1000 m; is it in mm ('scale')?");

@@ -1,5 +1,5 @@
 /// course.h - what a session leads through time: a scene that is computed (live_course.h), or a recording of one that is played
-/// (playback/recorded_course.h).
+/// (recording/recorded_course.h).
 ///
 /// All of it is called by the thread that runs the session.
 #pragma once

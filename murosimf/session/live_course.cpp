@@ -105,7 +105,7 @@ void LiveCourse::seek(Duration time, std::optional<int> branch, const std::funct
 /// From the state to that time, by what is remembered.
 void LiveCourse::repeat(const Timeline::Way& way, Duration time, const std::function<bool()>& given_up) {
   struct Repeats {
-    connect::OutsideMemory& memory;
+    OutsideMemory& memory;
     ~Repeats() { memory.live(); }
   } const repeats{outside()};
   outside().repeat(way.notes);

@@ -39,7 +39,7 @@ class LiveCourse final : public Course {
   void note_outside();
   void begin_branch();
   void repeat(const Timeline::Way& way, Duration time, const std::function<bool()>& given_up);
-  [[nodiscard]] connect::OutsideMemory& outside() { return *scene_.parts().outside.memory; }
+  [[nodiscard]] OutsideMemory& outside() { return *scene_.parts().outside.memory; }
 
   std::unique_ptr<scene::Scene> own_;
   scene::Scene& scene_;

@@ -75,10 +75,10 @@ void Timeline::note(std::span<const Command> commands) {
   here().commands.insert(here().commands.end(), commands.begin(), commands.end());
 }
 
-void Timeline::note(std::vector<connect::RememberedNote> notes) {
+void Timeline::note(std::vector<RememberedNote> notes) {
   if (notes.empty()) return;
   settle();
-  for (connect::RememberedNote& note : notes) {
+  for (RememberedNote& note : notes) {
     note_bytes_ += note.size();
     here().notes.push_back(std::move(note));
   }
@@ -91,7 +91,7 @@ void Timeline::remark(std::string text) {
 }
 
 void Timeline::drop_notes(Branch& branch) {
-  for (const connect::RememberedNote& note : branch.notes) note_bytes_ -= note.size();
+  for (const RememberedNote& note : branch.notes) note_bytes_ -= note.size();
   branch.notes.clear();
 }
 
@@ -152,7 +152,7 @@ void Timeline::collect(int number, Duration begin, Duration end, Way& way) const
                     "that are kept ({:.3f} s)",
                     seconds(branch.notes_from), seconds(way.from)));
   }
-  const auto time_of = [](const connect::RememberedNote& note) { return note.note.time; };
+  const auto time_of = [](const RememberedNote& note) { return note.note.time; };
   auto note = std::ranges::lower_bound(branch.notes, begin, {}, time_of);
   for (; note != branch.notes.end() && note->note.time < end; ++note) way.notes.push_back(*note);
 }

@@ -2,7 +2,7 @@
 ///
 /// States are bytes of Scene::save(). They are thinned with their age: of the last seconds many are kept, of what is long ago few, so
 /// that a whole run fits into a bounded memory. Between two states the run is repeated, with the commands that came then, and with what
-/// came from outside (connect/outside_memory.h). Of these notes, too, only so many are kept: where the oldest have gone, one can go back to
+/// came from outside (runtime/outside_memory.h). Of these notes, too, only so many are kept: where the oldest have gone, one can go back to
 /// kept states alone.
 ///
 /// A run that goes on from an earlier instant is a branch; the rest of its parent stays. A state is that before the commands of its
@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/connect/outside_memory.h"
+#include "murosimf/runtime/outside_memory.h"
 #include "murosimf/model/time.h"
 #include "murosimf/runtime/command_queue.h"
 
@@ -56,7 +56,7 @@ class Timeline {
   /// Commands that have been carried out since the last call, at the time of the present state.
   void note(std::span<const Command> commands);
   /// What has come from outside since the last call, in the step that led to the present state, or before the next one.
-  void note(std::vector<connect::RememberedNote> notes);
+  void note(std::vector<RememberedNote> notes);
   /// What is to be said of the run from the present instant of the present branch on.
   void remark(std::string text);
 
@@ -66,7 +66,7 @@ class Timeline {
     Duration from{};                             ///< of the state
     std::vector<Command> before;                 ///< that had led to it, from the start on
     std::vector<Command> then;                   ///< from there to the instant (excluded)
-    std::vector<connect::RememberedNote> notes;  ///< likewise
+    std::vector<RememberedNote> notes;  ///< likewise
     std::vector<Command> remarks;                ///< likewise
   };
   /// Throws SetupError for branches and times that there are not.
@@ -93,7 +93,7 @@ class Timeline {
     std::vector<Kept> states;       // by time
     std::vector<Command> commands;  // by time
     bool forgotten = false;
-    std::deque<connect::RememberedNote> notes{};  // by time
+    std::deque<RememberedNote> notes{};  // by time
     std::vector<Command> remarks{};               // by time
     Duration notes_from = Duration::min();        // the first instant of which all notes are there
   };

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "murosimf/behavior/beliefs.h"
+#include "murosimf/soccer/beliefs.h"
 #include "murosimf/collision/contact_properties.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
@@ -31,7 +31,7 @@ EntityState state_of(const scene::SceneParts& parts, const Entity& entity) {
   if (base_value(entity, properties::dynamic) == 0.0) {
     if (const auto foot = base_value(entity, properties::stance_foot)) state.standing_foot = *foot != 0 ? 1 : 0;
   }
-  state.believed_pose = behavior::believed_pose(entity);
+  state.believed_pose = soccer::believed_pose(entity);
   state.falls = motion::way_and_falls(entity).falls;
   return state;
 }
@@ -106,8 +106,8 @@ Inspection inspect(const scene::Scene& scene, const InspectionRequest& request) 
   }
   if (request.algorithms) seen.algorithms = simulation.statistics();
   if (request.loads) add_loads(parts, world, seen.loads);
-  seen.drawings = connect::drawn_changes(world);
-  if (seen.drawings != request.drawings_known) seen.drawn = connect::drawn_by_robots(world);
+  seen.drawings = drawing::drawn_changes(world);
+  if (seen.drawings != request.drawings_known) seen.drawn = drawing::drawn_by_robots(world);
   seen.first_event = copy_from(request.events_known, simulation.events(), seen.events);
   std::vector<std::string> warnings = parts.remarks.warnings();
   warnings.insert(warnings.end(), simulation.warnings().begin(), simulation.warnings().end());

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/connect/drawn.h"
+#include "murosimf/drawing/drawn.h"
 #include "murosimf/imaging/image.h"
 #include "murosimf/runtime/simulation.h"
 #include "murosimf/scene/scene.h"
@@ -39,7 +39,7 @@ struct EntityState {
   bool is_robot = false, moves = false, present = true, frozen = false;
   int standing_foot = -1;  ///< 0 or 1 at kinematic_walking, else -1
   int falls = 0;
-  std::optional<Vec3d> believed_pose;  ///< [m, m, rad] where it takes itself to be (behavior/beliefs.h)
+  std::optional<Vec3d> believed_pose;  ///< [m, m, rad] where it takes itself to be (soccer/beliefs.h)
 };
 
 struct SensorState {
@@ -85,7 +85,7 @@ struct Inspection {
   std::vector<AlgorithmStatistics> algorithms;
   std::vector<JointLoad> loads;
   std::uint64_t drawings = 0;                        ///< changes with what is drawn for people who watch
-  std::optional<std::vector<connect::Drawn>> drawn;  ///< that; nothing: it is known
+  std::optional<std::vector<drawing::Drawn>> drawn;  ///< that; nothing: it is known
   std::size_t first_event = 0, first_warning = 0;    ///< numbers of those that follow
   std::vector<Event> events;
   std::vector<std::string> warnings;  ///< of the scene, then of the simulation

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/connect/drawing_board.h"
+#include "murosimf/drawing/drawing_board.h"
 #include "murosimf/render/seen_drawing.h"
 #include "murosimf/viewer/actions.h"
 #include "murosimf/viewer/camera_rig.h"
@@ -30,7 +30,7 @@ struct ViewerOptions {
   session::SessionOptions session{};
   Duration end = Duration::max();  ///< where it pauses by itself
   double inspections = 20;         ///< [Hz] of wall time
-  const connect::DrawingBoard* others =
+  const drawing::DrawingBoard* others =
       nullptr;  ///< what other programs draw; must outlive the viewer; null: they do not
 };
 
@@ -155,7 +155,7 @@ class Viewer {
   void begin();
   void ask(std::string what, std::future<void> done, bool silent = false);
   void collect_answers();
-  [[nodiscard]] std::vector<connect::Drawn> all_drawn() const;
+  [[nodiscard]] std::vector<drawing::Drawn> all_drawn() const;
   void take_status();
   void take_frame();
   void take_inspection();
@@ -191,7 +191,7 @@ class Viewer {
   std::deque<Message> messages_;
   std::vector<Asked> asked_;
   std::map<std::string, std::string> moves_;  // PATH = VALUE: that wait until the last one has been done
-  std::vector<connect::Drawn> drawn_;         // by robots
+  std::vector<drawing::Drawn> drawn_;         // by robots
   std::uint64_t drawings_known_ = 0;
   bool moving_ = false;
   Duration asked_poses_at_ = Duration::min();

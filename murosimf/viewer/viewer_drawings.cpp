@@ -3,33 +3,33 @@
 #include <iterator>
 #include <numbers>
 
-#include "murosimf/connect/drawn.h"
+#include "murosimf/drawing/drawn.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/viewer/viewer.h"
 
 namespace murosimf::viewer {
 namespace {
 
-std::string group_text(const connect::Drawn& drawn, const DrawnGroup& group) { return drawn.by + "/" + group.name; }
+std::string group_text(const drawing::Drawn& drawn, const DrawnGroup& group) { return drawn.by + "/" + group.name; }
 
 /// [rad] of joints without a range.
 constexpr double without_range = std::numbers::pi;
 
 }  // namespace
 
-std::vector<connect::Drawn> Viewer::all_drawn() const {
-  std::vector<connect::Drawn> all = drawn_;
+std::vector<drawing::Drawn> Viewer::all_drawn() const {
+  std::vector<drawing::Drawn> all = drawn_;
   if (!options_.others) return all;
   std::vector<std::string> teams;
   for (const EntityOutline& whom : outline_) teams.push_back(whom.team);
-  std::ranges::move(connect::drawn_by_others(*options_.others->shown(), teams), std::back_inserter(all));
+  std::ranges::move(drawing::drawn_by_others(*options_.others->shown(), teams), std::back_inserter(all));
   return all;
 }
 
 std::vector<render::SeenShape> Viewer::drawings_in(const sensors::Perspective& view) const {
   std::vector<render::SeenShape> shapes;
   if (!overlay.drawings || !frame_) return shapes;
-  for (const connect::Drawn& drawn : all_drawn()) {
+  for (const drawing::Drawn& drawn : all_drawn()) {
     const auto entity = static_cast<std::size_t>(drawn.entity);
     const bool is_there = drawn.entity >= 0 && entity + 1 < frame_->first.size() && frame_->present[entity];
     for (const DrawnGroup& group : drawn.groups) {
@@ -44,7 +44,7 @@ std::vector<render::SeenShape> Viewer::drawings_in(const sensors::Perspective& v
 
 std::vector<std::string> Viewer::drawing_groups() const {
   std::set<std::string> names(hidden_groups);
-  for (const connect::Drawn& drawn : all_drawn()) {
+  for (const drawing::Drawn& drawn : all_drawn()) {
     for (const DrawnGroup& group : drawn.groups) names.insert(group_text(drawn, group));
   }
   return {names.begin(), names.end()};

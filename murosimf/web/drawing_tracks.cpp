@@ -47,9 +47,9 @@ void DrawingTracks::add(Track& track, std::size_t frame, Numbers looks, Numbers 
   track.versions.push_back(std::move(version));
 }
 
-void DrawingTracks::take(std::size_t frame, const std::vector<connect::Drawn>& all) {
+void DrawingTracks::take(std::size_t frame, const std::vector<drawing::Drawn>& all) {
   std::set<Key> there;
-  for (const connect::Drawn& drawn : all) {
+  for (const drawing::Drawn& drawn : all) {
     for (const DrawnGroup& group : drawn.groups) {
       Numbers looks, points;
       for (const DrawnShape& shape : group.shapes) {

@@ -1,4 +1,4 @@
-/// drawing_tracks.h - what is drawn for people who watch (connect/drawn.h), over all frames of an HTML file: a track for each group, which
+/// drawing_tracks.h - what is drawn for people who watch (drawing/drawn.h), over all frames of an HTML file: a track for each group, which
 /// says only what has changed.
 #pragma once
 
@@ -11,14 +11,14 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "murosimf/connect/drawn.h"
+#include "murosimf/drawing/drawn.h"
 
 namespace murosimf::web {
 
 class DrawingTracks {
  public:
   /// All that is drawn from this frame on, which is none of those before.
-  void take(std::size_t frame, const std::vector<connect::Drawn>& all);
+  void take(std::size_t frame, const std::vector<drawing::Drawn>& all);
   [[nodiscard]] bool empty() const { return tracks_.empty(); }
 
   /// `{looks: [[kind, size, red, green, blue, opacity, words, points, triangles]],

@@ -36,9 +36,9 @@ json group_object(const DrawnGroup& group) {
 
 }  // namespace
 
-std::string drawings_message(const std::vector<connect::Drawn>& all) {
+std::string drawings_message(const std::vector<drawing::Drawn>& all) {
   json drawings = json::array();
-  for (const connect::Drawn& drawn : all) {
+  for (const drawing::Drawn& drawn : all) {
     json groups = json::array();
     for (const DrawnGroup& group : drawn.groups) groups.push_back(group_object(group));
     drawings.push_back({{"entity", drawn.entity}, {"by", drawn.by}, {"groups", std::move(groups)}});

@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "murosimf/behavior/beliefs.h"
+#include "murosimf/soccer/beliefs.h"
 #include "murosimf/league/game_task.h"
 
 namespace murosimf::web {
@@ -37,7 +37,7 @@ json entity_states(const World& world) {
 json beliefs_of(const World& world) {
   json all = json::array();
   for (const auto& entity : world.entities()) {
-    const auto pose = behavior::believed_pose(*entity);
+    const auto pose = soccer::believed_pose(*entity);
     all.push_back(pose ? json{rounded(pose->x), rounded(pose->y), rounded(pose->z)} : json(nullptr));
   }
   return all;

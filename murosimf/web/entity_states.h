@@ -14,7 +14,7 @@ namespace murosimf::web {
 /// [{level, contact, controller, present, frozen}], by entity of the world.
 [[nodiscard]] nlohmann::json entity_states(const World& world);
 
-/// [[x, y, heading]] [m, m, rad] of where robots take themselves to be (behavior/beliefs.h), by entity of the world; null: it has no opinion.
+/// [[x, y, heading]] [m, m, rad] of where robots take themselves to be (soccer/beliefs.h), by entity of the world; null: it has no opinion.
 [[nodiscard]] nlohmann::json beliefs_of(const World& world);
 
 /// The last events and warnings, at most 200 each: [{time, text, warning}] by time. Warnings have the time 0 if they do not say one.

@@ -93,7 +93,7 @@ struct FoxgloveLive::Visit {
 };
 
 FoxgloveLive::FoxgloveLive(session::Session& session, const OnlookerCameras& cameras,
-                           const connect::DrawingBoard* others)
+                           const drawing::DrawingBoard* others)
     : session_(session), onlooker_cameras_(cameras), others_(others) {}
 
 FoxgloveLive::~FoxgloveLive() = default;

@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include "murosimf/connect/drawing_board.h"
+#include "murosimf/drawing/drawing_board.h"
 #include "murosimf/recording/frame_writer.h"
 #include "murosimf/recording/recorded_drawings.h"
 #include "murosimf/session/session.h"
@@ -34,7 +34,7 @@ class FoxgloveLive final : private recording::MessageSink {
  public:
   /// `others`: null if no other program draws. All must outlive it.
   FoxgloveLive(session::Session& session, const OnlookerCameras& cameras,
-               const connect::DrawingBoard* others = nullptr);
+               const drawing::DrawingBoard* others = nullptr);
   ~FoxgloveLive() override;
 
   using Packet = FoxglovePacket;
@@ -81,7 +81,7 @@ class FoxgloveLive final : private recording::MessageSink {
 
   session::Session& session_;
   const OnlookerCameras& onlooker_cameras_;
-  const connect::DrawingBoard* others_;
+  const drawing::DrawingBoard* others_;
   int clients_ = 0;
   std::string scene_name_;
   std::vector<std::pair<std::string, std::string>> schemas_;  // name, descriptors

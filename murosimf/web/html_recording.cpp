@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/connect/drawn.h"
+#include "murosimf/drawing/drawn.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/model/error.h"
 #include "murosimf/web/entity_states.h"
@@ -85,11 +85,11 @@ void HtmlRecording::take_frame() {
 void HtmlRecording::take_drawings() {
   const World& world = scene_.simulation().world();
   const auto others = options_.others ? options_.others->shown() : nullptr;
-  const std::pair now{connect::drawn_changes(world), others ? others->changes : 0};
+  const std::pair now{drawing::drawn_changes(world), others ? others->changes : 0};
   if (drawn_ == now) return;
   drawn_ = now;
-  std::vector<connect::Drawn> all = connect::drawn_by_robots(world);
-  if (others) std::ranges::move(connect::drawn_by_others(*others, connect::teams_of(world)), std::back_inserter(all));
+  std::vector<drawing::Drawn> all = drawing::drawn_by_robots(world);
+  if (others) std::ranges::move(drawing::drawn_by_others(*others, drawing::teams_of(world)), std::back_inserter(all));
   drawings_.take(times_.size() - 1, all);
 }
 

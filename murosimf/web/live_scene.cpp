@@ -56,7 +56,7 @@ struct LiveScene::Visit {
   int known_changes = -1;
   std::size_t known_entities = 0;
   std::vector<std::string> paths;
-  std::uint64_t known_drawings = 0;  // connect::drawn_changes
+  std::uint64_t known_drawings = 0;  // drawing::drawn_changes
 
   // found
   std::shared_ptr<const SceneDocument> document;
@@ -65,7 +65,7 @@ struct LiveScene::Visit {
   json entities, beliefs, game, lines;
   std::vector<std::pair<std::string, std::optional<double>>> values;
   bool is_new_drawing = false;
-  std::vector<connect::Drawn> drawn;
+  std::vector<drawing::Drawn> drawn;
   std::vector<std::string> teams;
 
   WatchedNumbers numbers;  // kept from visit to visit
@@ -87,12 +87,12 @@ struct LiveScene::Visit {
   }
 
   void take_drawings(const World& world) {
-    const std::uint64_t changes_of_drawings = connect::drawn_changes(world);
+    const std::uint64_t changes_of_drawings = drawing::drawn_changes(world);
     is_new_drawing = known_drawings != changes_of_drawings || document;
     known_drawings = changes_of_drawings;
     if (!is_new_drawing) return;
-    drawn = connect::drawn_by_robots(world);
-    teams = connect::teams_of(world);
+    drawn = drawing::drawn_by_robots(world);
+    teams = drawing::teams_of(world);
   }
 };
 
@@ -163,8 +163,8 @@ void LiveScene::take_drawings(const Visit& visit) {
     drawn_ = visit.drawn;
     teams_ = visit.teams;
   }
-  std::vector<connect::Drawn> all = drawn_;
-  if (others) std::ranges::move(connect::drawn_by_others(*others, teams_), std::back_inserter(all));
+  std::vector<drawing::Drawn> all = drawn_;
+  if (others) std::ranges::move(drawing::drawn_by_others(*others, teams_), std::back_inserter(all));
   if (all.empty() && !is_drawn_) return;
   is_drawn_ = !all.empty();
   news_.drawings = last_.drawings = text_message(drawings_message(all));

@@ -15,8 +15,8 @@
 #include <string_view>
 #include <vector>
 
-#include "murosimf/connect/drawing_board.h"
-#include "murosimf/connect/drawn.h"
+#include "murosimf/drawing/drawing_board.h"
+#include "murosimf/drawing/drawn.h"
 #include "murosimf/runtime/pose_feed.h"
 #include "murosimf/session/session.h"
 #include "murosimf/web/onlooker_cameras.h"
@@ -57,7 +57,7 @@ class LiveScene {
  public:
   /// `poses`: of the scene's simulation; `game`: null if nobody referees; `others`: null if no other program draws. All must outlive it.
   LiveScene(session::Session& session, PoseFeed& poses, const OnlookerCameras& cameras, const league::GameTask* game,
-            const connect::DrawingBoard* others = nullptr)
+            const drawing::DrawingBoard* others = nullptr)
       : session_(session), poses_(poses), cameras_(cameras), game_(game), others_(others) {}
 
   void join(const Onlooker& onlooker) { onlookers_.push_back(&onlooker); }
@@ -90,7 +90,7 @@ class LiveScene {
   PoseFeed& poses_;
   const OnlookerCameras& cameras_;
   const league::GameTask* game_;
-  const connect::DrawingBoard* others_;
+  const drawing::DrawingBoard* others_;
   std::vector<const Onlooker*> onlookers_;
   News news_, last_;
   std::shared_ptr<const SceneDocument> scene_;
@@ -109,7 +109,7 @@ class LiveScene {
   std::map<std::string, std::uint64_t> told_pictures_;  // numbers (SeenPicture)
   std::string state_, lines_;                           // that clients have
   std::vector<std::string> teams_;                      // of entities
-  std::vector<connect::Drawn> drawn_;                   // by robots
+  std::vector<drawing::Drawn> drawn_;                   // by robots
   std::uint64_t drawn_by_others_ = 0;                   // changes that clients have
   bool is_drawn_ = false;                               // anything
 };

@@ -1,8 +1,8 @@
-#include "murosimf/behavior/new_name.h"
+#include "murosimf/soccer/new_name.h"
 
 #include "murosimf/locomotion/gait_properties.h"
 
-namespace murosimf::behavior {
+namespace murosimf::soccer {
 
 // What it feels and sees is taken here: sensors::read_output(setup, "imu.gyroscope") (sensors/reading.h).
 NewName::NewName(Setup& setup, const NewNameOptions& options)
@@ -13,4 +13,4 @@ void NewName::initialize() { command_ = {}; }
 // Decides anew in every step. What it must remember is a property of its own (behavior_properties.h), not a member.
 void NewName::step(const Instant&) noexcept { command_ = options_.velocity; }
 
-}  // namespace murosimf::behavior
+}  // namespace murosimf::soccer

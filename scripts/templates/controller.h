@@ -9,7 +9,7 @@
 #include "murosimf/model/algorithm.h"
 #include "murosimf/model/setup.h"
 
-namespace murosimf::behavior {
+namespace murosimf::soccer {
 
 struct NewNameOptions {
   Vec3d velocity{0.1, 0, 0};  ///< [m/s, m/s, rad/s] half of what kid21 can walk forward
@@ -30,4 +30,4 @@ class NewName final : public Algorithm {
   Vec3d& command_;  // [m/s, m/s, rad/s]
 };
 
-}  // namespace murosimf::behavior
+}  // namespace murosimf::soccer

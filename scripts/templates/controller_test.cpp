@@ -1,12 +1,12 @@
 // The controller new_name: the way that a robot walks with it.
-#include "murosimf/behavior/new_name.h"
+#include "murosimf/soccer/new_name.h"
 
 #include <gtest/gtest.h>
 
 #include "murosimf/locomotion/gait_properties.h"
 #include "tests/physics/rig.h"
 
-namespace murosimf::behavior {
+namespace murosimf::soccer {
 namespace {
 
 /// kid21 with the controller, as scenes attach it.
@@ -39,4 +39,4 @@ TEST(NewName, WalksStraightOn) {
 }
 
 }  // namespace
-}  // namespace murosimf::behavior
+}  // namespace murosimf::soccer

@@ -9,7 +9,7 @@
 #include "tests/fixtures.h"
 #include "tests/temp_folder.h"
 
-namespace murosimf::formats::new_name {
+namespace murosimf::robot_formats::new_name {
 namespace {
 
 std::filesystem::path written(const std::string& text) {
@@ -36,4 +36,4 @@ TEST(NewNameReader, MistakesAreOneLineThatSaysWhere) {
 }
 
 }  // namespace
-}  // namespace murosimf::formats::new_name
+}  // namespace murosimf::robot_formats::new_name

@@ -8,13 +8,13 @@
 #include "murosimf/model/properties.h"
 #include "murosimf/robot/robot_reader.h"
 #include "tests/fixtures.h"
-#include "tests/formats/urdf/urdf_files.h"
+#include "tests/robot_formats/urdf/urdf_files.h"
 #include "tests/robot_data.h"
 
 namespace murosimf::appearance {
 namespace {
 
-using formats::urdf::urdf_files::expect_near;
+using robot_formats::urdf::urdf_files::expect_near;
 
 struct Robot {
   explicit Robot(const std::filesystem::path& file)

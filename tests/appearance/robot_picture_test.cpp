@@ -18,8 +18,8 @@ struct Range {
 class RobotPicture : public testing::Test {
  protected:
   /// A box of 0.2 x 0.4 x 1 m (forward, left, up), red, with a blue one on its left side.
-  static description::RobotDescription block() {
-    description::BodyDescription body;
+  static robot_formats::RobotDescription block() {
+    robot_formats::BodyDescription body;
     body.name = "trunk";
     const auto add = [&](const Vec3d& half_size, const Vec3d& position, const Color& color) {
       body.shapes.emplace_back();
@@ -30,7 +30,7 @@ class RobotPicture : public testing::Test {
     };
     add({0.1, 0.2, 0.5}, {}, {0.9, 0.1, 0.1});
     add({0.02, 0.05, 0.02}, {0, 0.25, 0.3}, {0.1, 0.1, 0.9});
-    description::RobotDescription robot;
+    robot_formats::RobotDescription robot;
     robot.name = "block";
     robot.bodies.push_back(body);
     return robot;
@@ -116,7 +116,7 @@ TEST_F(RobotPicture, TheLeftIsOnTheRightOfWhoLooksFromTheFront) {
 }
 
 TEST(RobotPictures, OfNothingAreEmpty) {
-  description::RobotDescription nothing;
+  robot_formats::RobotDescription nothing;
   nothing.bodies.emplace_back();
   try {
     const imaging::ColorImage picture = robot_picture(nothing, 64, 48);

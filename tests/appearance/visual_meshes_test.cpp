@@ -6,7 +6,7 @@
 #include "murosimf/model/properties.h"
 #include "murosimf/robot/robot_reader.h"
 #include "tests/fixtures.h"
-#include "tests/formats/urdf/urdf_files.h"
+#include "tests/robot_formats/urdf/urdf_files.h"
 #include "tests/robot_data.h"
 
 namespace murosimf::appearance {
@@ -14,8 +14,8 @@ namespace {
 
 using fixtures::error_of;
 using fixtures::says;
-using formats::urdf::urdf_files::expect_near;
-using formats::urdf::urdf_files::write;
+using robot_formats::urdf::urdf_files::expect_near;
+using robot_formats::urdf::urdf_files::write;
 
 /// A base and an arm at a hinge; `assets` in line 1, `geoms` of the arm in line 3.
 robot::RobotFile read_arm(const std::string& assets, const std::string& geoms) {
@@ -38,7 +38,7 @@ geometry::TriangleMesh only_mesh(const robot::RobotFile& robot, const std::strin
 
 // Rule: scale * (R(refquat)^T (v - refpos)) in the geom's frame (MuJoCo's documentation, asset/mesh), worked out by hand.
 TEST(VisualMeshes, StandWhereTheMjcfFilePutsThem) {
-  write("t.obj", formats::urdf::urdf_files::tetrahedron());
+  write("t.obj", robot_formats::urdf::urdf_files::tetrahedron());
   const robot::RobotFile robot = read_arm(
       "<mesh name='t' file='t.obj' scale='2 3 4' refpos='1 0 0' refquat='0.7071067811865476 0 0 0.7071067811865476'/>",
       "<geom mesh='t' pos='0.1 0.2 0.3' euler='90 0 0' rgba='0.1 0.2 0.3 1'" + silent + "/>");
@@ -56,12 +56,12 @@ TEST(VisualMeshes, StandWhereTheMjcfFilePutsThem) {
 }
 
 TEST(VisualMeshes, OfWeldedLinksBelongToWhatTheyAreWeldedTo) {
-  using namespace formats::urdf::urdf_files;
+  using namespace robot_formats::urdf::urdf_files;
   write("t.obj", tetrahedron());
   const std::string mesh = "<mesh filename='t.obj' scale='0.1 0.1 0.1'/>";
   const auto file =
       write("robot.urdf",
-            formats::urdf::urdf_files::robot_xml(
+            robot_formats::urdf::urdf_files::robot_xml(
                 link("arm", solid()) + joint("revolute", "base", "arm", any_limit, "elbow") +
                 link("hand", visual(mesh)) +
                 joint("fixed", "arm", "hand", "<origin xyz='1 2 3' rpy='0 0 1.5707963267948966'/>", "wrist")));
@@ -73,7 +73,7 @@ TEST(VisualMeshes, OfWeldedLinksBelongToWhatTheyAreWeldedTo) {
 }
 
 TEST(VisualMeshes, MirroredOnesStayOutsideOut) {
-  write("t.obj", formats::urdf::urdf_files::tetrahedron());
+  write("t.obj", robot_formats::urdf::urdf_files::tetrahedron());
   const auto mesh =
       only_mesh(read_arm("<mesh name='t' file='t.obj' scale='1 -1 1'/>", "<geom mesh='t'" + silent + "/>"), "arm");
   double volume = 0;
@@ -85,12 +85,12 @@ TEST(VisualMeshes, MirroredOnesStayOutsideOut) {
 
 TEST(VisualMeshes, NameTheFileThatCannotBeRead) {
   EXPECT_TRUE(says(error_of([] { (void)visual_triangles({.file = "/no/such/mesh.stl"}); }), {"/no/such/mesh.stl"}));
-  const auto file = write("t.obj", formats::urdf::urdf_files::tetrahedron()).string();
+  const auto file = write("t.obj", robot_formats::urdf::urdf_files::tetrahedron()).string();
   EXPECT_TRUE(says(error_of([&] { (void)visual_triangles({.file = file, .scale = {1, 0, 1}}); }), {"t.obj", "scale"}));
 }
 
 TEST(Appearance, AreMeshesForTheEyeInsteadOfWhatCollides) {
-  write("t.obj", formats::urdf::urdf_files::tetrahedron());
+  write("t.obj", robot_formats::urdf::urdf_files::tetrahedron());
   const std::string ball = "<geom type='sphere' size='0.1'/>";
   const std::string eye = "<geom type='box' size='1 1 1' contype='0' conaffinity='0'/>";
   const std::string mesh = "<mesh name='t' file='t.obj'/>";
@@ -104,7 +104,7 @@ TEST(Appearance, AreMeshesForTheEyeInsteadOfWhatCollides) {
 }
 
 TEST(Appearance, HaveConvexPolyhedraAmongTheMeshes) {
-  write("t.obj", formats::urdf::urdf_files::tetrahedron());
+  write("t.obj", robot_formats::urdf::urdf_files::tetrahedron());
   const robot::RobotFile robot = read_arm("<mesh name='t' file='t.obj'/>", "<geom type='mesh' mesh='t' pos='0 0 5'/>");
   const Appearance appearance = appearance_of(*robot.model);
   ASSERT_EQ(appearance.meshes.size(), 1U);

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "murosimf/check/robot_checks.h"
+#include "murosimf/robot/robot_checks.h"
 #include "murosimf/components/sensor_sections.h"
 #include "murosimf/files/data_path.h"
 #include "murosimf/math/scalar.h"
@@ -14,7 +14,7 @@ namespace murosimf::components {
 namespace {
 
 using namespace robot::sensor_files;
-using formats::urdf::urdf_files::contains;
+using robot_formats::urdf::urdf_files::contains;
 using sensors::SensorSpec;
 
 TEST(SensorTable, ReadsAllThatASensorMayHave) {
@@ -60,7 +60,7 @@ TEST(SensorTable, KeysOfTheSensorWinOverThoseOfItsPart) {
   EXPECT_EQ(a.signal("orientation").noise, 0.1);
   EXPECT_EQ(a.signal("orientation").noise_density, 0);
   EXPECT_EQ(sensor_of(robot, "b").signal("gyroscope").bits, 12);
-  EXPECT_TRUE(check::examine_sensors(robot).empty()) << "a gyroscope need not have the other outputs of its part";
+  EXPECT_TRUE(robot::examine_sensors(robot).empty()) << "a gyroscope need not have the other outputs of its part";
 }
 
 TEST(SensorTable, ATableWithoutTypeChangesTheSensorOfTheFile) {
@@ -111,7 +111,7 @@ TEST_P(Part, MakesASensorThatRuns) {
   table.values["part"] = {GetParam(), "here"};
   table.values["frame"] = {std::string("l_sole"), "here"};
   change_sensors(robot.sensors, {table}, {});
-  for (const check::Finding& finding : check::examine_sensors(robot)) ADD_FAILURE() << check::to_line(finding);
+  for (const robot::Finding& finding : robot::examine_sensors(robot)) ADD_FAILURE() << robot::to_line(finding);
   EXPECT_EQ(robot.sensors.at(0).part, GetParam());
   EXPECT_FALSE(robot.sensors.at(0).signals.empty() && robot.sensors.at(0).numbers.empty());
 }
@@ -142,7 +142,7 @@ TEST_P(SensorMistake, IsOneLineThatSaysWhere) {
   std::string what = "no error";
   try {
     const robot::RobotFile robot = read_with(mistake.text);
-    for (const check::Finding& finding : check::examine_sensors(robot))
+    for (const robot::Finding& finding : robot::examine_sensors(robot))
       what = finding.where + ": " + finding.what + "; " + finding.advice;
   } catch (const SetupError& error) {
     what = error.what();

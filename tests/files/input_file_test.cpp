@@ -11,8 +11,8 @@
 #include "murosimf/components/camera_info.h"
 #include "murosimf/files/csv_file.h"
 #include "murosimf/files/xml_element.h"
-#include "murosimf/formats/mesh/mesh_file.h"
-#include "murosimf/formats/servo_log/servo_log_reader.h"
+#include "murosimf/robot_formats/mesh/mesh_file.h"
+#include "murosimf/identification/servo_log_reader.h"
 #include "murosimf/model/error.h"
 #include "murosimf/robot/robot_config.h"
 #include "tests/fixtures.h"
@@ -65,11 +65,11 @@ TEST_F(InputFile, IsTheOnlyKindThatAnyReaderOpens) {
   const std::vector<std::pair<std::string, std::function<void(const fs::path&)>>> readers{
       {".toml", [](const fs::path& file) { (void)robot::read_robot_config(file); }},
       {".xml", [](const fs::path& file) { (void)XmlFile(file); }},
-      {".json", [](const fs::path& file) { (void)formats::servo_log::read_servo_logs({file.string()}); }},
+      {".json", [](const fs::path& file) { (void)identification::read_servo_logs({file.string()}); }},
       {".csv", [](const fs::path& file) { (void)read_csv(file); }},
-      {".stl", [](const fs::path& file) { (void)formats::mesh::read_mesh_file(file); }},
-      {".obj", [](const fs::path& file) { (void)formats::mesh::read_mesh_file(file); }},
-      {".dae", [](const fs::path& file) { (void)formats::mesh::read_mesh_file(file); }},
+      {".stl", [](const fs::path& file) { (void)robot_formats::mesh::read_mesh_file(file); }},
+      {".obj", [](const fs::path& file) { (void)robot_formats::mesh::read_mesh_file(file); }},
+      {".dae", [](const fs::path& file) { (void)robot_formats::mesh::read_mesh_file(file); }},
       {".yaml", [](const fs::path& file) { (void)components::read_camera_info(file); }}};
   for (const auto& [extension, read] : readers) {
     const fs::path fifo = pipe("pipe" + extension);

@@ -1,5 +1,5 @@
 // Which servo moves which joint.
-#include "murosimf/connect/serial/bus_layout.h"
+#include "murosimf/serial/bus_layout.h"
 #include "murosimf/model/properties.h"
 #include "tests/fuzz/fuzz.h"
 
@@ -12,10 +12,10 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
                                       .revolute("shoulder", {0, 1, 0})
                                       .revolute("elbow", {0, 1, 0}));
   fuzz::feed(data, size, ".csv", [](const auto& file) {
-    const auto places = connect::serial::read_layout(file, model, connect::dynamixel::Protocol::v2);
+    const auto places = serial::read_layout(file, model, serial::dynamixel::Protocol::v2);
     if (places.empty() || places.size() > 2) std::abort();
-    for (const connect::serial::ServoPlace& place : places) {
-      if (place.joint > 1 || place.id >= connect::serial::first_no_id || !place.table) std::abort();
+    for (const serial::ServoPlace& place : places) {
+      if (place.joint > 1 || place.id >= serial::first_no_id || !place.table) std::abort();
     }
   });
   return 0;

@@ -1,14 +1,14 @@
 // Control tables of users: whatever is taken has a servo that starts, answers and goes on.
 #include <memory>
 
-#include "murosimf/connect/dynamixel/bus.h"
-#include "murosimf/connect/dynamixel/control_table_file.h"
-#include "murosimf/connect/dynamixel/servo_device.h"
+#include "murosimf/serial/dynamixel/bus.h"
+#include "murosimf/serial/dynamixel/control_table_file.h"
+#include "murosimf/serial/dynamixel/servo_device.h"
 #include "tests/fuzz/fuzz.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace murosimf;
-  using namespace murosimf::connect::dynamixel;
+  using namespace murosimf::serial::dynamixel;
   fuzz::feed(data, size, ".toml", [](const auto& file) {
     const ControlTable table = read_control_table(file);
     Bus bus;

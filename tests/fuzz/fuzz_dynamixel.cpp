@@ -1,12 +1,12 @@
 // Bytes on a serial line. The first byte says into how large pieces they fall.
 #include <algorithm>
 
-#include "murosimf/connect/dynamixel/packet_parser.h"
+#include "murosimf/serial/dynamixel/packet_parser.h"
 #include "tests/fuzz/fuzz.h"
 
 namespace {
 
-using namespace murosimf::connect::dynamixel;
+using namespace murosimf::serial::dynamixel;
 
 /// What was found is a packet again when it is sent.
 void check(const Packet& packet) {

@@ -1,11 +1,11 @@
 // What programs draw for RoboViz, from anywhere in a network: two packets one after the other.
-#include "murosimf/connect/roboviz_drawings.h"
+#include "murosimf/drawing/roboviz_drawings.h"
 #include "tests/fuzz/fuzz.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace murosimf::connect;
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  RobovizDrawings drawings;
+  drawing::RobovizDrawings drawings;
   (void)drawings.take(bytes.substr(0, size / 2));
   (void)drawings.take(bytes.substr(size / 2));
   (void)drawings.take(bytes);
@@ -13,6 +13,6 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   for (const murosimf::DrawnGroup& group : drawings.shown().groups) {
     for (const murosimf::DrawnShape& shape : group.shapes) points += shape.points.size();
   }
-  if (points > RobovizDrawings::most_in_all) std::abort();
+  if (points > drawing::RobovizDrawings::most_in_all) std::abort();
   return 0;
 }

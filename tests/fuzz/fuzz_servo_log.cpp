@@ -1,9 +1,9 @@
 // Recordings of a servo, JSON.
-#include "murosimf/formats/servo_log/servo_log_reader.h"
+#include "murosimf/identification/servo_log_reader.h"
 #include "tests/fuzz/fuzz.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace murosimf;
-  fuzz::feed(data, size, ".json", [](const auto& file) { (void)formats::servo_log::read_servo_log(file); });
+  fuzz::feed(data, size, ".json", [](const auto& file) { (void)identification::read_servo_log(file); });
   return 0;
 }

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/description/mass_properties.h"
+#include "murosimf/robot_formats/mass_properties.h"
 #include "murosimf/geometry/hull.h"
 #include "murosimf/geometry/mesh_mass.h"
 #include "tests/fixtures.h"
@@ -87,7 +87,7 @@ TEST(PrimitiveFit, RoundShapesFindThemselves) {
     const FittedPrimitive fitted = fit_primitive(hull.hull, PrimitiveKind::best);
     ASSERT_STREQ(shape_name(fitted.shape), shape_name(shape));
     EXPECT_LT(difference(hull.middle + fitted.position, shift), 1e-3);
-    EXPECT_NEAR(description::volume(fitted.shape) / description::volume(shape), 1, 0.01) << "samples cut corners";
+    EXPECT_NEAR(robot_formats::volume(fitted.shape) / robot_formats::volume(shape), 1, 0.01) << "samples cut corners";
     EXPECT_NEAR(bounding_radius(fitted.shape) / bounding_radius(shape), 1, 0.01);
     if (std::holds_alternative<Sphere>(shape)) continue;
     EXPECT_NEAR(std::fabs(dot(fitted.orientation.z, turn.z)), 1, 1e-4);
@@ -106,7 +106,7 @@ TEST(PrimitiveFit, VolumeAndCenterAreThoseOfTheHull) {
     const SolidMass solid = solid_mass(hull);
     for (const PrimitiveKind kind : all_kinds) {
       const FittedPrimitive fitted = fit_primitive(hull, kind);
-      EXPECT_NEAR(description::volume(fitted.shape) / solid.volume, 1, 1e-9) << shape_name(fitted.shape);
+      EXPECT_NEAR(robot_formats::volume(fitted.shape) / solid.volume, 1, 1e-9) << shape_name(fitted.shape);
       EXPECT_LT(difference(fitted.position, solid.center), 1e-12);
     }
   }

@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "murosimf/formats/servo_log/fitted_servo.h"
-#include "murosimf/formats/servo_log/servo_log_reader.h"
+#include "murosimf/identification/fitted_servo.h"
+#include "murosimf/identification/servo_log_reader.h"
 #include "murosimf/identification/bench_logs.h"
 #include "murosimf/identification/bench_servo.h"
 #include "tests/law.h"
@@ -27,13 +27,13 @@ class Recordings : public testing::Test {
     if (!fs::is_directory(data / "servo-xl330")) {
       GTEST_SKIP() << "no recordings in " << data << "; MUROSIMF_TEST_DATA names another folder";
     }
-    logs_ = formats::servo_log::read_servo_logs({(data / "servo-xl330").string()});
+    logs_ = identification::read_servo_logs({(data / "servo-xl330").string()});
     ASSERT_EQ(logs_.size(), 8U);
   }
 
   /// [rad] mean of the recordings.
   [[nodiscard]] double error_of(const std::string& type, double step = 1e-3) const {
-    const formats::servo_log::FittedServo fitted = formats::servo_log::read_fitted_servo(type);
+    const identification::FittedServo fitted = identification::read_fitted_servo(type);
     std::vector<Piece> pieces;
     for (const ServoLog& log : logs_) pieces.push_back(whole(log));
     BenchLogs bench(pieces, duty_per_gain(fitted.servo), step);

@@ -119,7 +119,7 @@ TEST(League, IsRepeatedFromARecording) {
   fixtures::RepeatableRun run{.scene = scene.string(),
                               .time = 7s,
                               .how = {.cameras = false,
-                                      .outside = {.notes = std::make_shared<connect::OutsideNotes>()}}};
+                                      .outside = {.notes = std::make_shared<OutsideNotes>()}}};
   run.options.state_period = 2s;
   std::optional<League> game;
   run.when_built = [&](scene::Scene& scene) {

@@ -10,7 +10,7 @@
 #include "murosimf/multibody/kinematics.h"
 #include "murosimf/robot/robot_reader.h"
 #include "tests/biped_urdf.h"
-#include "tests/formats/urdf/urdf_files.h"
+#include "tests/robot_formats/urdf/urdf_files.h"
 #include "tests/law.h"
 #include "tests/physics/rig.h"
 
@@ -18,7 +18,7 @@ namespace murosimf::locomotion {
 namespace {
 
 ModelPtr biped(const fixtures::Biped& biped) {
-  return robot::read_robot(formats::urdf::urdf_files::write("biped.urdf", fixtures::biped_urdf(biped))).model;
+  return robot::read_robot(robot_formats::urdf::urdf_files::write("biped.urdf", fixtures::biped_urdf(biped))).model;
 }
 
 /// [m] along x, with both feet down: the center of mass and the left sole from the left ankle.

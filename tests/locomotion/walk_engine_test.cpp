@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/behavior/ball_chaser.h"
+#include "murosimf/soccer/ball_chaser.h"
 #include "murosimf/locomotion/gait_properties.h"
 #include "tests/law.h"
 #include "tests/physics/rig.h"
@@ -109,7 +109,7 @@ double chase(const Vec3d& start, double heading, const Vec3d& ball_place) {
   const std::vector<Entity*> everybody{&robot, &ball};
   rig.simulation.attach<sensors::GroundTruth>("ground_truth", robot, 20, sensors::SensorSpec{.name = "ground_truth"},
                                               sensors::SensorSurroundings{.moving_entities = everybody});
-  rig.simulation.attach<behavior::BallChaser>("ball_chaser", robot, 20, behavior::BallChaserOptions{.goal = {3, 0, 0}});
+  rig.simulation.attach<soccer::BallChaser>("ball_chaser", robot, 20, soccer::BallChaserOptions{.goal = {3, 0, 0}});
   rig.simulation.attach<WalkEngine>("walk_engine", robot, 100);
   rig.materials.set("ball", "", {.friction = 0.5, .rolling = 0.03, .restitution = 0.5});
   rig.attach_together({{&robot, {.level = "kinematic_walking"}}, {&ball, {}}});

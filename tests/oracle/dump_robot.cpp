@@ -44,16 +44,16 @@ int object_of(const Model& model, const std::string& name, const std::string& ki
 
 std::vector<Named> frames_of(const robot::RobotFile& robot) {
   std::vector<Named> frames;
-  for (const description::BodyDescription& body : robot.description.bodies) {
+  for (const robot_formats::BodyDescription& body : robot.description.bodies) {
     frames.push_back({body.name, object_of(*robot.model, body.name, "body")});
-    for (const description::FrameDescription& frame : body.frames) {
+    for (const robot_formats::FrameDescription& frame : body.frames) {
       frames.push_back({frame.name, object_of(*robot.model, frame.name, frame.kind)});
     }
   }
   return frames;
 }
 
-std::string body_json(const description::BodyDescription& body) {
+std::string body_json(const robot_formats::BodyDescription& body) {
   const SymMat3d& I = body.solid.inertia;
   return fmt::format(
       "\"{}\": {{\"mass\": {:.17g}, \"center\": {}, \"inertia\": [{:.17g}, {:.17g}, {:.17g}, {:.17g}, {:.17g}, "
@@ -61,7 +61,7 @@ std::string body_json(const description::BodyDescription& body) {
       body.name, body.solid.mass, list(body.solid.center), I.xx, I.yy, I.zz, I.xy, I.xz, I.yz);
 }
 
-std::string joint_json(const description::JointDescription& joint) {
+std::string joint_json(const robot_formats::JointDescription& joint) {
   const std::string range = joint.range ? fmt::format("[{:.17g}, {:.17g}]", joint.range->x, joint.range->y) : "null";
   return fmt::format("\"{}\": {{\"axis\": {}, \"range\": {}}}", joint.name, list(joint.axis), range);
 }
@@ -91,9 +91,9 @@ void dump(const std::string& file, int states) {
   const auto frames = frames_of(robot);
   const RandomStream random(1, "robots_against_mujoco");
   std::vector<std::string> bodies, joints, all;
-  for (const description::BodyDescription& body : robot.description.bodies) {
+  for (const robot_formats::BodyDescription& body : robot.description.bodies) {
     bodies.push_back(body_json(body));
-    for (const description::JointDescription& joint : body.joints) joints.push_back(joint_json(joint));
+    for (const robot_formats::JointDescription& joint : body.joints) joints.push_back(joint_json(joint));
   }
   for (int i = 0; i < states; ++i) all.push_back(state_json(*robot.model, frames, random, i));
   fmt::print("{{\"total_mass\": {:.17g},\n\"bodies\": {{{}}},\n\"joints\": {{{}}},\n\"states\": [{}]}}\n",

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Robot files with macros, expanded by PyPI's xacro: as the tests of the reader have them, and from the command line.
 
-Usage: macros_by_xacro.py <murosimf> <test_formats_urdf>
+Usage: macros_by_xacro.py <murosimf> <test_robot_formats>
 Exit: 0 all right, 1 something is wrong, 77 xacro is not installed (test is skipped).
 """
 import importlib.util

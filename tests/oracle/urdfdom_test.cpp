@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <urdf_parser/urdf_parser.h>
 
-#include "murosimf/formats/urdf/urdf_reader.h"
+#include "murosimf/robot_formats/urdf/urdf_reader.h"
 #include "murosimf/math/random.h"
 #include "tests/oracle/random_urdf.h"
 #include "tests/robot_data.h"
@@ -40,8 +40,8 @@ double difference(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
   return (a.matrix() - b.matrix()).cwiseAbs().maxCoeff();
 }
 
-const description::BodyDescription& body_of(const description::RobotDescription& description, const std::string& name) {
-  for (const description::BodyDescription& body : description.bodies) {
+const robot_formats::BodyDescription& body_of(const robot_formats::RobotDescription& description, const std::string& name) {
+  for (const robot_formats::BodyDescription& body : description.bodies) {
     if (body.name == name) return body;
   }
   throw std::runtime_error("no body " + name);
@@ -49,12 +49,12 @@ const description::BodyDescription& body_of(const description::RobotDescription&
 
 bool moves(const urdf::Joint& joint) { return joint.type != urdf::Joint::FIXED; }
 
-void compare_joint(const description::BodyDescription& body, const urdf::Joint& joint) {
+void compare_joint(const robot_formats::BodyDescription& body, const urdf::Joint& joint) {
   SCOPED_TRACE(joint.name);
   EXPECT_LT(difference(to_eigen(body.place), to_eigen(joint.parent_to_joint_origin_transform)), rounding);
   ASSERT_EQ(body.joints.size(), moves(joint) ? 1u : 0u);
   if (!moves(joint)) return;
-  const description::JointDescription& ours = body.joints[0];
+  const robot_formats::JointDescription& ours = body.joints[0];
   EXPECT_EQ(ours.name, joint.name);
   EXPECT_EQ(ours.kind == Kind::prismatic, joint.type == urdf::Joint::PRISMATIC);
   EXPECT_LT((to_eigen(ours.axis) - to_eigen(joint.axis).normalized()).norm(), rounding);
@@ -69,7 +69,7 @@ void compare_joint(const description::BodyDescription& body, const urdf::Joint& 
   EXPECT_EQ(ours.friction, joint.dynamics ? joint.dynamics->friction : 0);
 }
 
-void compare_mass(const description::MassProperties& ours, const urdf::Link& link) {
+void compare_mass(const robot_formats::MassProperties& ours, const urdf::Link& link) {
   EXPECT_EQ(ours.mass, link.inertial ? link.inertial->mass : 0);
   if (!link.inertial) return;
   const urdf::Inertial& theirs = *link.inertial;
@@ -102,9 +102,9 @@ std::vector<double> sizes(const urdf::Geometry& geometry) {
   return {};
 }
 
-void compare_collisions(const description::BodyDescription& body, const urdf::Link& link) {
-  std::vector<const description::ShapeDescription*> ours;
-  for (const description::ShapeDescription& shape : body.shapes) {
+void compare_collisions(const robot_formats::BodyDescription& body, const urdf::Link& link) {
+  std::vector<const robot_formats::ShapeDescription*> ours;
+  for (const robot_formats::ShapeDescription& shape : body.shapes) {
     if (shape.placed.collides) ours.push_back(&shape);
   }
   ASSERT_EQ(ours.size(), link.collision_array.size());
@@ -135,14 +135,14 @@ void their_poses(const urdf::Link& link, const Eigen::Isometry3d& pose, const st
   }
 }
 
-std::vector<Eigen::Isometry3d> our_poses(const description::RobotDescription& description,
+std::vector<Eigen::Isometry3d> our_poses(const robot_formats::RobotDescription& description,
                                          const std::map<std::string, double>& q) {
   std::vector<Eigen::Isometry3d> all{Eigen::Isometry3d::Identity()};
   for (std::size_t i = 1; i < description.bodies.size(); ++i) {
-    const description::BodyDescription& body = description.bodies[i];
+    const robot_formats::BodyDescription& body = description.bodies[i];
     Vec3d shift = body.place.position;
     Mat3d turn = body.place.orientation;
-    for (const description::JointDescription& joint : body.joints) {
+    for (const robot_formats::JointDescription& joint : body.joints) {
       const double position = q.at(joint.name);
       if (joint.kind == Kind::prismatic) {
         shift += turn * (position * joint.axis);
@@ -155,7 +155,7 @@ std::vector<Eigen::Isometry3d> our_poses(const description::RobotDescription& de
   return all;
 }
 
-void compare_poses(const description::RobotDescription& description, const urdf::ModelInterface& theirs, int count) {
+void compare_poses(const robot_formats::RobotDescription& description, const urdf::ModelInterface& theirs, int count) {
   const RandomStream random(1, "urdfdom_test");
   std::uint64_t number = 0;
   double worst = 0;
@@ -175,13 +175,13 @@ void compare_poses(const description::RobotDescription& description, const urdf:
 void compare(const std::filesystem::path& file, int count) {
   const auto theirs = urdf::parseURDFFile(file.string());
   ASSERT_TRUE(theirs);
-  const description::RobotDescription description = formats::urdf::read_urdf(file);
+  const robot_formats::RobotDescription description = robot_formats::urdf::read_urdf(file);
   EXPECT_EQ(description.name, theirs->getName());
   ASSERT_EQ(description.bodies.size(), theirs->links_.size());
   EXPECT_EQ(description.bodies[0].name, theirs->getRoot()->name);
   for (const auto& [name, link] : theirs->links_) {
     SCOPED_TRACE(name);
-    const description::BodyDescription& body = body_of(description, name);
+    const robot_formats::BodyDescription& body = body_of(description, name);
     compare_mass(body.solid, *link);
     compare_collisions(body, *link);
     if (!link->parent_joint) continue;

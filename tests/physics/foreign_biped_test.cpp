@@ -3,7 +3,7 @@
 
 #include "murosimf/robot/robot_reader.h"
 #include "tests/biped_urdf.h"
-#include "tests/formats/urdf/urdf_files.h"
+#include "tests/robot_formats/urdf/urdf_files.h"
 #include "tests/physics/stand.h"
 #include "tests/physics/walk.h"
 
@@ -21,7 +21,7 @@ TEST_P(ForeignBiped, StandsAndWalksWhateverItsSizeAndAnkles) {
       if (size < 1 && ankle < 60 && GetParam() == "articulated_dynamics") continue;
       const ModelPtr model =
           robot::read_robot(
-              formats::urdf::urdf_files::write("biped.urdf", fixtures::biped_urdf({.size = size, .ankle = ankle})))
+              robot_formats::urdf::urdf_files::write("biped.urdf", fixtures::biped_urdf({.size = size, .ankle = ankle})))
               .model;
       stray.see(stand_still(model, GetParam()).leaned, "size", size, "ankle", ankle);
       const Walk result =

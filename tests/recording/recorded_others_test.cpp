@@ -19,8 +19,8 @@ using namespace recording;
 using namespace std::chrono_literals;
 
 /// As an agent of the league sends it: a circle for all, a text at the third robot of the team on the right.
-connect::DrawnByOthers plan() {
-  connect::DrawnByOthers drawn;
+drawing::DrawnByOthers plan() {
+  drawing::DrawnByOthers drawn;
   drawn.groups.push_back({.name = "blue.1.way"});
   drawn.groups.back().shapes.push_back({.kind = DrawnShape::circle, .points = {{1.0 / 3, 2, 0.005}}, .size = 0.5});
   drawn.notes.push_back({.team = 1, .number = 2, .color = {1, 0.5, 0}, .text = "mark him"});
@@ -34,7 +34,7 @@ struct Recorded {
 /// The plan is there from 100 ms on, is drawn again at 200 ms, and goes at 300 ms. Its length is `time`; `board` false: nobody draws.
 Recorded record(const std::string& name, Duration time, bool board = true, RecorderOptions options = {}) {
   scene::Scene scene("three_on_three", {.cameras = false});
-  connect::PinnedDrawings drawings;
+  drawing::PinnedDrawings drawings;
   options.file = fixtures::temp_folder() / name;
   if (board) options.others = &drawings;
   const bool asked = !options.record_on.empty();
@@ -72,7 +72,7 @@ TEST(RecordedOthers, AreReadBackAsTheyWereAtATime) {
   OthersThen then(scene.simulation().world());
   EXPECT_FALSE(then.take(drawings.news(90ms)));
   EXPECT_TRUE(then.take(drawings.news(150ms)));
-  const connect::DrawnByOthers drawn = then.shown();
+  const drawing::DrawnByOthers drawn = then.shown();
   EXPECT_EQ(drawn.groups, plan().groups);
   ASSERT_EQ(drawn.notes.size(), 1U);
   EXPECT_EQ(drawn.notes[0].team, 1);
@@ -118,7 +118,7 @@ TEST(OthersWatch, SaysAllAgainAlsoOfWhatIsThereNoMore) {
   RecordedFrame none, first, again;
   watch.take({}, none);
   EXPECT_TRUE(none.drawings.empty());
-  connect::DrawnByOthers drawn = plan();
+  drawing::DrawnByOthers drawn = plan();
   drawn.changes = 1;
   watch.take(drawn, first);
   ASSERT_EQ(first.drawings.size(), 2U);

@@ -1,7 +1,7 @@
 // Cameras of robot files: their lenses, where they look, and what conversion makes of them.
 #include <cmath>
 
-#include "murosimf/check/robot_checks.h"
+#include "murosimf/robot/robot_checks.h"
 #include "murosimf/multibody/kinematics.h"
 #include "murosimf/robot/robot_conversion.h"
 #include "murosimf/robot/robot_sensors.h"
@@ -14,9 +14,9 @@ namespace {
 using namespace sensor_files;
 using fixtures::error_of;
 using fixtures::says;
-using formats::urdf::urdf_files::any_contains;
-using formats::urdf::urdf_files::contains;
-using formats::urdf::urdf_files::expect_near;
+using robot_formats::urdf::urdf_files::any_contains;
+using robot_formats::urdf::urdf_files::contains;
+using robot_formats::urdf::urdf_files::expect_near;
 using sensors::SensorSpec;
 
 using Numbers = std::map<std::string, double>;
@@ -86,7 +86,7 @@ TEST(MjcfCameras, ImpossibleOnesAreRefused) {
 
 /// Direction in the base's frame in which the description's sensor `number` has its axes.
 Mat3d axes_in_base(const RobotFile& robot, std::size_t number) {
-  const description::SensorDescription& sensor = robot.description.sensors.at(number);
+  const robot_formats::SensorDescription& sensor = robot.description.sensors.at(number);
   const Model& model = *robot.model;
   std::vector<Vec3d> r(model.size());
   std::vector<Mat3d> R(model.size());
@@ -123,8 +123,8 @@ TEST(MjcfCameras, ThatAreNotFixedAreNotes) {
 }
 
 std::string urdf_camera(const std::string& inside, const std::string& outside = "") {
-  using namespace formats::urdf::urdf_files;
-  return formats::urdf::urdf_files::robot_xml(link("head", solid()) +
+  using namespace robot_formats::urdf::urdf_files;
+  return robot_formats::urdf::urdf_files::robot_xml(link("head", solid()) +
                                               joint("revolute", "base", "head", any_limit, "neck") +
                                               "<gazebo reference='head'><sensor name='eye' type='camera'>" + outside +
                                               "<camera>" + inside + "</camera></sensor></gazebo>");
@@ -173,7 +173,7 @@ TEST(CamerasOfFiles, BecomeSensors) {
   EXPECT_EQ(other.frame, "base");
   EXPECT_EQ(other.position.z, 0.3);
   EXPECT_TRUE(any_contains(robot.notes, "assumed: 25 pictures per second"));
-  for (const check::Finding& finding : check::examine_sensors(robot)) ADD_FAILURE() << check::to_line(finding);
+  for (const robot::Finding& finding : robot::examine_sensors(robot)) ADD_FAILURE() << robot::to_line(finding);
 }
 
 TEST(CamerasOfFiles, HaveRatesThatStepsAllow) {
@@ -205,7 +205,7 @@ TEST(ConvertedCameras, OfMjcfAreElementsAgain) {
   const RobotFile before = read_robot(file), after = converted(file, text);
   ASSERT_EQ(after.description.sensors.size(), 2U) << text;
   for (std::size_t i = 0; i < 2; ++i) {
-    const description::SensorDescription &camera = after.description.sensors[i], &same = before.description.sensors[i];
+    const robot_formats::SensorDescription &camera = after.description.sensors[i], &same = before.description.sensors[i];
     EXPECT_EQ(camera.name, same.name);
     ASSERT_EQ(camera.numbers.size(), same.numbers.size());
     for (const auto& [key, number] : same.numbers) EXPECT_NEAR(camera.numbers.at(key), number, 1e-9) << key;
@@ -222,7 +222,7 @@ TEST(ConvertedCameras, OfUrdfAndWithoutNameAreInTheTomlFile) {
     std::string text;
     const RobotFile before = read_robot(file), after = converted(file, text);
     ASSERT_EQ(after.sensors.size(), 1U);
-    for (const check::Finding& finding : check::examine_sensors(after)) ADD_FAILURE() << check::to_line(finding);
+    for (const robot::Finding& finding : robot::examine_sensors(after)) ADD_FAILURE() << robot::to_line(finding);
     const SensorSpec &spec = after.sensors[0], &same = before.sensors.at(0);
     EXPECT_EQ(spec.name, same.name);
     EXPECT_EQ(spec.type, "camera");

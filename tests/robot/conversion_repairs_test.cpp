@@ -5,12 +5,12 @@
 
 #include "murosimf/robot/robot_conversion.h"
 #include "murosimf/robot/robot_reader.h"
-#include "tests/formats/urdf/urdf_files.h"
+#include "tests/robot_formats/urdf/urdf_files.h"
 
 namespace murosimf::robot {
 namespace {
 
-using namespace formats::urdf::urdf_files;
+using namespace robot_formats::urdf::urdf_files;
 
 /// Converted, written and read.
 RobotFile again(const std::filesystem::path& file, WrittenFormat format) {
@@ -43,7 +43,7 @@ std::string with_repairs() {
 void expect_same_solids(const RobotFile& found, const RobotFile& expected) {
   ASSERT_EQ(found.description.bodies.size(), expected.description.bodies.size());
   for (std::size_t i = 0; i < expected.description.bodies.size(); ++i) {
-    const description::BodyDescription &is = found.description.bodies[i], &was = expected.description.bodies[i];
+    const robot_formats::BodyDescription &is = found.description.bodies[i], &was = expected.description.bodies[i];
     const SymMat3d &I = is.solid.inertia, &J = was.solid.inertia;
     ASSERT_EQ(is.name, was.name);
     EXPECT_NEAR(is.solid.mass, was.solid.mass, 1e-12) << is.name;

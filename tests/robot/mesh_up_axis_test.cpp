@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 
 #include "murosimf/robot/robot_reader.h"
-#include "tests/formats/urdf/urdf_files.h"
+#include "tests/robot_formats/urdf/urdf_files.h"
 
 namespace murosimf::robot {
 namespace {
 
-using namespace formats::urdf::urdf_files;
+using namespace robot_formats::urdf::urdf_files;
 
 /// A tetrahedron about a point, as a COLLADA file; the middle of its box and its center are that point.
 std::string dae(const Vec3d& c, const std::string& up) {
@@ -28,7 +28,7 @@ std::string dae(const Vec3d& c, const std::string& up) {
 }
 
 /// Two feet with the same mesh, each in its joint.
-description::RobotDescription with_feet(const Vec3d& middle, const std::string& up = "<up_axis>Y_UP</up_axis>",
+robot_formats::RobotDescription with_feet(const Vec3d& middle, const std::string& up = "<up_axis>Y_UP</up_axis>",
                                         const std::string& scale = "1 1 1") {
   write("foot.dae", dae(middle, up));
   const std::string mesh = "<geometry><mesh filename='foot.dae' scale='" + scale + "'/></geometry>";
@@ -41,7 +41,7 @@ description::RobotDescription with_feet(const Vec3d& middle, const std::string& 
   return read_robot(file, {.guess = false}).description;
 }
 
-Vec3d middle_of(const description::RobotDescription& robot) { return robot.bodies.at(1).shapes.at(0).placed.position; }
+Vec3d middle_of(const robot_formats::RobotDescription& robot) { return robot.bodies.at(1).shapes.at(0).placed.position; }
 
 // as written both feet are 5 cm to the left of their joints; turned they are 5 cm above
 TEST(MeshUpAxis, CountsWhereLeftAndRightAreMirrorImagesOnlyThen) {

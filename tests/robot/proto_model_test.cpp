@@ -2,14 +2,14 @@
 #include "murosimf/model/properties.h"
 #include "murosimf/robot/robot_reader.h"
 #include "murosimf/scene/scene.h"
-#include "tests/formats/proto/proto_files.h"
+#include "tests/robot_formats/proto/proto_files.h"
 #include "tests/robot/same_model.h"
 
 namespace murosimf::robot {
 namespace {
 
-using formats::proto::proto_files::expect_near;
-using formats::proto::proto_files::write;
+using robot_formats::proto::proto_files::expect_near;
+using robot_formats::proto::proto_files::write;
 
 const std::string urdf = R"(<robot name='Mine'>
   <link name='mine'><inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1'/></inertial></link>
@@ -38,7 +38,7 @@ const std::string children = R"(HingeJoint {
 })";
 
 std::string text() {
-  std::string all = formats::proto::proto_files::robot(children);
+  std::string all = robot_formats::proto::proto_files::robot(children);
   return all.replace(all.find("name IS name"), 12, "name IS name selfCollision TRUE");
 }
 

@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "murosimf/robot/robot_reader.h"
-#include "tests/formats/urdf/urdf_files.h"
+#include "tests/robot_formats/urdf/urdf_files.h"
 
 namespace murosimf::robot {
 namespace {
 
-using namespace formats::urdf::urdf_files;
+using namespace robot_formats::urdf::urdf_files;
 
 /// As all of a robot is read, its fixed joints welded.
 RobotFile read_whole(const std::string& text) { return read_robot(write("robot.urdf", text)); }
@@ -29,7 +29,7 @@ RobotFile with_limb(const std::string& inside, const std::string& type = "contin
 
 TEST(SolidRepair, MakesASphereOfWaterOfAPoint) {
   const auto robot = with_limb(inertial("0.5", zero));
-  const description::MassProperties& solid = robot.description.bodies.at(1).solid;
+  const robot_formats::MassProperties& solid = robot.description.bodies.at(1).solid;
   const double radius = std::cbrt(0.5 / 1000 / (4.0 / 3 * std::acos(-1)));
   EXPECT_EQ(solid.mass, 0.5);
   EXPECT_NEAR(solid.inertia.xx, 2.0 / 5 * 0.5 * radius * radius, 1e-12);

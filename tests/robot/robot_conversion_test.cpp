@@ -9,11 +9,11 @@
 #include <fmt/format.h>
 
 #include "murosimf/collision/contact_properties.h"
-#include "murosimf/formats/mjcf/mjcf_writer.h"
+#include "murosimf/robot_formats/mjcf/mjcf_writer.h"
 #include "murosimf/geometry/mesh_mass.h"
 #include "murosimf/robot/robot_config.h"
 #include "murosimf/robot/robot_reader.h"
-#include "tests/formats/urdf/urdf_files.h"
+#include "tests/robot_formats/urdf/urdf_files.h"
 #include "tests/robot/same_model.h"
 #include "tests/robot_data.h"
 
@@ -21,8 +21,8 @@ namespace murosimf::robot {
 namespace {
 
 namespace fs = std::filesystem;
-using formats::urdf::urdf_files::test_folder;
-using formats::urdf::urdf_files::write;
+using robot_formats::urdf::urdf_files::test_folder;
+using robot_formats::urdf::urdf_files::write;
 using same_model::expect_same;
 
 fs::path own_model(const std::string& name) { return fs::path(MUROSIMF_SOURCE_DIR) / "models" / (name + ".xml"); }
@@ -127,7 +127,7 @@ std::string all_of_urdf() {
 }
 
 fs::path write_all_of_urdf() {
-  write("tetra.obj", formats::urdf::urdf_files::tetrahedron());
+  write("tetra.obj", robot_formats::urdf::urdf_files::tetrahedron());
   return write("robot.urdf", all_of_urdf());
 }
 
@@ -144,11 +144,11 @@ TEST(RobotConversion, AUrdfRobotComesBackAsItWas) {
 TEST(RobotConversion, LumpedDescriptionsAreWrittenToo) {
   const RobotFile before = read_robot(write_all_of_urdf());
   std::string rates = "[rate_limits]\n";  // MJCF has no word for them
-  for (const description::BodyDescription& body : before.description.bodies) {
+  for (const robot_formats::BodyDescription& body : before.description.bodies) {
     for (const auto& joint : body.joints) rates += fmt::format("\"{}\" = {}\n", joint.name, joint.rate_limit);
   }
   write("welded.toml", rates);
-  const RobotFile after = read_robot(write("welded.xml", formats::mjcf::to_mjcf(before.description, {test_folder()})));
+  const RobotFile after = read_robot(write("welded.xml", robot_formats::mjcf::to_mjcf(before.description, {test_folder()})));
   expect_same(*after.model, *before.model);
 }
 
@@ -221,7 +221,7 @@ TEST(RobotConversion, FittedMeshesKeepVolumeMassAndNames) {
   EXPECT_EQ(is[2].name, "m2.2");
   for (std::size_t i = 1; i < is.size(); ++i) {
     EXPECT_TRUE(std::holds_alternative<Box>(is[i].placed.shape));
-    EXPECT_NEAR(description::volume(is[i].placed.shape) / description::volume(was[i].placed.shape), 1, 1e-9);
+    EXPECT_NEAR(robot_formats::volume(is[i].placed.shape) / robot_formats::volume(was[i].placed.shape), 1, 1e-9);
     const auto& hull = *std::get<Convex>(was[i].placed.shape).hull;
     const Vec3d center = was[i].placed.position + was[i].placed.orientation * geometry::solid_mass(hull).center;
     EXPECT_LT(fixtures::difference(is[i].placed.position, center), 1e-12);
@@ -320,7 +320,7 @@ std::string urdf_with(const std::string& limit, const std::string& gazebo = "") 
 TEST(RobotConversion, WhatIsGuessedDrivesInMujoco) {
   const auto file = write("bare.urdf", urdf_with("<limit lower='-1' upper='2' effort='6' velocity='5'/>"));
   const RobotFile after = converted(file, {}, false);
-  const description::JointDescription& joint = after.description.bodies[1].joints[0];
+  const robot_formats::JointDescription& joint = after.description.bodies[1].joints[0];
   ASSERT_TRUE(joint.servo);
   EXPECT_NEAR(joint.servo->position_gain, 60, 1e-12);
   EXPECT_NEAR(joint.servo->velocity_gain, 3, 1e-12);
@@ -341,7 +341,7 @@ TEST(RobotConversion, AMotorOfTheTableIsAnActuator) {
         "[servos.motor]\nlaw = 'dc_motor'\nvoltage = 12\nstall_torque = 5\nno_load_speed = 10\nposition_gain "
         "= 30\nrotor_inertia = 0.02\ncoulomb_friction = 0.1\nviscous_friction = 0.3\njoints = ['j', 'k']\n");
   const RobotFile after = converted(file, {}, false);
-  const description::JointDescription& joint = after.description.bodies[1].joints[0];
+  const robot_formats::JointDescription& joint = after.description.bodies[1].joints[0];
   ASSERT_TRUE(joint.servo);
   EXPECT_EQ(joint.servo->position_gain, 30);
   EXPECT_EQ(joint.servo->velocity_gain, 0.5);

@@ -7,15 +7,15 @@
 #include "murosimf/robot/robot_reader.h"
 #include "murosimf/scene/scene.h"
 #include "tests/biped_urdf.h"
-#include "tests/formats/urdf/urdf_files.h"
+#include "tests/robot_formats/urdf/urdf_files.h"
 #include "tests/robot/same_model.h"
 
 namespace murosimf::robot {
 namespace {
 
-using formats::urdf::urdf_files::any_contains;
-using formats::urdf::urdf_files::test_folder;
-using formats::urdf::urdf_files::write;
+using robot_formats::urdf::urdf_files::any_contains;
+using robot_formats::urdf::urdf_files::test_folder;
+using robot_formats::urdf::urdf_files::write;
 
 /// The biped below a base without mass of its own, turned by quarters of a turn against it.
 std::filesystem::path turned_biped(int quarters) {

@@ -6,12 +6,12 @@
 #include "murosimf/robot/body_names.h"
 #include "murosimf/robot/robot_feet.h"
 #include "murosimf/robot/robot_reader.h"
-#include "tests/formats/urdf/urdf_files.h"
+#include "tests/robot_formats/urdf/urdf_files.h"
 
 namespace murosimf::robot {
 namespace {
 
-using namespace formats::urdf::urdf_files;
+using namespace robot_formats::urdf::urdf_files;
 
 std::string part(const std::string& name, const std::string& shape, double mass = 1) {
   return link(name,

@@ -3,7 +3,7 @@
 
 #include <fstream>
 
-#include "murosimf/check/robot_checks.h"
+#include "murosimf/robot/robot_checks.h"
 #include "murosimf/robot/robot_conversion.h"
 #include "tests/fixtures.h"
 #include "tests/robot/sensor_files.h"
@@ -12,8 +12,8 @@ namespace murosimf::robot {
 namespace {
 
 using namespace sensor_files;
-using formats::urdf::urdf_files::any_contains;
-using formats::urdf::urdf_files::contains;
+using robot_formats::urdf::urdf_files::any_contains;
+using robot_formats::urdf::urdf_files::contains;
 using sensors::SensorSpec;
 
 struct Element {
@@ -33,7 +33,7 @@ TEST_P(MjcfSensor, BecomesASensorThatRuns) {
   EXPECT_EQ(spec.name, type) << "one without a name is called as its type";
   EXPECT_EQ(spec.frame, frame);
   EXPECT_TRUE(contains(spec.where, "robot.xml:3"));
-  for (const check::Finding& finding : check::examine_sensors(robot)) ADD_FAILURE() << check::to_line(finding);
+  for (const robot::Finding& finding : robot::examine_sensors(robot)) ADD_FAILURE() << robot::to_line(finding);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -100,8 +100,8 @@ TEST(MjcfSensors, AnUnknownSiteIsAnErrorUnlessLenient) {
 }
 
 std::string urdf(const std::string& blocks) {
-  using namespace formats::urdf::urdf_files;
-  return formats::urdf::urdf_files::robot_xml(
+  using namespace robot_formats::urdf::urdf_files;
+  return robot_formats::urdf::urdf_files::robot_xml(
       link("foot", solid()) + link("eye") + joint("revolute", "base", "foot", any_limit, "ankle") +
       joint("fixed", "foot", "eye", "<origin xyz='0 0 1'/>", "fixing") + blocks);
 }
@@ -126,7 +126,7 @@ TEST(UrdfSensors, ImusHaveTheNoiseOfTheirAxes) {
   EXPECT_EQ(spec.signal("accelerometer.z").noise, 0.5);
   EXPECT_EQ(spec.signal("accelerometer.z").mean, 2);
   EXPECT_FALSE(any_contains(robot.notes, "noise"));
-  EXPECT_TRUE(check::examine_sensors(robot).empty());
+  EXPECT_TRUE(robot::examine_sensors(robot).empty());
 }
 
 TEST(UrdfSensors, ASensorAtAFixedJointIsOnTheLinkBehindIt) {
@@ -141,7 +141,7 @@ TEST(UrdfSensors, ASensorAtAFixedJointIsOnTheLinkBehindIt) {
   EXPECT_EQ(sensor_of(robot, "b").texts.at("axes"), "foot");
   const int eye = robot.model->object_index("eye");
   EXPECT_EQ(robot.model->tree().link_of[eye], robot.model->object_index("foot")) << "fixed to it, but not a part of it";
-  EXPECT_TRUE(check::examine_sensors(robot).empty());
+  EXPECT_TRUE(robot::examine_sensors(robot).empty());
 }
 
 TEST(UrdfSensors, ForcesAreSeenInTheFrameAndDirectionOfTheFile) {
@@ -169,7 +169,7 @@ TEST(UrdfSensors, ForcesHaveTheNoiseOfTheirAxes) {
       "<stddev>0.5</stddev></noise></z></force></force_torque></sensor></gazebo>");
   EXPECT_EQ(sensor_of(robot, "f").signal("force.z").noise, 0.5);
   EXPECT_EQ(sensor_of(robot, "f").signal("force.x").noise, 0);
-  EXPECT_TRUE(check::examine_sensors(robot).empty());
+  EXPECT_TRUE(robot::examine_sensors(robot).empty());
 }
 
 TEST(UrdfSensors, WhatIsNotSimulatedStaysInTheList) {
@@ -187,8 +187,8 @@ const std::string laser =
     "<type>gaussian</type><stddev>0.03</stddev></noise></ray></sensor></gazebo>";
 
 TEST(UrdfSensors, ScannersHaveTheirRaysRangeAndNoise) {
-  const description::RobotDescription description = formats::urdf::read_urdf(write("robot.urdf", urdf(laser)), {});
-  const description::SensorDescription& sensor = description.sensors.at(0);
+  const robot_formats::RobotDescription description = robot_formats::urdf::read_urdf(write("robot.urdf", urdf(laser)), {});
+  const robot_formats::SensorDescription& sensor = description.sensors.at(0);
   const std::map<std::string, double> numbers{
       {"rays", 22}, {"fov", 3}, {"first_angle", -1}, {"range_min", 0.2}, {"range_max", 20}};
   EXPECT_EQ(sensor.numbers, numbers);

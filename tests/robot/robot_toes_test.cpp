@@ -4,12 +4,12 @@
 #include "murosimf/model/properties.h"
 #include "murosimf/robot/robot_reader.h"
 #include "tests/biped_urdf.h"
-#include "tests/formats/urdf/urdf_files.h"
+#include "tests/robot_formats/urdf/urdf_files.h"
 
 namespace murosimf::robot {
 namespace {
 
-using formats::urdf::urdf_files::write;
+using robot_formats::urdf::urdf_files::write;
 
 /// With toes of 6 cm at the ends of its feet, which reach from -7 to 16 cm; `up` [m]: how much higher they end.
 RobotFile with_toes(double up) {

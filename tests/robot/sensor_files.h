@@ -5,12 +5,12 @@
 #include <string>
 
 #include "murosimf/robot/robot_reader.h"
-#include "tests/formats/urdf/urdf_files.h"
+#include "tests/robot_formats/urdf/urdf_files.h"
 
 namespace murosimf::robot::sensor_files {
 
-using formats::urdf::urdf_files::test_folder;
-using formats::urdf::urdf_files::write;
+using robot_formats::urdf::urdf_files::test_folder;
+using robot_formats::urdf::urdf_files::write;
 
 /// A base with a site `imu`, and an arm with a joint `elbow` and a site of the joint's name.
 inline std::string robot_xml(const std::string& sensors = "") {
@@ -24,7 +24,7 @@ inline std::string robot_xml(const std::string& sensors = "") {
 
 /// Reads the robot with a TOML file beside it.
 inline RobotFile read_with(const std::string& toml, const std::string& sensors = "",
-                           const description::ReaderOptions& options = {}) {
+                           const robot_formats::ReaderOptions& options = {}) {
   write("robot.toml", toml);
   return read_robot(write("robot.xml", robot_xml(sensors)), options);
 }

@@ -5,13 +5,13 @@
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/robot/robot_reader.h"
 #include "tests/biped_urdf.h"
-#include "tests/formats/urdf/urdf_files.h"
+#include "tests/robot_formats/urdf/urdf_files.h"
 
 namespace murosimf::robot {
 namespace {
 
-using formats::urdf::urdf_files::any_contains;
-using formats::urdf::urdf_files::write;
+using robot_formats::urdf::urdf_files::any_contains;
+using robot_formats::urdf::urdf_files::write;
 
 RobotFile read(const fixtures::Biped& biped) { return read_robot(write("biped.urdf", fixtures::biped_urdf(biped))); }
 

@@ -3,15 +3,15 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/formats/urdf/gazebo_schema.h"
-#include "murosimf/formats/urdf/urdf_schema.h"
+#include "murosimf/robot_formats/urdf/gazebo_schema.h"
+#include "murosimf/robot_formats/urdf/urdf_schema.h"
 #include "murosimf/robot/robot_reader.h"
-#include "tests/formats/urdf/urdf_files.h"
+#include "tests/robot_formats/urdf/urdf_files.h"
 
 namespace murosimf::robot {
 namespace {
 
-using namespace formats::urdf::urdf_files;
+using namespace robot_formats::urdf::urdf_files;
 
 /// A robot in which every used attribute stands once with a value of its own; "{}" are parts for probes.
 std::string whole_robot(const std::string& gazebo = "") {
@@ -46,7 +46,7 @@ std::string whole_robot(const std::string& gazebo = "") {
 }
 
 /// All that a description says, as a text.
-std::string text_of(const description::RobotDescription& robot) {
+std::string text_of(const robot_formats::RobotDescription& robot) {
   std::string text = robot.name;
   const auto put = [&](const auto&... values) { ((text += fmt::format(" {}", values)), ...); };
   const auto vector = [&](const Vec3d& v) { put(v.x, v.y, v.z); };
@@ -67,9 +67,9 @@ std::string text_of(const description::RobotDescription& robot) {
       if (joint.range) vector(*joint.range);
     }
     for (const auto& shape : body.shapes) {
-      put(shape.name, description::volume(shape.placed.shape), shape.placed.collides, shape.placed.color.red,
+      put(shape.name, robot_formats::volume(shape.placed.shape), shape.placed.collides, shape.placed.color.red,
           shape.placed.color.green, shape.placed.color.blue, shape.placed.surface.friction);
-      vector(description::unit_inertia(shape.placed.shape).xx * Vec3d{1, 1, 1});
+      vector(robot_formats::unit_inertia(shape.placed.shape).xx * Vec3d{1, 1, 1});
       place(shape.placed.place());
     }
     for (const auto& visual : body.visuals) put(visual.name, visual.mesh, visual.color.red, visual.color.blue);
@@ -160,7 +160,7 @@ TEST(UrdfActs, EveryUsedAttributeMakesADifference) {
   const std::string base = whole_robot();
   const std::string before = meaning(base);
   ASSERT_TRUE(contains(before, "whole")) << before;
-  for (const auto& [element, rule] : formats::urdf::urdf_schema()) {
+  for (const auto& [element, rule] : robot_formats::urdf::urdf_schema()) {
     for (const std::string_view attribute : rule.used) {
       const std::string name = fmt::format("{}.{}", element, attribute);
       const auto probe = attribute_probes().find(name);
@@ -281,7 +281,7 @@ bool holds_others(const std::string& name) {
 
 TEST(UrdfActs, EveryElementOfAGazeboBlockMakesADifference) {
   write("meshes/t.obj", tetrahedron());
-  for (const auto& [element, rule] : formats::urdf::gazebo_schema()) {
+  for (const auto& [element, rule] : robot_formats::urdf::gazebo_schema()) {
     for (const std::string_view child : rule.children) {
       const std::string name = fmt::format("{}/{}", element, child);
       if (holds_others(name)) continue;
@@ -301,7 +301,7 @@ TEST(UrdfActs, WhatHasNoEffectIsNamed) {
   write("meshes/t.obj", tetrahedron());
   const auto words = [](const std::string& xml) {
     std::set<std::string> words;
-    for (const description::Unused& unused : read(xml).unused) words.insert(unused.word);
+    for (const robot_formats::Unused& unused : read(xml).unused) words.insert(unused.word);
     return words;
   };
   const auto of_gazebo =

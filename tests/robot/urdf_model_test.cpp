@@ -4,12 +4,12 @@
 #include "murosimf/robot/robot_reader.h"
 #include "murosimf/scene/scene.h"
 #include "murosimf/scene/scene_report.h"
-#include "tests/formats/urdf/urdf_files.h"
+#include "tests/robot_formats/urdf/urdf_files.h"
 
 namespace murosimf::robot {
 namespace {
 
-using namespace formats::urdf::urdf_files;
+using namespace robot_formats::urdf::urdf_files;
 
 /// A base, a limb at the joint `swing`, and a tip of 3 kg that is fixed to the limb 2 m above the joint.
 std::string pendulum() {

@@ -1,24 +1,24 @@
 /// urdf_robots_test - robots of teams are read as they are, without leniency.
-#include "tests/formats/urdf/urdf_files.h"
+#include "tests/robot_formats/urdf/urdf_files.h"
 #include "tests/robot_data.h"
 
 namespace murosimf::robot {
 namespace {
 
-using namespace formats::urdf::urdf_files;
+using namespace robot_formats::urdf::urdf_files;
 
 struct Counts {
   std::size_t joints = 0, collisions = 0, visuals = 0;
   double mass = 0;  ///< [kg]
 };
 
-Counts counts_of(const description::RobotDescription& description) {
+Counts counts_of(const robot_formats::RobotDescription& description) {
   Counts counts;
-  for (const description::BodyDescription& body : description.bodies) {
+  for (const robot_formats::BodyDescription& body : description.bodies) {
     counts.joints += body.joints.size();
     counts.visuals += body.visuals.size();
     counts.collisions +=
-        static_cast<std::size_t>(std::ranges::count_if(body.shapes, [](const description::ShapeDescription& shape) {
+        static_cast<std::size_t>(std::ranges::count_if(body.shapes, [](const robot_formats::ShapeDescription& shape) {
           return shape.placed.collides;
         }));
     counts.mass += body.solid.mass;
@@ -29,7 +29,7 @@ Counts counts_of(const description::RobotDescription& description) {
 // Numbers below are counted with grep, and masses summed, in the files themselves.
 TEST(UrdfRobots, BoosterK1) {
   if (!std::filesystem::exists(k1_urdf())) GTEST_SKIP() << k1_urdf() << " is not there";
-  const description::RobotDescription description = formats::urdf::read_urdf(k1_urdf());
+  const robot_formats::RobotDescription description = robot_formats::urdf::read_urdf(k1_urdf());
   const Counts counts = counts_of(description);
   EXPECT_EQ(description.bodies.size(), 23u);
   EXPECT_EQ(counts.joints, 22u);
@@ -42,7 +42,7 @@ TEST(UrdfRobots, BoosterK1) {
 
 TEST(UrdfRobots, WolfgangOp) {
   if (!std::filesystem::exists(wolfgang_urdf())) GTEST_SKIP() << wolfgang_urdf() << " is not there";
-  const description::RobotDescription description = formats::urdf::read_urdf(wolfgang_urdf());
+  const robot_formats::RobotDescription description = robot_formats::urdf::read_urdf(wolfgang_urdf());
   const Counts counts = counts_of(description);
   EXPECT_EQ(description.bodies.size(), 47u);
   EXPECT_EQ(counts.joints, 20u);

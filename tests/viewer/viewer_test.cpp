@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/connect/roboviz_door.h"
+#include "murosimf/drawing/roboviz_door.h"
 #include "murosimf/model/error.h"
 #include "murosimf/session/live_course.h"
 #include "murosimf/viewer/mouse_control.h"
@@ -312,7 +312,7 @@ TEST(Viewer, MovesJointsWhileItIsPaused) {
   EXPECT_NE(commands.back().text.find(before.name + ".joint_position = "), std::string::npos);
 }
 
-/// A circle on the ground in the group "way", as agents of the league send it (tests/connect/roboviz_test.cpp has all of it).
+/// A circle on the ground in the group "way", as agents of the league send it (tests/drawing/roboviz_test.cpp has all of it).
 void draw_circle(std::uint16_t port) {
   const std::string packet = std::string("\1\0", 2) + "1.00000.50000.25001.0000" + "\xff\x80" + '\0' + "way" + '\0' +
                              std::string(2, '\0') + "way" + '\0';
@@ -327,7 +327,7 @@ void draw_circle(std::uint16_t port) {
 
 // Rule: drawings of others change nothing, and can be switched off by their groups.
 TEST(Viewer, ShowsWhatOthersDraw) {
-  const connect::RobovizDoor door({"127.0.0.1", 0});
+  const drawing::RobovizDoor door({"127.0.0.1", 0});
   ViewerOptions options = options_with(dynamic, 200ms);
   options.others = &door;
   Viewer viewer(options);

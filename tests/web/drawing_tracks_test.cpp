@@ -16,7 +16,7 @@
 namespace murosimf {
 namespace {
 
-using connect::Drawn;
+using drawing::Drawn;
 using nlohmann::json;
 
 /// "blue1/way 0": kind, words, size and points of all shapes, in millimeters and tenths of them.

@@ -42,7 +42,7 @@ TEST(DrawingsMessage, HasTrianglesOfPolygons) {
   const DrawnShape polygon{.kind = DrawnShape::polygon,
                            .points = {{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}}};
   const DrawnShape dots{.kind = DrawnShape::dots, .points = {{0, 0, 0}}};
-  const connect::Drawn drawn{.entity = -1, .by = "somebody", .groups = {{.name = "area", .shapes = {polygon, dots}}}};
+  const drawing::Drawn drawn{.entity = -1, .by = "somebody", .groups = {{.name = "area", .shapes = {polygon, dots}}}};
   const auto shapes = nlohmann::json::parse(drawings_message({drawn}))["drawings"][0]["groups"][0]["shapes"];
   double area = 0;
   for (const auto& triangle : shapes[0]["triangles"]) {

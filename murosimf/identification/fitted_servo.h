@@ -1,0 +1,34 @@
+/// fitted_servo.h - servo files that a fit wrote: an ordinary servo, and where it comes from in the table [fit].
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "murosimf/model/servo.h"
+
+namespace murosimf::identification {
+
+/// One log and how well the servo explains it.
+struct LogError {
+  std::string log, trajectory;
+  double firmware_gain = 0;
+  double error = 0;  ///< [rad] mean of |q_sim - q|, whole log open loop
+};
+
+struct FittedServo {
+  Servo servo;
+  std::string friction_model;    ///< "m1" to "m6"; empty if the file is no fit's
+  double encoder_offset = 0;     ///< [rad] of the bench that the logs come from, not of the servo
+  std::string base, prior;       ///< servo type that firmware and voltage come from; name of the prior
+  std::vector<LogError> fitted;  ///< logs that it was fitted to
+};
+
+/// The servo called `type`, or in a file of that path, with or without [fit]; only servo, friction_model and
+/// encoder_offset are read. Throws SetupError.
+[[nodiscard]] FittedServo read_fitted_servo(std::string_view type);
+
+/// A servo file with comments. The same result gives the same text.
+[[nodiscard]] std::string to_toml(const FittedServo& fitted);
+
+}  // namespace murosimf::identification

@@ -1,0 +1,27 @@
+/// finding_groups.h - findings of one kind as one line, for people: files repeat their mistakes.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "murosimf/robot/robot_findings.h"
+
+namespace murosimf::robot {
+
+/// Findings of one severity that say the same but for names and numbers.
+struct FindingGroup {
+  Finding first;
+  std::vector<std::string> others;  ///< what each of the others is about: "'l_foot'", "attribute 'condim' of geom"
+};
+
+/// Errors, warnings, notes; each by their first finding.
+[[nodiscard]] std::vector<FindingGroup> grouped(const std::vector<Finding>& findings);
+
+/// "warning: robot.xml:12: 'l_foot' is odd (and 3 more: 'r_foot', 'l_toe', 'r_toe'); correct it"
+[[nodiscard]] std::string to_line(const FindingGroup& group);
+
+/// At most `most` lines; the last one then says how many kinds are left out.
+[[nodiscard]] std::string grouped_text(const std::vector<Finding>& findings, std::size_t most);
+
+}  // namespace murosimf::robot

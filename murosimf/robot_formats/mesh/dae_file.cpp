@@ -1,0 +1,133 @@
+#include "murosimf/robot_formats/mesh/dae_file.h"
+
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "murosimf/robot_formats/mesh/dae_geometry.h"
+#include "murosimf/model/error.h"
+
+namespace murosimf::robot_formats::mesh {
+namespace {
+
+// A node can be used again and again, and so can a geometry: what is visited and made of it counts each time.
+constexpr std::size_t most_elements = 1'000'000;
+constexpr std::size_t most_vertices = 3 * most_triangles;
+
+/// v becomes turn v + shift; the turn may scale.
+struct Affine {
+  Mat3d turn;
+  Vec3d shift;
+};
+
+Affine operator*(const Affine& a, const Affine& b) { return {a.turn * b.turn, a.turn * b.shift + a.shift}; }
+
+Affine read_step(const files::XmlElement& element) {
+  const std::string tag = element.tag();
+  if (tag == "matrix") {
+    const auto m = dae_numbers(element, 16);  // by rows
+    return {{{m[0], m[4], m[8]}, {m[1], m[5], m[9]}, {m[2], m[6], m[10]}}, {m[3], m[7], m[11]}};
+  }
+  if (tag == "translate") {
+    const auto v = dae_numbers(element, 3);
+    return {{}, {v[0], v[1], v[2]}};
+  }
+  if (tag == "scale") {
+    const auto v = dae_numbers(element, 3);
+    return {{{v[0], 0, 0}, {0, v[1], 0}, {0, 0, v[2]}}, {}};
+  }
+  if (tag != "rotate") return {};
+  const auto v = dae_numbers(element, 4);  // axis, angle [deg]
+  const Vec3d axis{v[0], v[1], v[2]};
+  if (!(norm(axis) > 1e-12)) return {};
+  return {rotation((1.0 / norm(axis)) * axis, v[3] * pi / 180.0), {}};
+}
+
+class Reader {
+ public:
+  explicit Reader(const std::filesystem::path& file) : xml_(file), ids_(xml_.root()) {}
+
+  MeshFile read() {
+    const files::XmlElement root = xml_.root();
+    if (root.tag() != "COLLADA") root.fail(fmt::format("the root is <{}>, not <COLLADA>", root.tag()));
+    const double unit = read_unit(root);
+    const Affine frame{{{unit, 0, 0}, {0, unit, 0}, {0, 0, unit}}, {}};
+    for (const files::XmlElement& scene : root.children("scene")) {
+      for (const files::XmlElement& instance : scene.children("instance_visual_scene")) {
+        for (const files::XmlElement& node : ids_.find(instance, "url").children("node")) add_node(node, frame);
+      }
+    }
+    return std::move(file_);
+  }
+
+ private:
+  /// [m]
+  static double read_unit(const files::XmlElement& root) {
+    for (const files::XmlElement& asset : root.children("asset")) {
+      for (const files::XmlElement& unit : asset.children("unit")) {
+        const auto meter = files::parse_numbers(unit.attribute("meter").value_or("1"));
+        if (!meter || meter->size() != 1 || !((*meter)[0] > 0)) unit.fail("meter of <unit> is no length; correct it");
+        return (*meter)[0];
+      }
+    }
+    return 1;
+  }
+
+  void add_node(const files::XmlElement& node, Affine frame, int depth = 0) {
+    const auto children = node.children();
+    elements_ += 1 + children.size();
+    if (elements_ > most_elements || depth > 200) node.fail("the nodes of the file never end; export the mesh again");
+    for (const files::XmlElement& child : children) frame = frame * read_step(child);
+    for (const files::XmlElement& child : children) {
+      const std::string tag = child.tag();
+      if (tag == "node") add_node(child, frame, depth + 1);
+      if (tag == "instance_node") add_node(ids_.find(child, "url"), frame, depth + 1);
+      if (tag == "instance_geometry") add_geometry(ids_.find(child, "url"), frame);
+    }
+  }
+
+  void add_geometry(const files::XmlElement& geometry, const Affine& frame) {
+    auto known = geometries_.find(geometry.id());
+    if (known == geometries_.end()) {
+      known = geometries_.emplace(geometry.id(), read_dae_geometry(geometry, ids_)).first;
+    }
+    const geometry::TriangleMesh& mesh = known->second;
+    auto& [vertices, triangles] = file_.mesh;
+    if (vertices.size() + mesh.vertices.size() > most_vertices) {
+      geometry.fail(fmt::format("the mesh has more than {} vertices; simplify it", most_vertices));
+    }
+    if (triangles.size() + mesh.triangles.size() > most_triangles) geometry.fail(too_many());
+    file_.part_begin.push_back(triangles.size());
+    const auto base = static_cast<std::uint32_t>(vertices.size());
+    for (const Vec3d& v : mesh.vertices) {
+      vertices.push_back(frame.turn * v + frame.shift);
+      if (!std::isfinite(norm(vertices.back()))) geometry.fail("its nodes scale the mesh beyond all numbers");
+    }
+    const bool mirrored = dot(frame.turn.x, cross(frame.turn.y, frame.turn.z)) < 0;
+    for (const auto& [a, b, c] : mesh.triangles) {
+      triangles.push_back({base + a, base + (mirrored ? c : b), base + (mirrored ? b : c)});
+    }
+    if (mesh.triangles.empty()) file_.part_begin.pop_back();
+  }
+
+  files::XmlFile xml_;
+  DaeIds ids_;
+  std::map<const void*, geometry::TriangleMesh> geometries_;  // as read, without the frames of their nodes
+  MeshFile file_;
+  std::size_t elements_ = 0;
+};
+
+}  // namespace
+
+MeshFile read_dae(const std::filesystem::path& file) { return Reader(file).read(); }
+
+bool has_y_up(const std::filesystem::path& file) {
+  const files::XmlFile xml(file);
+  for (const files::XmlElement& asset : xml.root().children("asset")) {
+    for (const files::XmlElement& axis : asset.children("up_axis")) return axis.text() == "Y_UP";
+  }
+  return true;
+}
+
+}  // namespace murosimf::robot_formats::mesh

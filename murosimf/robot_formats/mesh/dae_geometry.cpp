@@ -1,0 +1,176 @@
+#include "murosimf/robot_formats/mesh/dae_geometry.h"
+
+#include <algorithm>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "murosimf/robot_formats/mesh/mesh_file.h"
+
+namespace murosimf::robot_formats::mesh {
+namespace {
+
+using Corners = std::vector<std::uint32_t>;
+
+std::optional<files::XmlElement> child(const files::XmlElement& parent, const char* tag) {
+  const auto found = parent.children(tag);
+  return found.empty() ? std::nullopt : std::optional(found[0]);
+}
+
+files::XmlElement needed(const files::XmlElement& parent, const char* tag) {
+  const auto found = child(parent, tag);
+  if (!found) parent.fail(fmt::format("<{}> without <{}>; export the mesh again", parent.tag(), tag));
+  return *found;
+}
+
+/// A small whole number of an attribute; `fallback` if it is not there.
+std::size_t whole(const files::XmlElement& element, const char* attribute, std::size_t fallback) {
+  const auto text = element.attribute(attribute);
+  if (!text) return fallback;
+  const auto numbers = files::parse_numbers(*text);
+  const bool fits = numbers && numbers->size() == 1 && (*numbers)[0] >= 0 && (*numbers)[0] <= 1e9;
+  if (!fits) element.fail(fmt::format("{} '{}' is no count; export the mesh again", attribute, *text));
+  return static_cast<std::size_t>((*numbers)[0]);
+}
+
+files::XmlElement input_of(const files::XmlElement& owner, const std::string& semantic) {
+  for (const files::XmlElement& input : owner.children("input")) {
+    if (input.attribute("semantic").value_or("") == semantic) return input;
+  }
+  owner.fail(fmt::format("<{}> has no {}; export the mesh again", owner.tag(), semantic));
+}
+
+std::vector<Vec3d> read_positions(const files::XmlElement& mesh, const DaeIds& ids) {
+  const files::XmlElement& source = ids.find(input_of(needed(mesh, "vertices"), "POSITION"), "source");
+  const auto numbers = dae_numbers(needed(source, "float_array"));
+  std::size_t stride = 3, offset = 0;
+  if (const auto technique = child(source, "technique_common")) {
+    const files::XmlElement accessor = needed(*technique, "accessor");
+    stride = std::max<std::size_t>(whole(accessor, "stride", 3), 3);
+    offset = whole(accessor, "offset", 0);
+  }
+  std::vector<Vec3d> positions;
+  for (std::size_t i = offset; i + 3 <= numbers.size(); i += stride) {
+    positions.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
+  }
+  return positions;
+}
+
+/// Takes the vertices out of the lists of indices of one primitive.
+class Indices {
+ public:
+  Indices(const files::XmlElement& primitive, std::size_t vertices)
+      : offset_(whole(input_of(primitive, "VERTEX"), "offset", 0)), vertices_(vertices) {
+    for (const files::XmlElement& input : primitive.children("input")) {
+      stride_ = std::max(stride_, 1 + whole(input, "offset", 0));
+    }
+  }
+
+  [[nodiscard]] Corners read(const files::XmlElement& list) const {
+    const auto numbers = dae_numbers(list);
+    Corners corners;
+    for (std::size_t i = offset_; i < numbers.size(); i += stride_) {
+      const double number = numbers[i];
+      if (!(number >= 0 && number < static_cast<double>(vertices_))) {
+        list.fail(fmt::format("vertex {} is named, there are {}, counted from 0", number, vertices_));
+      }
+      corners.push_back(static_cast<std::uint32_t>(number));
+    }
+    return corners;
+  }
+
+ private:
+  std::size_t offset_, stride_ = 1, vertices_;
+};
+
+void add_triangle(geometry::TriangleMesh& mesh, const files::XmlElement& at, std::uint32_t a, std::uint32_t b,
+                  std::uint32_t c) {
+  if (mesh.triangles.size() == most_triangles) at.fail(too_many());
+  mesh.triangles.push_back({a, b, c});
+}
+
+/// Corners `first` to `first + count - 1` as a fan.
+void add_fan(geometry::TriangleMesh& mesh, const files::XmlElement& at, const Corners& corners, std::size_t first,
+             std::size_t count) {
+  if (first + count > corners.size()) at.fail("there are fewer corners than the polygons have; export the mesh again");
+  for (std::size_t i = 2; i < count; ++i) {
+    add_triangle(mesh, at, corners[first], corners[first + i - 1], corners[first + i]);
+  }
+}
+
+void add_strip(geometry::TriangleMesh& mesh, const files::XmlElement& at, const Corners& corners) {
+  for (std::size_t i = 2; i < corners.size(); ++i) {
+    const std::size_t odd = i % 2;  // every other triangle runs the other way round
+    add_triangle(mesh, at, corners[i - 2 + odd], corners[i - 1 - odd], corners[i]);
+  }
+}
+
+void add_polylist(geometry::TriangleMesh& mesh, const files::XmlElement& primitive, const Corners& corners) {
+  std::size_t first = 0;
+  for (const double number : dae_numbers(needed(primitive, "vcount"))) {
+    if (!(number >= 0 && number <= static_cast<double>(corners.size()))) primitive.fail("impossible vcount");
+    const auto count = static_cast<std::size_t>(number);
+    add_fan(mesh, primitive, corners, first, count);
+    first += count;
+  }
+}
+
+void add_primitive(geometry::TriangleMesh& mesh, const files::XmlElement& primitive) {
+  const std::string tag = primitive.tag();
+  const bool surface =
+      tag == "triangles" || tag == "polylist" || tag == "polygons" || tag == "tristrips" || tag == "trifans";
+  if (!surface) return;
+  const Indices indices(primitive, mesh.vertices.size());
+  if (child(primitive, "ph")) primitive.fail("polygons with holes are not read; export triangles");
+  for (const files::XmlElement& list : primitive.children("p")) {
+    const Corners corners = indices.read(list);
+    if (tag == "triangles") {
+      for (std::size_t i = 0; i < corners.size(); i += 3) add_fan(mesh, list, corners, i, 3);
+    } else if (tag == "polylist") {
+      add_polylist(mesh, primitive, corners);
+    } else if (tag == "tristrips") {
+      add_strip(mesh, list, corners);
+    } else {
+      add_fan(mesh, list, corners, 0, corners.size());
+    }
+  }
+}
+
+}  // namespace
+
+DaeIds::DaeIds(const files::XmlElement& root) {
+  std::vector<files::XmlElement> open{root};
+  while (!open.empty()) {
+    const files::XmlElement element = open.back();
+    open.pop_back();
+    if (const auto id = element.attribute("id")) elements_.emplace(*id, element);
+    for (const files::XmlElement& inner : element.children()) open.push_back(inner);
+  }
+}
+
+const files::XmlElement& DaeIds::find(const files::XmlElement& user, const char* attribute) const {
+  const std::string url = user.attribute(attribute).value_or("");
+  const auto found = elements_.find(url.starts_with('#') ? url.substr(1) : url);
+  if (found == elements_.end()) user.fail(fmt::format("{} '{}' is not in the file", attribute, url));
+  return found->second;
+}
+
+std::vector<double> dae_numbers(const files::XmlElement& element, std::size_t count) {
+  auto numbers = files::parse_numbers(element.text());
+  if (!numbers) element.fail(fmt::format("<{}> holds something that is no finite number", element.tag()));
+  if (count > 0 && numbers->size() != count) {
+    element.fail(fmt::format("<{}> has {} numbers, it needs {}", element.tag(), numbers->size(), count));
+  }
+  return *numbers;
+}
+
+geometry::TriangleMesh read_dae_geometry(const files::XmlElement& geometry, const DaeIds& ids) {
+  geometry::TriangleMesh result;
+  const auto mesh = child(geometry, "mesh");
+  if (!mesh) return result;
+  result.vertices = read_positions(*mesh, ids);
+  for (const files::XmlElement& primitive : mesh->children()) add_primitive(result, primitive);
+  return result;
+}
+
+}  // namespace murosimf::robot_formats::mesh

@@ -1,0 +1,32 @@
+/// dae_geometry.h - a `geometry` element of a COLLADA file as triangles.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "murosimf/files/xml_element.h"
+#include "murosimf/geometry/triangle_mesh.h"
+
+namespace murosimf::robot_formats::mesh {
+
+/// Elements of a COLLADA file by their attribute `id`.
+class DaeIds {
+ public:
+  explicit DaeIds(const files::XmlElement& root);
+  /// What the attribute, "#id", of an element means. Throws SetupError if there is no such thing in the file.
+  [[nodiscard]] const files::XmlElement& find(const files::XmlElement& user, const char* attribute) const;
+
+ private:
+  std::map<std::string, files::XmlElement> elements_;
+};
+
+/// The numbers in an element. Throws SetupError if something else is there, or not `count` of them (0: any number).
+[[nodiscard]] std::vector<double> dae_numbers(const files::XmlElement& element, std::size_t count = 0);
+
+/// Triangles of triangles, polylist, polygons, tristrips and trifans, polygons as fans, in the file's own unit and the
+/// frame of the geometry; none for a geometry without surface. Throws SetupError for indices out of range, polygons with
+/// holes, and more triangles than `most_triangles`.
+[[nodiscard]] geometry::TriangleMesh read_dae_geometry(const files::XmlElement& geometry, const DaeIds& ids);
+
+}  // namespace murosimf::robot_formats::mesh

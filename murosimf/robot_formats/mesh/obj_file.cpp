@@ -1,0 +1,86 @@
+#include "murosimf/robot_formats/mesh/obj_file.h"
+
+#include <charconv>
+
+#include <fmt/format.h>
+
+#include "murosimf/files/text_lines.h"
+
+namespace murosimf::robot_formats::mesh {
+namespace {
+
+constexpr std::size_t most_vertices = 3 * most_triangles;
+
+class ObjReader {
+ public:
+  explicit ObjReader(const std::filesystem::path& path) : lines_(path, true) {
+    while (lines_.next()) {
+      const auto word = lines_.word();
+      if (word == "v") take_vertex();
+      if (word == "f") take_face();
+      if (word == "o" || word == "g") begin_part();
+    }
+  }
+
+  MeshFile result;
+
+ private:
+  void take_vertex() {
+    if (result.mesh.vertices.size() == most_vertices) {
+      lines_.fail(fmt::format("the mesh has more than {} vertices; simplify it", most_vertices));
+    }
+    Vec3d vertex;
+    vertex.x = lines_.number("vertex");
+    vertex.y = lines_.number("vertex");
+    vertex.z = lines_.number("vertex");
+    result.mesh.vertices.push_back(vertex);
+  }
+
+  /// Corners like 3, 3/1, 3//2 or -1/-1/-1.
+  void take_face() {
+    std::uint32_t first = 0, last = 0;
+    std::size_t corners = 0;
+    for (auto text = lines_.word(); !text.empty() && text.front() != '#'; text = lines_.word()) {
+      const std::uint32_t corner = vertex_number(text);
+      if (++corners == 1) first = corner;
+      if (corners >= 3) add_triangle(first, last, corner);
+      last = corner;
+    }
+    if (corners < 3) lines_.fail(fmt::format("a face of {} vertices; it needs three or more", corners));
+  }
+
+  [[nodiscard]] std::uint32_t vertex_number(std::string_view text) const {
+    const std::string_view digits = text.substr(0, text.find('/'));
+    const auto count = static_cast<long long>(result.mesh.vertices.size());
+    long long number = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    if (error == std::errc::invalid_argument || end != digits.data() + digits.size()) {
+      lines_.fail(fmt::format("{} in a face is not a vertex number", files::quoted(text)));
+    }
+    const bool inside = error == std::errc() && ((number > 0 && number <= count) || (number < 0 && number >= -count));
+    if (!inside) {
+      lines_.fail(
+          fmt::format("the face names vertex {}, but {} vertices stand before it", files::quoted(digits), count));
+    }
+    return static_cast<std::uint32_t>(number > 0 ? number - 1 : count + number);
+  }
+
+  void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    auto& triangles = result.mesh.triangles;
+    if (triangles.size() == most_triangles) lines_.fail(too_many());
+    triangles.push_back({a, b, c});
+  }
+
+  void begin_part() {
+    const std::size_t here = result.mesh.triangles.size();
+    if (result.part_begin.empty() || result.part_begin.back() != here) result.part_begin.push_back(here);
+  }
+
+  files::TextLines lines_;
+};
+
+}  // namespace
+
+MeshFile read_obj(const std::filesystem::path& path) { return ObjReader(path).result; }
+
+}  // namespace murosimf::robot_formats::mesh

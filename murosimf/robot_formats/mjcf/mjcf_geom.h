@@ -1,0 +1,45 @@
+/// mjcf_geom.h - geoms of an MJCF file: shape, place and surface, and the mass that a solid of this shape has.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "murosimf/robot_formats/robot_description.h"
+#include "murosimf/robot_formats/mjcf/mjcf_material.h"
+#include "murosimf/robot_formats/mjcf/mjcf_mesh.h"
+
+namespace murosimf::robot_formats::mjcf {
+
+/// One geom: shapes, several if it is a mesh of several convex parts, or a mesh that is only looked at.
+struct MjcfGeom {
+  std::vector<PlacedShape> shapes;
+  std::vector<Vec3d> middles;  ///< [m] of the shapes of a mesh: their origins in the mesh frame
+  std::optional<robot_formats::VisualDescription> visual;
+  robot_formats::MassProperties solid;  ///< from `mass`, or from `density` [kg/m^3] (1000 if the file is silent)
+};
+
+/// What read_geom knows of the file.
+struct MjcfGeomContext {
+  const MjcfCompiler& compiler;
+  MjcfMeshes& meshes;
+  const MjcfMaterials& materials;
+  bool mass_counts = true;  ///< the body has no inertial that replaces it; else the mass of a mesh is left at zero
+  bool lenient = false;     ///< a mesh that cannot be used is left out, with a line in `warnings`
+  std::vector<std::string>& warnings;
+};
+
+/// Place of a geom or site with `fromto`: in the middle, z from the second end to the first.
+struct MjcfSpan {
+  Vec3d middle;
+  Mat3d turn;
+  double half_length = 0;  ///< [m]
+  [[nodiscard]] Transformd place() const { return {middle, turn}; }
+};
+/// Throws SetupError for equal ends.
+[[nodiscard]] MjcfSpan between_ends(const MjcfAttributes& attributes);
+
+/// Places are those of the geom in its frame. Nothing at all for a mesh that is left out because of `lenient`.
+[[nodiscard]] MjcfGeom read_geom(const MjcfAttributes& attributes, const MjcfGeomContext& context);
+
+}  // namespace murosimf::robot_formats::mjcf

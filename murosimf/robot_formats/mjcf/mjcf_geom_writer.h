@@ -1,0 +1,42 @@
+/// mjcf_geom_writer.h - shapes and meshes of a description as geoms and assets of an MJCF file, and the place of any element.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+
+#include "murosimf/robot_formats/robot_description.h"
+#include "murosimf/files/xml_text.h"
+
+namespace murosimf::robot_formats::mjcf {
+
+/// Adds pos and quat to the open element, where they are not zero and no turn.
+void write_place(files::XmlText& xml, const Transformd& place);
+
+class MjcfGeomWriter {
+ public:
+  /// `folder`: where the file will stand. Both arguments must live longer.
+  MjcfGeomWriter(const robot_formats::RobotDescription& description, const std::filesystem::path& folder,
+                 files::XmlText& xml);
+
+  /// All meshes whose files can be read, as `asset`; of one whose vertices stand in the robot file, its hull.
+  void write_assets();
+  /// Shapes and meshes for the eye; convex parts of one mesh are one geom.
+  void write_geoms(const robot_formats::BodyDescription& body);
+
+ private:
+  void write_asset(const robot_formats::MeshDescription& mesh);
+  void write_shape(const robot_formats::ShapeDescription& shape);
+  void write_visual(const robot_formats::VisualDescription& visual);
+  void write_name(const std::string& name);
+
+  const robot_formats::RobotDescription& description_;
+  const std::filesystem::path& folder_;
+  files::XmlText& xml_;
+  std::map<std::string, const robot_formats::ShapeDescription*> inline_meshes_;  ///< a shape that has the hull, by mesh
+  std::set<std::string> unusable_;                                             ///< meshes that are left out
+  std::set<std::string> taken_;                                                ///< names of geoms so far
+};
+
+}  // namespace murosimf::robot_formats::mjcf

@@ -1,0 +1,21 @@
+/// mjcf_idle.h - what an MJCF file says that would change the motion and does not act here: one warning each.
+///
+/// Tendons with a spring, a damper, friction, a rotor or a limit that act at no single joint (mjcf_tendons.h); equalities that hold tendons together, or the robot to what is no part
+/// of it. A tendon without all that only measures a length and is a line in `unused`.
+#pragma once
+
+#include "murosimf/robot_formats/robot_description.h"
+#include "murosimf/robot_formats/mjcf/mjcf_context.h"
+#include "murosimf/robot_formats/mjcf/mjcf_tendons.h"
+
+namespace murosimf::robot_formats::mjcf {
+
+/// A `connect`, `weld` or `tendon` of `equality` that holds nothing here: of tendons, not active, or with an end that is no part of the
+/// robot (a body that floats or that software moves, the world of a robot that floats).
+[[nodiscard]] bool is_idle_equality(const files::XmlElement& element, const MjcfNames& names);
+
+/// `tendons`: those that act.
+void name_idle_relations(const files::XmlElement& root, const MjcfContext& context,
+                         const std::map<std::string, MjcfTendon>& tendons, robot_formats::RobotDescription& description);
+
+}  // namespace murosimf::robot_formats::mjcf

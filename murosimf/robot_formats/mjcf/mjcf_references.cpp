@@ -1,0 +1,59 @@
+#include "murosimf/robot_formats/mjcf/mjcf_references.h"
+
+#include <algorithm>
+
+#include "murosimf/robot_formats/mjcf/mjcf_schema.h"
+
+namespace murosimf::robot_formats::mjcf {
+namespace {
+
+/// "joint" of joint1, body of xbody, actuator of a motor.
+std::string kind_of_element(const std::string& tag) {
+  if (is_actuator(tag)) return "actuator";
+  return tag == "freejoint" ? "joint" : tag;
+}
+
+/// The kind of thing that an attribute names; empty: it names nothing.
+std::string kind_meant(const files::XmlTree& tree, const std::string& attribute) {
+  for (const char* kind : {"joint", "body", "geom", "site", "camera", "actuator"}) {
+    if (attribute == kind || attribute == std::string(kind) + "1" || attribute == std::string(kind) + "2") return kind;
+  }
+  if (attribute == "refsite") return "site";
+  if (attribute == "mesh" || attribute == "material" || attribute == "texture") return attribute;
+  if (attribute != "objname" && attribute != "refname") return {};
+  const std::string type = attribute == "objname" ? "objtype" : "reftype";
+  const auto found = std::ranges::find(tree.attributes, type, &files::XmlAttribute::name);
+  if (found == tree.attributes.end()) return {};
+  return found->value == "xbody" ? "body" : found->value;
+}
+
+}  // namespace
+
+void MjcfReferences::add(const files::XmlTree& tree) {
+  for (const auto& [name, value] : tree.attributes) {
+    if (name == "name") names_[kind_of_element(tree.tag)].insert(value);
+  }
+}
+
+void MjcfReferences::add_all(const files::XmlTree& tree) {
+  add(tree);
+  for (const files::XmlTree& child : tree.children) add_all(child);
+}
+
+bool MjcfReferences::means(const files::XmlTree& tree, const files::XmlAttribute& attribute) const {
+  const auto known = names_.find(kind_meant(tree, attribute.name));
+  return known != names_.end() && known->second.contains(attribute.value);
+}
+
+bool MjcfReferences::mentioned_in(const files::XmlTree& tree) const {
+  return std::ranges::any_of(tree.attributes, [&](const auto& attribute) { return means(tree, attribute); });
+}
+
+void MjcfReferences::rename(files::XmlTree& tree, const std::string& prefix, const std::string& suffix) const {
+  for (files::XmlAttribute& attribute : tree.attributes) {
+    if (attribute.name == "name" || means(tree, attribute)) attribute.value = prefix + attribute.value + suffix;
+  }
+  for (files::XmlTree& child : tree.children) rename(child, prefix, suffix);
+}
+
+}  // namespace murosimf::robot_formats::mjcf

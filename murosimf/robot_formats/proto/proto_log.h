@@ -1,0 +1,21 @@
+/// proto_log.h - where the reader of PROTO files puts what it has to say about a file (robot_formats/reader_log.h).
+#pragma once
+
+#include "murosimf/robot_formats/reader_log.h"
+#include "murosimf/robot_formats/proto/proto_node.h"
+
+namespace murosimf::robot_formats::proto {
+
+class ProtoLog : public robot_formats::ReaderLog {
+ public:
+  using ReaderLog::ReaderLog;
+
+  /// As of the base, at the field or else the node.
+  void refuse(const Node& at, const std::string& message, const Field* field = nullptr) {
+    ReaderLog::refuse(field ? field->where : at.where, message);
+  }
+  /// Refuses fields that the type of the node does not have, where it acts (proto_schema.h).
+  void check_fields(const Node& node);
+};
+
+}  // namespace murosimf::robot_formats::proto

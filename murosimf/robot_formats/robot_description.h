@@ -1,0 +1,166 @@
+/// robot_description.h - a robot as a file describes it, before it becomes a Model: what the readers of MJCF and URDF make,
+/// and what the checks and the converter look at.
+///
+/// Everything is resolved: SI units, angles in rad, classes and includes applied, meshes read. Every part knows where it
+/// is written ("robot.xml:12"), so that later complaints can say so. Names are those of the file.
+///
+/// Bodies form a tree, parents first; body 0 is the base and has no joints. A body is placed in the frame of its parent
+/// and then moved by its joints in their order; a body without joints is welded to its parent (weld_fixed_bodies).
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "murosimf/robot_formats/mass_properties.h"
+#include "murosimf/math/transform.h"
+#include "murosimf/model/object.h"
+#include "murosimf/model/servo.h"
+#include "murosimf/model/shape.h"
+#include "murosimf/sensors/signal_spec.h"
+
+namespace murosimf::robot_formats {
+
+struct JointDescription {
+  std::string name, where;
+  Kind kind = Kind::revolute;   ///< or prismatic
+  Vec3d anchor;                 ///< [m] body frame
+  Vec3d axis;                   ///< any length but zero, body frame
+  std::optional<Vec3d> range;   ///< [rad | m] lowest, highest, 0
+  double reference = 0;         ///< [rad | m] joint position in the pose of the file
+  double armature = 0;          ///< [kg m^2 | kg]
+  double damping = 0;           ///< [N m s/rad | N s/m]
+  double friction = 0;          ///< [N m | N] dry
+  double stiffness = 0;         ///< [N m/rad | N/m] of a spring at the joint
+  double spring_reference = 0;  ///< [rad | m] joint position at which that spring is at rest
+  /// [N m | N] The file's own limit of what moves the joint (URDF effort, MJCF actuatorfrcrange); 0: none.
+  double effort_limit = 0;
+  std::optional<Vec3d> effort_range;  ///< [N m | N] lowest, highest, 0: where that limit is not the same both ways
+  double rate_limit = 0;              ///< [rad/s | m/s] URDF velocity; 0: none
+  std::optional<Servo> servo;         ///< of its actuators
+  /// [rad | m] Lowest, highest, 0: what targets are held to (MJCF ctrlrange); of a servo without position gain rates.
+  std::optional<Vec3d> target_range;
+  /// [1] Damping of its position servo over the critical one; 0: the servo's velocity_gain holds. Resolved by the reader.
+  double damping_ratio = 0;
+};
+
+/// A joint that follows another: position = offset + ratio * position of the other.
+struct MimicDescription {
+  std::string joint, leader, where;
+  double ratio = 1;   ///< [1]
+  double offset = 0;  ///< [rad | m]
+};
+
+/// Two frames of the robot that stand in one place, which closes a loop of its bodies.
+struct LoopDescription {
+  std::string name, where;
+  std::string frame1, frame2;  ///< FrameDescription::name
+  bool welded = false;         ///< their axes agree, too
+};
+
+/// One shape; of a mesh with several convex parts one for each.
+struct ShapeDescription {
+  std::string name, where;  ///< name may be empty
+  PlacedShape placed;       ///< in the frame of the body
+  std::string mesh;         ///< name of the mesh that it is made of; empty: a primitive
+  Vec3d middle{};           ///< [m] of a part of a mesh: where the shape's origin is in the mesh frame
+};
+
+/// A mesh that is only looked at: it is not read until somebody draws it.
+struct VisualDescription {
+  std::string name, where;
+  std::string mesh;  ///< among the description's meshes
+  Transformd place;  ///< of the mesh frame in the frame of the body
+  Color color;
+};
+
+/// A named frame on a body.
+struct FrameDescription {
+  std::string name, where;
+  std::string kind = "site";  ///< site, body (welded to this one), camera or loop (an end of one)
+  Transformd place;           ///< in the frame of the body
+  std::optional<Sole> box;    ///< of a box site: it may be a sole
+};
+
+struct BodyDescription {
+  std::string name, where;
+  int parent = -1;   ///< index; -1: the base
+  Transformd place;  ///< in the parent's frame, joints in the pose of the file
+  std::vector<JointDescription> joints;
+  MassProperties solid;     ///< mass 0: massless
+  std::string solid_where;  ///< where its mass is written; empty: nowhere, or worked out from shapes
+  std::vector<ShapeDescription> shapes;
+  std::vector<VisualDescription> visuals;  ///< meshes; other shapes for the eye are shapes that do not collide
+  std::vector<FrameDescription> frames;
+};
+
+/// A mesh of the file. A vertex v of the mesh file stands at scale * (orientation^T (v - position)) in the mesh frame.
+struct MeshDescription {
+  std::string name, where;
+  std::filesystem::path file;  ///< empty: the vertices stand in the robot file
+  Vec3d scale{1, 1, 1};        ///< [1]
+  Transformd origin;           ///< of the mesh frame, in the file's frame
+};
+
+/// A sensor or camera that the file mentions.
+struct SensorDescription {
+  std::string kind, name, frame, where;  ///< kind as the file calls it; frame: site, body, link or joint
+  Transformd place;                      ///< in that frame
+  double rate = 0;                       ///< [Hz] 0: the file does not say
+  std::string object_kind{};             ///< of `frame` in MJCF: site, xbody, body, joint, ...
+  std::map<std::string, sensors::SignalSpec> signals{};  ///< by output of the sensor that it becomes; "": of all
+  std::map<std::string, double> numbers{};               ///< SensorSpec::numbers
+  std::map<std::string, std::string> texts{};  ///< SensorSpec::texts; what names objects, by names of the file
+  std::string behind{};    ///< of a sensor of forces inside the robot: the body at which it is cut; empty: none
+  std::string obstacle{};  ///< why it is not simulated; empty: nothing known
+  std::string becomes{};   ///< SensorSpec::name (robot_sensors.h); empty: none
+};
+
+/// A posture that the file names (MJCF key).
+struct KeyframeDescription {
+  std::string name, where;
+  std::map<std::string, double> positions;  ///< [rad | m] of all joints, by name
+  std::map<std::string, double> targets;    ///< [rad | m] of joints with a position servo; empty: the positions
+  Transformd base;                          ///< in the world of the file
+};
+
+/// Two bodies whose shapes never touch each other (MJCF exclude).
+struct ExclusionDescription {
+  std::string body1, body2, where;
+};
+
+/// Two shapes of the robot, by name, that touch each other whatever else forbids it (MJCF pair).
+struct PairDescription {
+  std::string shape1, shape2, where;
+};
+
+/// Something that the file says and that has no effect here: `murosimf check` shows the line, `murosimf run` the word.
+struct Unused {
+  std::string word;  ///< "geom.condim", "option", "world geom 'floor'"
+  std::string line;  ///< "robot.xml:12: attribute 'condim' of geom is not used"
+};
+
+struct RobotDescription {
+  std::string name;
+  std::string base_joint;   ///< name of the joint that makes the base free; empty: none
+  bool fixed_base = false;  ///< the base is bolted to the world (model/fixed_base.h)
+  std::filesystem::path file;
+  std::vector<BodyDescription> bodies;
+  std::vector<MimicDescription> mimics;
+  std::vector<LoopDescription> loops;
+  std::vector<MeshDescription> meshes;
+  std::vector<SensorDescription> sensors;
+  std::vector<ExclusionDescription> exclusions;
+  std::vector<PairDescription> pairs;
+  std::vector<KeyframeDescription> keyframes;
+  std::vector<std::string> warnings;  ///< file:line: what looks wrong, or is dropped because of `lenient`
+  std::vector<std::string> notes;     ///< file:line: what was guessed, or taken instead
+  std::vector<Unused> unused;         ///< what has no effect here, each once
+};
+
+/// [rad | m] Position of a joint in the pose of the file; 0 if there is no such joint.
+[[nodiscard]] double reference_of(const RobotDescription& description, const std::string& joint);
+
+}  // namespace murosimf::robot_formats

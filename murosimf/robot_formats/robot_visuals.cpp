@@ -1,0 +1,18 @@
+#include "murosimf/robot_formats/robot_visuals.h"
+
+#include <algorithm>
+
+namespace murosimf::robot_formats {
+
+Visuals visuals_of(const RobotDescription& description, const BodyDescription& body) {
+  Visuals visuals;
+  for (const VisualDescription& visual : body.visuals) {
+    const auto mesh = std::ranges::find(description.meshes, visual.mesh, &MeshDescription::name);
+    if (mesh == description.meshes.end() || mesh->file.empty()) continue;
+    visuals.push_back({mesh->file.string(), mesh->scale, mesh->origin.position, mesh->origin.orientation,
+                       visual.place.position, visual.place.orientation, visual.color});
+  }
+  return visuals;
+}
+
+}  // namespace murosimf::robot_formats

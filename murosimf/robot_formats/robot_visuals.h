@@ -1,0 +1,12 @@
+/// robot_visuals.h - the meshes for the eye that a robot file gives a body.
+#pragma once
+
+#include "murosimf/robot_formats/robot_description.h"
+#include "murosimf/model/visual_mesh.h"
+
+namespace murosimf::robot_formats {
+
+/// The meshes for the eye of a body of the description, in the body's frame. Left out is what stands in the robot file itself.
+[[nodiscard]] Visuals visuals_of(const RobotDescription& description, const BodyDescription& body);
+
+}  // namespace murosimf::robot_formats

@@ -1,0 +1,17 @@
+/// gazebo_schema.h - the elements and attributes of `gazebo` blocks of URDF, and of the sensors and collisions in them.
+///
+/// What is not in it is a warning, not an error: blocks are full of what only plugins know.
+/// Sources: SDFormat documentation, "URDF in Gazebo" and "sensor".
+#pragma once
+
+#include "murosimf/files/xml_schema.h"
+
+namespace murosimf::robot_formats::urdf {
+
+/// By tag. Of blocks themselves "gazebo" only; what they say is read by urdf_gazebo.h.
+[[nodiscard]] const files::XmlVocabulary& gazebo_schema();
+
+/// For people: the words of URDF (urdf_schema.h), and those of gazebo blocks as "gazebo//imu".
+[[nodiscard]] const files::XmlVocabulary& urdf_words();
+
+}  // namespace murosimf::robot_formats::urdf

@@ -1,0 +1,18 @@
+/// urdf_gazebo.h - what the `gazebo` blocks of a URDF file say about links and joints.
+///
+/// Read are friction (mu1, or mu of the surface of a collision; where mu2 differs: a warning), springs at joints, and sensors; what would change the
+/// robot otherwise is refused; plugins, looks and solver settings are notes.
+/// Source: SDFormat documentation, "URDF in Gazebo".
+#pragma once
+
+#include "murosimf/robot_formats/robot_description.h"
+#include "murosimf/robot_formats/urdf/urdf_log.h"
+#include "murosimf/robot_formats/urdf/urdf_tree.h"
+
+namespace murosimf::robot_formats::urdf {
+
+/// `description` has the bodies of all links.
+void read_gazebo(const files::XmlElement& robot, const UrdfTree& tree, robot_formats::RobotDescription& description,
+                 UrdfLog& log);
+
+}  // namespace murosimf::robot_formats::urdf

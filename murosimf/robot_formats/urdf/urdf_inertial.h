@@ -1,0 +1,14 @@
+/// urdf_inertial.h - masses of links of a URDF file.
+#pragma once
+
+#include "murosimf/robot_formats/robot_description.h"
+#include "murosimf/robot_formats/urdf/urdf_tree.h"
+
+namespace murosimf::robot_formats::urdf {
+
+/// Mass, center and inertia of a link, link axes; all zero without an `inertial`. Inertia zero is a point mass, which
+/// frames often are. `balance`: inertias that no solid has become their mean in all directions, as the compiler option
+/// balanceinertia says; otherwise they are a warning. Throws SetupError for a negative mass.
+[[nodiscard]] robot_formats::MassProperties read_inertial(const UrdfLink& link, bool balance, UrdfLog& log);
+
+}  // namespace murosimf::robot_formats::urdf

@@ -1,0 +1,24 @@
+/// urdf_log.h - where the readers of URDF put what they have to say about a file (robot_formats/reader_log.h).
+#pragma once
+
+#include "murosimf/robot_formats/reader_log.h"
+#include "murosimf/files/xml_element.h"
+#include "murosimf/files/xml_schema.h"
+
+namespace murosimf::robot_formats::urdf {
+
+class UrdfLog : public robot_formats::ReaderLog {
+ public:
+  using ReaderLog::ReaderLog;
+
+  void note(const files::XmlElement& at, const std::string& message) { ReaderLog::note(at.where(), message); }
+  void unused(const files::XmlElement& at, const std::string& word, const std::string& message) {
+    ReaderLog::unused(at.where(), word, message);
+  }
+  void warn(const files::XmlElement& at, const std::string& message) { ReaderLog::warn(at.where(), message); }
+  void refuse(const files::XmlElement& at, const std::string& message) { ReaderLog::refuse(at.where(), message); }
+  /// What a schema says of a part of the file; what it does not know is a warning.
+  void take(const files::XmlFindings& findings);
+};
+
+}  // namespace murosimf::robot_formats::urdf

@@ -1,0 +1,46 @@
+/// urdf_mesh.h - meshes of a URDF file: named once, and read once, when something shall collide.
+///
+/// A mesh is called by the stem of its file; another file or another scale with the same stem gets a number.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "murosimf/robot_formats/reader_options.h"
+#include "murosimf/robot_formats/robot_description.h"
+#include "murosimf/robot_formats/mesh/mesh_library.h"
+#include "murosimf/robot_formats/urdf/urdf_log.h"
+#include "murosimf/robot_formats/urdf/urdf_mesh_path.h"
+
+namespace murosimf::robot_formats::urdf {
+
+class UrdfMeshes {
+ public:
+  UrdfMeshes(UrdfMeshPaths paths, std::vector<std::string> part_per_group, robot_formats::RobotDescription& description,
+             UrdfLog& log)
+      : paths_(std::move(paths)), part_per_group_(std::move(part_per_group)), description_(description), log_(log) {}
+
+  /// The entry among the description's meshes for a `mesh` element; nothing if its file is not there.
+  [[nodiscard]] std::optional<robot_formats::MeshDescription> find(const files::XmlElement& mesh);
+  /// The same of a file by its name, at a scale; `where` [file:line] names it.
+  [[nodiscard]] std::optional<robot_formats::MeshDescription> find(const std::string& name, const Vec3d& scale,
+                                                                 const std::string& where);
+
+  /// What contact sees of it. Throws SetupError: the line of the element, then what is wrong with the mesh.
+  [[nodiscard]] const std::vector<robot_formats::mesh::ConvexPart>& parts(const robot_formats::MeshDescription& mesh,
+                                                                    const files::XmlElement& user);
+
+  /// That there is no such file, and what to do. Of the element looked for last.
+  [[nodiscard]] std::string complaint(const files::XmlElement& mesh) const;
+  [[nodiscard]] std::string complaint(const std::string& name) const;
+
+ private:
+  UrdfMeshPaths paths_;
+  std::vector<std::string> part_per_group_;
+  robot_formats::RobotDescription& description_;
+  UrdfLog& log_;
+  robot_formats::mesh::MeshLibrary library_;
+};
+
+}  // namespace murosimf::robot_formats::urdf

@@ -1,0 +1,52 @@
+/// urdf_shape.h - `visual` and `collision` elements of links of a URDF file.
+///
+/// Meshes that collide become convex hulls. Those for the eye are named, not read: the physics does not need them.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "murosimf/robot_formats/robot_description.h"
+#include "murosimf/robot_formats/urdf/urdf_log.h"
+#include "murosimf/robot_formats/urdf/urdf_mesh.h"
+
+namespace murosimf::robot_formats::urdf {
+
+/// Colors by name of material, wherever in the file they are defined; the first definition counts.
+using UrdfColors = std::map<std::string, Color>;
+[[nodiscard]] UrdfColors read_colors(const files::XmlElement& robot);
+
+inline constexpr double standard_friction = 1.0;  ///< [1] what Gazebo and MuJoCo take where a URDF file is silent
+
+/// A shape at its place in a body [m, axes of the body], with its `friction` [1] and color.
+[[nodiscard]] PlacedShape placed_shape(const Shape& shape, const Transformd& place, const Color& color, bool collides,
+                                       double friction = standard_friction);
+
+class UrdfShapes {
+ public:
+  UrdfShapes(UrdfColors colors, UrdfMeshes meshes, UrdfLog& log)
+      : colors_(std::move(colors)), meshes_(std::move(meshes)), log_(log) {}
+
+  /// Adds the shapes of a link to its body, with the friction that Bullet's `contact` gives the link. Shapes that collide have the color of the link's first visual. Throws
+  /// SetupError: impossible sizes, collision mesh missing or unreadable. A visual mesh that is missing is a warning.
+  void add(const files::XmlElement& link, robot_formats::BodyDescription& body);
+
+ private:
+  /// Something that fills space, before it is a shape.
+  struct Part {
+    files::XmlElement element;
+    bool collides = false;
+    Color color{};
+  };
+  void add_part(const Part& part, robot_formats::BodyDescription& body);
+  void add_mesh(const Part& part, const files::XmlElement& mesh, robot_formats::BodyDescription& body);
+  void add_visual_mesh(const Part& part, const files::XmlElement& mesh, robot_formats::BodyDescription& body);
+  void add_collision_mesh(const Part& part, const files::XmlElement& mesh, robot_formats::BodyDescription& body);
+  [[nodiscard]] Color color_of(const files::XmlElement& visual);
+
+  UrdfColors colors_;
+  UrdfMeshes meshes_;
+  UrdfLog& log_;
+};
+
+}  // namespace murosimf::robot_formats::urdf

@@ -1,0 +1,159 @@
+#include "murosimf/serial/dynamixel/bus.h"
+
+#include <algorithm>
+
+#include "murosimf/serial/dynamixel/packet_checksum.h"
+
+namespace murosimf::serial::dynamixel {
+
+namespace {
+
+bool reads_many(Instruction instruction) {
+  using enum Instruction;
+  return instruction == sync_read || instruction == bulk_read || instruction == fast_sync_read ||
+         instruction == fast_bulk_read;
+}
+
+}  // namespace
+
+std::vector<BusAnswer> Bus::execute(const Packet& packet, double rate) {
+  Answers answers;
+  rate_ = rate;
+  const auto instruction = static_cast<Instruction>(packet.instruction);
+  const bool all = packet.id == broadcast_id, modern = packet.protocol == Protocol::v2;
+  if (modern && instruction == Instruction{status_instruction}) return answers;  // somebody's answer
+  for (const auto& device : devices_) {
+    if (understands(*device, packet.protocol)) device->heard();
+  }
+  if (all && instruction == Instruction::ping) return ping_all(packet.protocol, answers), answers;
+  if (all && instruction == Instruction::sync_write) return sync_write(packet), answers;
+  if (all && modern && instruction == Instruction::bulk_write) return bulk_write(packet), answers;
+  if (all && reads_many(instruction)) return read_all(packet, answers), answers;
+  for (const auto& device : devices_) {
+    if (!understands(*device, packet.protocol) || !device->obeys(packet.id)) continue;
+    if (const auto answer = device->execute(packet)) answers.push_back({device->return_delay(), to_bytes(*answer)});
+  }
+  return answers;
+}
+
+bool Bus::understands(const BusDevice& device, Protocol protocol) const {
+  return device.protocol() == protocol && device.hears(rate_);
+}
+
+BusDevice* Bus::find(Protocol protocol, std::uint8_t id) const {
+  for (const auto& device : devices_) {
+    if (understands(*device, protocol) && device->id() == id) return device.get();
+  }
+  return nullptr;
+}
+
+void Bus::ping_all(Protocol protocol, Answers& answers) const {
+  std::vector<const BusDevice*> in_order;
+  for (const auto& device : devices_) {
+    if (understands(*device, protocol) && device->answers_everybody()) in_order.push_back(device.get());
+  }
+  std::ranges::sort(in_order, {}, [](const BusDevice* device) { return device->id(); });
+  for (const BusDevice* device : in_order) answers.push_back({device->return_delay(), to_bytes(*device->ping())});
+}
+
+bool Bus::read(Protocol protocol, const Wish& wish, Answers& answers) const {
+  const BusDevice* device = find(protocol, wish.id);
+  const auto answer = device ? device->read(wish.address, wish.size) : std::nullopt;
+  if (answer) answers.push_back({device->return_delay(), to_bytes(*answer)});
+  return answer.has_value();
+}
+
+/// In the order of the packet; of a device that is named twice the first counts.
+std::vector<Bus::Wish> Bus::wishes(const Packet& packet) {
+  const Bytes& at = packet.parameters;
+  const bool old = packet.protocol == Protocol::v1;
+  const auto instruction = static_cast<Instruction>(packet.instruction);
+  std::vector<Wish> wishes;
+  const auto add = [&](std::uint8_t id, std::size_t address, std::size_t size) {
+    if (std::ranges::find(wishes, id, &Wish::id) == wishes.end()) wishes.push_back({id, address, size});
+  };
+  if (instruction == Instruction::bulk_read || instruction == Instruction::fast_bulk_read) {
+    const std::size_t entry = old ? 3 : 5;  // 0, then length, id, address; else id, address(2), length(2)
+    for (std::size_t i = old ? 1 : 0; i + entry <= at.size(); i += entry) {
+      old ? add(at[i + 1], at[i + 2], at[i]) : add(at[i], word(at, i + 1), word(at, i + 3));
+    }
+    return wishes;
+  }
+  const std::size_t head = old ? 2 : 4;
+  for (std::size_t i = head; i < at.size(); ++i) {
+    wishes.push_back(old ? Wish{at[i], at[0], at[1]} : Wish{at[i], word(at, 0), word(at, 2)});
+  }
+  return wishes;
+}
+
+void Bus::read_all(const Packet& packet, Answers& answers) const {
+  const auto instruction = static_cast<Instruction>(packet.instruction);
+  const bool old = packet.protocol == Protocol::v1;
+  if (instruction == Instruction::fast_sync_read || instruction == Instruction::fast_bulk_read) {
+    if (!old) fast_read(packet, answers);
+    return;
+  }
+  for (const Wish& wish : wishes(packet)) {
+    const BusDevice* device = find(packet.protocol, wish.id);
+    const bool feetech = device && device->registers().table().feetech;
+    if (old && feetech != (instruction == Instruction::sync_read)) return;  // each knows one of the two
+    if (!read(packet.protocol, wish, answers)) return;
+  }
+}
+
+/// One packet of everybody: its head comes from the first, and of each its error, id, data and the checksum of all before it. After
+/// one that is not there nothing follows, and the packet stays unfinished.
+void Bus::fast_read(const Packet& packet, Answers& answers) const {
+  const std::vector<Wish> all = wishes(packet);
+  std::size_t length = 1;  // of the instruction, then error, id and checksum of each
+  for (const Wish& wish : all) length += wish.size + 4;
+  if (length + 7 > most_bytes) return;
+  Bytes bytes{0xFF, 0xFF, 0xFD, 0x00, broadcast_id};
+  append_word(bytes, length);
+  bytes.push_back(status_instruction);
+  std::size_t sent = 0;
+  for (const Wish& wish : all) {
+    const BusDevice* device = find(packet.protocol, wish.id);
+    const auto answer = device ? device->read(wish.address, wish.size) : std::nullopt;
+    if (!answer) return;
+    Bytes data(answer->parameters.begin() + 1, answer->parameters.end());
+    data.resize(wish.size);  // what is refused has no data, but its place
+    bytes.push_back(answer->parameters.front());
+    bytes.push_back(wish.id);
+    append(bytes, data);
+    append_word(bytes, crc16(bytes));
+    answers.push_back(
+        {sent == 0 ? device->return_delay() : 0, {bytes.begin() + static_cast<std::ptrdiff_t>(sent), bytes.end()}});
+    sent = bytes.size();
+  }
+}
+
+void Bus::write(Protocol protocol, std::uint8_t id, std::size_t address, ByteView data) {
+  for (const auto& device : devices_) {
+    if (understands(*device, protocol) && id != broadcast_id && device->obeys(id)) (void)device->write(address, data);
+  }
+}
+
+void Bus::sync_write(const Packet& packet) {
+  const ByteView at = packet.parameters;
+  const bool old = packet.protocol == Protocol::v1;
+  const std::size_t head = old ? 2 : 4;
+  if (at.size() < head) return;
+  const std::size_t address = old ? at[0] : word(at, 0), size = old ? at[1] : word(at, 2);
+  for (std::size_t i = head; i + 1 + size <= at.size(); i += 1 + size) {
+    write(packet.protocol, at[i], address, at.subspan(i + 1, size));
+  }
+}
+
+void Bus::bulk_write(const Packet& packet) {
+  const ByteView at = packet.parameters;
+  std::size_t i = 0;
+  while (i + 5 <= at.size()) {
+    const std::size_t size = word(at, i + 3);
+    if (i + 5 + size > at.size()) return;
+    write(packet.protocol, at[i], word(at, i + 1), at.subspan(i + 5, size));
+    i += 5 + size;
+  }
+}
+
+}  // namespace murosimf::serial::dynamixel

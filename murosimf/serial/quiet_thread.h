@@ -1,0 +1,21 @@
+/// quiet_thread.h - a thread that handles no signals: those of a program are its main thread's.
+#pragma once
+
+#include <csignal>
+#include <pthread.h>
+#include <thread>
+#include <utility>
+
+namespace murosimf::serial {
+
+template <class F>
+std::thread quiet_thread(F&& f) {
+  sigset_t all, before;
+  sigfillset(&all);
+  pthread_sigmask(SIG_SETMASK, &all, &before);
+  std::thread thread(std::forward<F>(f));
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  return thread;
+}
+
+}  // namespace murosimf::serial

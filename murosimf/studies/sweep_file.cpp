@@ -1,0 +1,93 @@
+#include "murosimf/studies/sweep_file.h"
+
+#include <cerrno>
+#include <charconv>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "murosimf/files/file_lock.h"
+#include "murosimf/files/input_file.h"
+#include "murosimf/model/error.h"
+
+namespace murosimf::studies {
+namespace {
+
+constexpr std::uintmax_t most_bytes = 2'000'000'000;
+
+[[noreturn]] void refuse_writing(const std::filesystem::path& file) {
+  throw SetupError(fmt::format("cannot write '{}': {}", file.string(), std::generic_category().message(errno)));
+}
+
+/// The numbers of a line; empty if there are others than so many.
+std::vector<double> parse_line(std::string_view line, std::size_t results, std::size_t& run) {
+  const char* end = line.data() + line.size();
+  auto place = std::from_chars(line.data(), end, run);
+  std::vector<double> values;
+  while (place.ec == std::errc{} && place.ptr != end && *place.ptr == ' ') {
+    double value = 0;
+    place = std::from_chars(place.ptr + 1, end, value);
+    values.push_back(value);
+  }
+  const bool good = place.ec == std::errc{} && place.ptr == end && values.size() == results;
+  return good ? values : std::vector<double>{};
+}
+
+}  // namespace
+
+SweepFile::SweepFile(std::filesystem::path file, const std::string& what, std::size_t results)
+    : file_(std::move(file)) {
+  const std::string head = "MuRoSimF sweep 1\n" + what + "\n";
+  open();
+  std::error_code error;
+  const bool is_there = std::filesystem::exists(file_, error) && std::filesystem::file_size(file_, error) > 0;
+  if (is_there) {
+    const std::string text = files::read_input_file(file_, most_bytes);
+    with_context(file_.string(), [&] { read(text, head, results); });
+    std::filesystem::resize_file(file_, good_bytes_, error);  // the last line may have been cut off
+    if (error) throw SetupError(fmt::format("cannot write '{}': {}", file_.string(), error.message()));
+  }
+  if (good_bytes_ > 0) return;
+  if (std::fwrite(head.data(), 1, head.size(), stream_.get()) != head.size() || std::fflush(stream_.get()) != 0)
+    refuse_writing(file_);
+}
+
+/// No other sweep may go on with it meanwhile.
+void SweepFile::open() {
+  stream_.reset(std::fopen(file_.c_str(), "ab"));
+  if (!stream_) refuse_writing(file_);
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file_, error) || files::lock_file(::fileno(stream_.get()))) return;
+  throw SetupError(
+      fmt::format("cannot write '{}': it is being written by {}", file_.string(), files::who_writes(file_)));
+}
+
+void SweepFile::read(const std::string& text, const std::string& head, std::size_t results) {
+  if (!text.starts_with(head)) {
+    if (head.starts_with(text)) return;  // it was killed before its first run
+    const bool is_sweep = text.starts_with(head.substr(0, head.find('\n') + 1));
+    throw SetupError(is_sweep
+                         ? "it is of another sweep: of other options, files or another version of the program; name "
+                           "another file, or remove it"
+                         : "it is no file of a sweep; name another one");
+  }
+  good_bytes_ = head.size();
+  while (good_bytes_ < text.size()) {
+    const std::size_t end = text.find('\n', good_bytes_);
+    if (end == std::string::npos) return;
+    std::size_t run = 0;
+    const std::string_view line = std::string_view(text).substr(good_bytes_, end - good_bytes_);
+    const std::vector<double> values = parse_line(line, results, run);
+    if (values.empty()) throw SetupError(fmt::format("byte {}: this is no run of the sweep", good_bytes_));
+    known_[run] = values;
+    good_bytes_ = end + 1;
+  }
+}
+
+void SweepFile::add(std::size_t run, const std::vector<double>& values) {
+  const std::string line = fmt::format("{} {}\n", run, fmt::join(values, " "));
+  if (std::fwrite(line.data(), 1, line.size(), stream_.get()) != line.size() || std::fflush(stream_.get()) != 0)
+    refuse_writing(file_);
+}
+
+}  // namespace murosimf::studies

@@ -1,0 +1,107 @@
+/// mjcf_tendons_test - fixed tendons that act at one joint, against their forces worked out by hand.
+#include "murosimf/robot_formats/mjcf/mjcf_tendons.h"
+
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "murosimf/robot_formats/mjcf/mjcf_reader.h"
+#include "tests/description_checks.h"
+#include "tests/fixtures.h"
+#include "tests/temp_folder.h"
+
+namespace murosimf::robot_formats::mjcf {
+namespace {
+
+using description_checks::any_contains;
+
+/// Three hinges in a row, i, j and k; `coupled`: j = -0.5 i.
+robot_formats::RobotDescription read(const std::string& tendon, const std::string& after = "", bool coupled = true,
+                                   const std::string& of_i = "") {
+  const auto file = fixtures::temp_folder() / "tendons.xml";
+  std::ofstream(file)
+      << "<mujoco><compiler angle='radian'/><worldbody><body name='b'><freejoint/><geom size='.1'/><body><joint "
+         "name='i' axis='0 1 0' "
+      << of_i
+      << "/><geom size='.1'/><body><joint name='j' axis='0 1 0'/><geom size='.1'/><body><joint name='k' axis='0 1 "
+         "0'/><geom size='.1'/></body></body></body></body></worldbody><tendon>"
+      << tendon << "</tendon>" << after
+      << (coupled ? "<equality><joint joint1='j' joint2='i' polycoef='0 -.5'/></equality>" : "") << "</mujoco>";
+  return read_mjcf(file);
+}
+
+std::string fixed(const std::string& attributes, const std::string& joints) {
+  return "<fixed name='t' " + attributes + ">" + joints + "</fixed>";
+}
+
+const std::string both = "<joint joint='i' coef='3'/><joint joint='j' coef='2'/>";  // L = 3 i + 2 j = 2 i
+
+const robot_formats::JointDescription& joint_i(const robot_formats::RobotDescription& description) {
+  return description.bodies.at(1).joints.at(0);
+}
+
+// A force F along L = 2 i is a torque 2 F about i.
+TEST(MjcfTendons, ActAtTheJointThatOthersFollow) {
+  const auto robot =
+      read(fixed("stiffness='5' damping='.3' frictionloss='.7' armature='.01' range='-1 .4' springlength='.6'", both),
+           "", true, "stiffness='10' damping='.1' range='-.3 2'");
+  const auto& joint = joint_i(robot);
+  EXPECT_NEAR(joint.stiffness, 10 + 4 * 5, 1e-14);
+  EXPECT_NEAR(joint.spring_reference, 20 * .3 / 30, 1e-14) << "at rest between 0 and 0.6 / 2";
+  EXPECT_NEAR(joint.damping, .1 + 4 * .3, 1e-14);
+  EXPECT_NEAR(joint.friction, 2 * .7, 1e-14);
+  EXPECT_NEAR(joint.armature, 4 * .01, 1e-14);
+  EXPECT_EQ(joint.range->x, -.3) << "of the joint";
+  EXPECT_EQ(joint.range->y, .2) << "of the tendon";
+  EXPECT_EQ(robot.bodies.at(2).joints.at(0).stiffness, 0);
+  EXPECT_FALSE(any_contains(robot.warnings, "tendon"));
+}
+
+TEST(MjcfTendons, PassOnTheForcesOfActuators) {
+  const auto robot = read(fixed("", both),
+                          "<actuator><position name='a' tendon='t' kp='10' kv='2' ctrlrange='-1 1' "
+                          "forcerange='-6 6' gear='.5'/></actuator>");
+  const auto& joint = joint_i(robot);  // gear .5 x 2
+  ASSERT_TRUE(joint.servo);
+  EXPECT_NEAR(joint.servo->position_gain, 10, 1e-14);
+  EXPECT_NEAR(joint.servo->velocity_gain, 2, 1e-14);
+  EXPECT_NEAR(joint.servo->stall_torque, 6, 1e-14);
+  EXPECT_NEAR(joint.target_range->y, 1, 1e-14);
+  EXPECT_FALSE(any_contains(robot.warnings, "moves nothing"));
+  const auto alone = read(fixed("", "<joint joint='i' coef='-2'/>"),
+                          "<actuator><position tendon='t' kp='10' ctrlrange='-1 3'/></actuator>");
+  EXPECT_NEAR(joint_i(alone).servo->position_gain, 40, 1e-14);
+  EXPECT_NEAR(joint_i(alone).target_range->x, -1.5, 1e-14);
+  EXPECT_NEAR(joint_i(alone).target_range->y, .5, 1e-14);
+}
+
+// What would be wrong at one joint stays a warning.
+TEST(MjcfTendons, OfSeveralJointsDoNotAct) {
+  struct Case {
+    std::string tendon;
+    bool coupled;
+    std::string of_i;
+  };
+  const std::string spring = "stiffness='5'";
+  for (const Case& one :
+       {Case{fixed(spring, both), false, ""}, Case{fixed(spring, both + "<joint joint='k' coef='1'/>"), true, ""},
+        Case{fixed(spring, both), true, "ref='.1'"}, Case{fixed(spring + " springlength='0 1'", both), true, ""},
+        Case{fixed(spring, "<joint joint='i' coef='1'/><joint joint='j' coef='2'/>"), true, ""},
+        Case{"<spatial name='t' stiffness='5'/>", true, ""}}) {
+    const auto robot = read(one.tendon, "<actuator><motor name='a' tendon='t'/></actuator>", one.coupled, one.of_i);
+    EXPECT_TRUE(any_contains(robot.warnings, "tendon 't' does not act: spring")) << one.tendon;
+    EXPECT_TRUE(any_contains(robot.warnings, "actuator 'a' moves nothing: it acts on a tendon")) << one.tendon;
+    EXPECT_EQ(joint_i(robot).stiffness, 0);
+    EXPECT_FALSE(joint_i(robot).servo);
+  }
+}
+
+TEST(MjcfTendons, NeedARangeThatTheirJointHas) {
+  const auto complaint = fixtures::error_of([&] { (void)read(fixed("range='2 3'", both), "", true, "range='-1 .5'"); });
+  EXPECT_TRUE(
+      fixtures::says(complaint,
+                     {"tendons.xml:1: no position of joint 'i' is within its own range and that of this tendon"}));
+}
+
+}  // namespace
+}  // namespace murosimf::robot_formats::mjcf
