@@ -3,7 +3,7 @@
 
 #include "apps/command_line.h"
 #include "apps/interruption.h"
-#include "apps/last_words.h"
+#include "apps/error_output.h"
 #include "apps/repeat_arguments.h"
 #include "apps/results.h"
 #include "apps/standard_output.h"

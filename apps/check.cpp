@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "apps/command_line.h"
-#include "apps/last_words.h"
+#include "apps/error_output.h"
 #include "apps/results.h"
 #include "apps/scene_arguments.h"
 #include "apps/standard_output.h"
@@ -122,7 +122,7 @@ int check(const CheckOptions& options) {
   if (!options.picture.empty()) claim_picture("--picture", options.picture);
   if (!options.roles.empty()) files::claim_output("--roles", options.roles);
   const auto file = files::find_data_file(options.model, "models", ".xml");
-  files::note_input(file);  // refused before the readers, whose mistakes are findings
+  files::note_input(file);  // refused before the readers, whose errors are findings
   const robot_formats::ReaderOptions how{.lenient = options.lenient,
                                        .xacro = xacro_values(options.xacro),
                                        .body = options.body};

@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "apps/last_words.h"
+#include "apps/error_output.h"
 #include "apps/version.h"
 #include "murosimf/model/error.h"
 
@@ -71,7 +71,7 @@ int CommandLine::run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app_->exit(error);  // --help, --version
     say_error(error.what(), "; --help shows what there is");
-    return users_mistake;
+    return user_error;
   }
   return exit_code_;
 }

@@ -10,7 +10,7 @@
 ///       command.add("file", options.file, "Table (CSV) with a header and the time in its first column").required();
 ///     }
 ///
-///     int plot(const PlotOptions& options) { ... }  // the exit code; SetupError for users' mistakes
+///     int plot(const PlotOptions& options) { ... }  // the exit code; SetupError for users' errors
 ///
 ///     void add_plot(CommandLine& line) { line.add<PlotOptions>("plot", "Draw numbers over time", define, plot); }
 ///
@@ -59,7 +59,7 @@ class CommandLine {
   /// Files of `--plugin FILE` in front of the command; these may add commands, so they are loaded before anything is read.
   [[nodiscard]] static std::vector<std::string> leading_plugins(int argc, const char* const* argv);
 
-  /// Runs what the user asks for and returns the exit code. Says mistakes in the command line; throws what a command throws.
+  /// Runs what the user asks for and returns the exit code. Says errors in the command line; throws what a command throws.
   int run(int argc, char** argv);
 
   [[nodiscard]] std::vector<CommandText> commands() const;

@@ -3,7 +3,7 @@
 
 #include "apps/command_line.h"
 #include "apps/interruption.h"
-#include "apps/last_words.h"
+#include "apps/error_output.h"
 #include "apps/progress.h"
 #include "apps/series_arguments.h"
 #include "apps/standard_output.h"

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "apps/command_line.h"
-#include "apps/last_words.h"
+#include "apps/error_output.h"
 #include "murosimf/files/file_roles.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/logging/log_csv.h"

@@ -8,7 +8,7 @@
 
 #include "apps/command_line.h"
 #include "apps/interruption.h"
-#include "apps/last_words.h"
+#include "apps/error_output.h"
 #include "apps/progress.h"
 #include "apps/results.h"
 #include "apps/servo_logs.h"

@@ -9,7 +9,7 @@
 #include <ctime>
 #include <string_view>
 
-#include "murosimf/files/leftovers.h"
+#include "murosimf/files/cleanup_guard.h"
 
 namespace murosimf::app {
 namespace {
@@ -47,7 +47,7 @@ bool ask(int signal) noexcept {
 void on_signal(int signal) {
   const int saved = errno;
   if (!ask(signal)) {
-    files::remove_leftovers();
+    files::run_cleanup();
     (void)std::signal(signal, SIG_DFL);
     (void)raise(signal);  // comes when the handler has returned
   }

@@ -50,7 +50,7 @@ std::string text_of(const imaging::Lens& lens) {
                                             degrees(horizontal), degrees(vertical), degrees(diagonal)));
   text += line("sees up to", fmt::format("{:.1f} deg from the axis, in the picture {:.1f} deg",
                                          degrees(lens.widest_angle()), degrees(lens.corner_angle())));
-  if (const std::string remark = lens.fold_remark(); !remark.empty()) text += line("warning", remark);
+  if (const std::string diagnostic = lens.fold_warning(); !diagnostic.empty()) text += line("warning", diagnostic);
   return text;
 }
 

@@ -3,7 +3,7 @@
 
 #include "apps/command_line.h"
 #include "apps/interruption.h"
-#include "apps/last_words.h"
+#include "apps/error_output.h"
 #include "apps/plugin_commands.h"
 #include "apps/processor.h"
 #include "apps/scene_arguments.h"
@@ -61,9 +61,9 @@ int main(int argc, char** argv) {
         stderr,
         "murosimf: this processor has no %s, for which the program was built; build it with -DMUROSIMF_NATIVE=OFF\n",
         missing);
-    return users_mistake;
+    return user_error;
   }
-  say_last_words_of_everything();
+  report_uncaught_exceptions();
   catch_signals();
   const murosimf::files::FileRoles roles;
   try {

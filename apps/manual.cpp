@@ -47,7 +47,7 @@ Folders in which package:// names of URDF files are looked for, separated by col
 \fBMUROSIMF_SHARE_WAVES\fR
 always: threads share all work from the first step on, also where that takes longer, as on a machine that is busy. Results stay the same.
 .SH EXIT STATUS
-0: all went well. 1: a robot has errors (check), a scene ends otherwise (doctor). 2: a mistake in the command line or a file, said in one line. 3: a mistake
+0: all went well. 1: a robot has errors (check), a scene ends otherwise (doctor). 2: an error in the command line or a file, said in one line. 3: an error
 of the program.
 .SH EXAMPLES
 .nf

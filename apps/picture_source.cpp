@@ -13,7 +13,7 @@
 #include "murosimf/imaging/depth_numbers.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/recording/recorded_drawings.h"
-#include "murosimf/recording/recorded_others.h"
+#include "murosimf/recording/recorded_external_drawings.h"
 #include "murosimf/render/image_png.h"
 #include "murosimf/render/renderer.h"
 #include "murosimf/render/seen_drawing.h"
@@ -98,7 +98,7 @@ class Eye final : public PictureSource {
     std::vector<drawing::Drawn> all = drawing::drawn_by_robots(world);
     if (!recorded_) return all;
     (void)others_->take(recorded_->news(scene_.simulation().now()));
-    std::ranges::move(drawing::drawn_by_others(others_->shown(), drawing::teams_of(world)), std::back_inserter(all));
+    std::ranges::move(drawing::external_drawings(others_->shown(), drawing::teams_of(world)), std::back_inserter(all));
     return all;
   }
 
@@ -131,7 +131,7 @@ class Eye final : public PictureSource {
   double fps_, slow_;
   std::unique_ptr<scene::ScenePainter> painter_;
   std::optional<recording::DrawingReader> recorded_;
-  std::optional<recording::OthersThen> others_;
+  std::optional<recording::RecordedExternalDrawings> others_;
 };
 
 /// A camera that a robot carries.

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "apps/last_words.h"
+#include "apps/error_output.h"
 
 namespace murosimf::app {
 namespace {

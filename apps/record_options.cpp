@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "apps/last_words.h"
+#include "apps/error_output.h"
 #include "apps/results.h"
 #include "apps/version.h"
 #include "murosimf/files/file_roles.h"
@@ -154,7 +154,7 @@ void check(const RecordOptions& options, bool somebody_asks) {
 
 std::unique_ptr<recording::Recorder> make_recorder(scene::Scene& scene, const RecordOptions& options,
                                                    const files::FilesRead& files, const recording::RunDescription& run,
-                                                   const drawing::DrawingBoard* others) {
+                                                   const drawing::DebugDrawSource* others) {
   recording::RecorderOptions all = recorder_options(options);
   all.others = others;
   all.run = run;

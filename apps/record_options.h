@@ -7,7 +7,7 @@
 
 #include "apps/command.h"
 #include "apps/scene_arguments.h"
-#include "murosimf/drawing/drawing_board.h"
+#include "murosimf/drawing/debug_draw_source.h"
 #include "murosimf/files/files_read.h"
 #include "murosimf/recording/recorded_run.h"
 #include "murosimf/recording/recorder.h"
@@ -46,7 +46,7 @@ void check(const RecordOptions& options, bool somebody_asks);
 [[nodiscard]] std::unique_ptr<recording::Recorder> make_recorder(scene::Scene& scene, const RecordOptions& options,
                                                                  const files::FilesRead& files,
                                                                  const recording::RunDescription& run,
-                                                                 const drawing::DrawingBoard* others);
+                                                                 const drawing::DebugDrawSource* others);
 /// The same for a scene that repeats a recorded run.
 [[nodiscard]] std::unique_ptr<recording::Recorder> make_recorder(scene::Scene& scene, const RecordOptions& options,
                                                                  const recording::RecordedRun& run);

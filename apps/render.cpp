@@ -6,7 +6,7 @@
 
 #include "apps/command_line.h"
 #include "apps/interruption.h"
-#include "apps/last_words.h"
+#include "apps/error_output.h"
 #include "apps/picture_files.h"
 #include "apps/picture_source.h"
 #include "apps/render_options.h"

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "apps/command_line.h"
-#include "apps/last_words.h"
+#include "apps/error_output.h"
 #include "apps/standard_output.h"
 #include "murosimf/files/file_roles.h"
 #include "murosimf/recording/mcap/growing_file.h"
@@ -29,7 +29,7 @@ int repair(const RepairOptions& options) {
   if (!report.other_run.empty()) text += report.other_run + "; the first one is written\n";
   text += fmt::format("'{}' is whole: {} messages up to {:.3f} s\n", out, report.messages, report.last_time);
   write_standard_output(text);
-  if (const std::string remark = recording::remark_on_part(options.file); !remark.empty()) say_note(remark);
+  if (const std::string diagnostic = recording::part_diagnostic(options.file); !diagnostic.empty()) say_note(diagnostic);
   return 0;
 }
 

@@ -3,15 +3,15 @@
 
 #include "apps/command_line.h"
 #include "apps/interruption.h"
-#include "apps/last_words.h"
+#include "apps/error_output.h"
 #include "apps/option_values.h"
 #include "apps/repeat_arguments.h"
 #include "apps/results.h"
 #include "apps/standard_output.h"
 #include "apps/web_arguments.h"
-#include "murosimf/drawing/drawing_board.h"
+#include "murosimf/drawing/debug_draw_source.h"
 #include "murosimf/model/time.h"
-#include "murosimf/recording/recorded_course.h"
+#include "murosimf/recording/recorded_source.h"
 #include "murosimf/recording/mcap/growing_file.h"
 
 namespace murosimf::app {
@@ -46,23 +46,23 @@ std::string summary(const recording::McapReader& file) {
 
 void write_html(const std::shared_ptr<const recording::RecordedRun>& run, const recording::RepeatOptions& repeat,
                 const WebArguments& arguments) {
-  const auto others = std::make_shared<drawing::PinnedDrawings>();
-  recording::RecordedCourse course(run, repeat, others);
+  const auto others = std::make_shared<drawing::DebugDrawBuffer>();
+  recording::RecordedSource source(run, repeat, others);
   web::HtmlRecording page(
-      course.scene(), {.file = arguments.html, .rate = arguments.html_rate, .by_hand = true, .others = others.get()});
-  course.begin();
-  for (Duration time = course.first(); time < course.last() && !interrupted(); time += page.period()) {
-    course.seek(time, {}, [] { return false; });
+      source.scene(), {.file = arguments.html, .rate = arguments.html_rate, .by_hand = true, .others = others.get()});
+  source.begin();
+  for (Duration time = source.first(); time < source.last() && !interrupted(); time += page.period()) {
+    source.seek(time, {}, [] { return false; });
     page.take_frame();
   }
-  if (!interrupted()) course.seek(course.last(), {}, [] { return false; });
+  if (!interrupted()) source.seek(source.last(), {}, [] { return false; });
   page.finish();
 }
 
 void show_in_browsers(const std::shared_ptr<const recording::RecordedRun>& run, const recording::RepeatOptions& repeat,
                       const ReplayOptions& options) {
-  const auto others = std::make_shared<drawing::PinnedDrawings>();
-  session::Session session(std::make_unique<recording::RecordedCourse>(run, repeat, others),
+  const auto others = std::make_shared<drawing::DebugDrawBuffer>();
+  session::Session session(std::make_unique<recording::RecordedSource>(run, repeat, others),
                            {.speed = read_speed(options.speed)});
   const auto view = web_view_of(session.scene(), session, options.web, {.others = others.get()});
   session.run(run->end());
@@ -76,7 +76,7 @@ int replay(const ReplayOptions& options) {
     say_warning(fmt::format("{}: {}; 'murosimf repair' mends it", options.file, file.contents().damage));
   }
   if (!file.contents().other_run.empty()) say_warning(fmt::format("{}: {}", options.file, file.contents().other_run));
-  if (const std::string remark = recording::remark_on_part(options.file); !remark.empty()) say_note(remark);
+  if (const std::string diagnostic = recording::part_diagnostic(options.file); !diagnostic.empty()) say_note(diagnostic);
   Results results;
   if (!options.web.web.empty() || !options.web.html.empty()) {
     end_gently();

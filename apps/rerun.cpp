@@ -5,7 +5,7 @@
 
 #include "apps/command_line.h"
 #include "apps/interruption.h"
-#include "apps/last_words.h"
+#include "apps/error_output.h"
 #include "apps/progress.h"
 #include "apps/record_options.h"
 #include "apps/repeat_arguments.h"
@@ -106,7 +106,7 @@ int rerun(const RerunArguments& arguments) {
   const recording::RerunResult result = arguments.against.empty() ? repeat(run, arguments, nullptr, recorded)
                                                                   : compare_with_other(run, arguments, recorded);
   write_result(arguments.json, to_text(result), to_json(result));
-  if (!recorded) return users_mistake;
+  if (!recorded) return user_error;
   if (result.difference) return difference_found;
   return result.stopped ? exit_code() : 0;
 }

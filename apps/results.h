@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "apps/last_words.h"
+#include "apps/error_output.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::app {
@@ -28,7 +28,7 @@ class Results {
   /// Whether nothing is missing.
   [[nodiscard]] bool all() const { return all_; }
   /// `code` if nothing is missing.
-  [[nodiscard]] int exit_code(int code) const { return all_ ? code : users_mistake; }
+  [[nodiscard]] int exit_code(int code) const { return all_ ? code : user_error; }
 
  private:
   bool all_ = true;

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "apps/command.h"
-#include "murosimf/drawing/roboviz_door.h"
+#include "murosimf/drawing/roboviz_server.h"
 #include "murosimf/scene/run_report.h"
 
 namespace murosimf::app {
@@ -15,9 +15,9 @@ namespace murosimf::app {
 void add_roboviz(const Command& command, std::string& where);
 
 /// Open from now on, which is said; null if nobody draws. Throws SetupError.
-[[nodiscard]] std::unique_ptr<drawing::RobovizDoor> roboviz_door(const std::string& where);
+[[nodiscard]] std::unique_ptr<drawing::RobovizServer> roboviz_server(const std::string& where);
 
 /// For reports; nothing if there is no door.
-[[nodiscard]] std::optional<scene::DrawingPackets> packets_of(const drawing::RobovizDoor* door);
+[[nodiscard]] std::optional<scene::DrawingPackets> packets_of(const drawing::RobovizServer* door);
 
 }  // namespace murosimf::app

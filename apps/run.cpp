@@ -3,7 +3,7 @@
 
 #include "apps/command_line.h"
 #include "apps/interruption.h"
-#include "apps/last_words.h"
+#include "apps/error_output.h"
 #include "apps/option_values.h"
 #include "apps/roboviz_arguments.h"
 #include "apps/run_advance.h"
@@ -27,7 +27,7 @@ std::string why_stopped(const RunAdvance& advance) {
 void go_on_from(scene::Scene& scene, const std::string& file) {
   recording::load_state(scene, file);
   const std::string who = session::own_state(scene.simulation().world(), scene.parts().outside.memory.get());
-  if (!who.empty()) scene.parts().remarks.note(fmt::format("{}: nothing of it is in {}", who, file));
+  if (!who.empty()) scene.parts().diagnostics.note(fmt::format("{}: nothing of it is in {}", who, file));
 }
 
 int run_scene(const RunOptions& options, Steering& steering) {
@@ -38,7 +38,7 @@ int run_scene(const RunOptions& options, Steering& steering) {
   const double asked = options.duration.value_or(scene.spec().duration);
   const Duration end = read_duration(asked);
   const std::unique_ptr<league::League> game = game_of(scene, options.game);
-  const std::unique_ptr<drawing::RobovizDoor> roboviz = roboviz_door(options.roboviz);
+  const std::unique_ptr<drawing::RobovizServer> roboviz = roboviz_server(options.roboviz);
   outputs.attach(scene, scene_options, game.get(), roboviz.get());
   scene.simulation().initialize();
   outputs.scene_is_read();
@@ -53,9 +53,9 @@ int run_scene(const RunOptions& options, Steering& steering) {
   if (scene.simulation().now() < end) report.stopped = {why_stopped(advance), asked};
   const RunOutputs::Written written = outputs.write(report);
   if (advance.crashed()) return unexpected;
-  if (!written.recording || !written.files || advance.lacks_pictures()) return users_mistake;
+  if (!written.recording || !written.files || advance.lacks_pictures()) return user_error;
   if (report.stopped) return exit_code();
-  return written.states ? 0 : users_mistake;
+  return written.states ? 0 : user_error;
 }
 
 /// One scene after the other, if supervisors want others.

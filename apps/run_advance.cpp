@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "apps/interruption.h"
-#include "apps/last_words.h"
+#include "apps/error_output.h"
 #include "murosimf/connect/crash_note.h"
 #include "murosimf/model/error.h"
 #include "murosimf/scene/scene_report.h"
@@ -14,7 +14,7 @@
 namespace murosimf::app {
 
 RunAdvance::RunAdvance(scene::Scene& scene, const RunOptions& options, RunOutputs& outputs, const league::League* game,
-                       const drawing::DrawingBoard* others, Duration end)
+                       const drawing::DebugDrawSource* others, Duration end)
     : scene_(scene),
       options_(options),
       outputs_(outputs),
@@ -34,7 +34,7 @@ void RunAdvance::run(Steering& steering) {
 
 void RunAdvance::run_alone() {
   Clock clock(speed_of(options_));
-  clock.tell_of_overruns([&](const Overrun& overrun) { warn(overrun.simulated, scene::to_text(overrun.lateness)); });
+  clock.publish_overruns([&](const Overrun& overrun) { warn(overrun.simulated, scene::to_text(overrun.lateness)); });
   PictureSequence* pictures = outputs_.pictures();
   while (pictures && !lacks_pictures_ && pictures->next() <= end_) {
     advance_to(pictures->next(), clock);
@@ -73,7 +73,7 @@ void RunAdvance::run_steered(Steering& steering) {
   const auto tell = [&](const Overrun& overrun) { warn(overrun.simulated, scene::to_text(overrun.lateness)); };
   session::Session session(scene_, {.speed = speed_of(options_),
                                     .paused = options_.supervision.paused,
-                                    .tell_of_overruns = tell,
+                                    .publish_overruns = tell,
                                     .record = outputs_.record_switch(),
                                     .no_way_back = no_way_back(options_)});
   steering.begin(session, scene_, options_, outputs_);

@@ -8,7 +8,7 @@
 #include "apps/run_options.h"
 #include "apps/run_outputs.h"
 #include "apps/steering.h"
-#include "murosimf/drawing/drawing_board.h"
+#include "murosimf/drawing/debug_draw_source.h"
 #include "murosimf/runtime/clock.h"
 
 namespace murosimf::app {
@@ -17,7 +17,7 @@ class RunAdvance {
  public:
   /// `game`: null if nobody referees; `others`: null if no other program draws.
   RunAdvance(scene::Scene& scene, const RunOptions& options, RunOutputs& outputs, const league::League* game,
-             const drawing::DrawingBoard* others, Duration end);
+             const drawing::DebugDrawSource* others, Duration end);
 
   /// Until the end, a signal, or a supervisor. Control software that crashes ends it, too.
   void run(Steering& steering);
@@ -43,7 +43,7 @@ class RunAdvance {
   const RunOptions& options_;
   RunOutputs& outputs_;
   const league::League* game_;
-  const drawing::DrawingBoard* others_;
+  const drawing::DebugDrawSource* others_;
   Duration start_, end_;
   WallClock::time_point wall_start_ = WallClock::now();
   Progress line_;

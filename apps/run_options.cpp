@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "apps/interruption.h"
-#include "apps/last_words.h"
+#include "apps/error_output.h"
 #include "apps/option_values.h"
 #include "apps/roboviz_arguments.h"
 #include "murosimf/connect/tcp_server.h"
@@ -113,7 +113,7 @@ scene::SceneOptions scene_options_of(const RunOptions& options) {
   all.pushable = is_steered(options);
   if (!options.from.empty()) all.pushable = recording::was_pushable(options.from).value_or(all.pushable);
   all.software = server_at(options.listen);
-  if (!options.record.file.empty()) all.outside.notes = std::make_shared<OutsideNotes>();
+  if (!options.record.file.empty()) all.outside.notes = std::make_shared<ExternalInputLog>();
   return all;
 }
 

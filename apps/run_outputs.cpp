@@ -18,7 +18,7 @@ RunOutputs::RunOutputs(const RunOptions& options) : options_(options), saver_(op
 }
 
 void RunOutputs::attach(scene::Scene& scene, const scene::SceneOptions& scene_options, const league::League* game,
-                        const drawing::DrawingBoard* others) {
+                        const drawing::DebugDrawSource* others) {
   scene_ = &scene;
   game_ = game;
   if (!options_.log.empty()) {

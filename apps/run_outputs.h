@@ -8,7 +8,7 @@
 #include "apps/picture_sequence.h"
 #include "apps/run_options.h"
 #include "apps/state_saver.h"
-#include "murosimf/drawing/drawing_board.h"
+#include "murosimf/drawing/debug_draw_source.h"
 #include "murosimf/files/files_read.h"
 #include "murosimf/logging/run_log.h"
 #include "murosimf/recording/recorder.h"
@@ -24,7 +24,7 @@ class RunOutputs {
 
   /// Before the first step. `game`: null, if there is none; `others`: what other programs draw until write(), null: they do not.
   void attach(scene::Scene& scene, const scene::SceneOptions& scene_options, const league::League* game,
-              const drawing::DrawingBoard* others);
+              const drawing::DebugDrawSource* others);
   /// When the scene is initialized: what is read from now on is none of its files.
   void scene_is_read() { files_.stop(); }
   /// Those that were.

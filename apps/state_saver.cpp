@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "apps/last_words.h"
+#include "apps/error_output.h"
 #include "apps/record_options.h"
 #include "apps/results.h"
 #include "murosimf/files/file_roles.h"
@@ -22,8 +22,8 @@ StateSaver::StateSaver(const std::vector<std::string>& at, const std::string& at
     if (!good || !(s >= 0 && s <= scene_file::longest_duration) || colon + 1 == text.size()) {
       throw SetupError(fmt::format("--save-at '{}': write TIME:FILE, like 2.5:walk.state", text));
     }
-    wishes_.push_back({.time = from_seconds(s), .text = text, .file = text.substr(colon + 1)});
-    files::claim_output("--save-at " + text.substr(0, colon), wishes_.back().file);
+    requests_.push_back({.time = from_seconds(s), .text = text, .file = text.substr(colon + 1)});
+    files::claim_output("--save-at " + text.substr(0, colon), requests_.back().file);
   }
   if (!at_end.empty()) files::claim_output("--save-state", at_end);
 }
@@ -37,11 +37,11 @@ void StateSaver::begin(scene::Scene& scene, const files::FilesRead& files, const
               .command_line = paths.in_command_line(command_line()),
               .run = paths.in_description(std::move(described)),
               .files = recording::files_now(files.list(), paths)};
-  for (Wish& wish : wishes_) {
-    if (wish.time < scene.simulation().now()) continue;
-    scene.simulation().at(wish.time, [this, &wish] {
-      save(wish.file);  // that it cannot is a warning of the run
-      wish.done = true;
+  for (Request& request : requests_) {
+    if (request.time < scene.simulation().now()) continue;
+    scene.simulation().at(request.time, [this, &request] {
+      save(request.file);  // that it cannot is a warning of the run
+      request.done = true;
     });
   }
 }
@@ -51,13 +51,13 @@ void StateSaver::save(const std::string& file) { recording::write_state(*scene_,
 bool StateSaver::finish() {
   Results results;
   bool all = true;
-  for (Wish& wish : wishes_) {
-    if (!wish.done && wish.time == scene_->simulation().now()) {
-      results.write([&] { save(wish.file); });
-      wish.done = true;
+  for (Request& request : requests_) {
+    if (!request.done && request.time == scene_->simulation().now()) {
+      results.write([&] { save(request.file); });
+      request.done = true;
     }
-    if (wish.done) continue;
-    say_warning(fmt::format("--save-at '{}': there is no such state", wish.text));
+    if (request.done) continue;
+    say_warning(fmt::format("--save-at '{}': there is no such state", request.text));
     all = false;
   }
   if (!at_end_.empty()) results.write([&] { save(at_end_); });

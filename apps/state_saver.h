@@ -23,7 +23,7 @@ class StateSaver {
   [[nodiscard]] bool finish();
 
  private:
-  struct Wish {
+  struct Request {
     Duration time{};
     std::string text;  ///< as it was given
     std::string file;
@@ -31,7 +31,7 @@ class StateSaver {
   };
   void save(const std::string& file);
 
-  std::vector<Wish> wishes_;
+  std::vector<Request> requests_;
   std::string at_end_;
   scene::Scene* scene_ = nullptr;
   recording::StateFileOptions options_;

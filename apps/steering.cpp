@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "apps/last_words.h"
+#include "apps/error_output.h"
 #include "murosimf/model/error.h"
-#include "murosimf/scene/outside_scene.h"
+#include "murosimf/scene/requested_scene.h"
 
 namespace murosimf::app {
 namespace {
@@ -42,7 +42,7 @@ void Steering::begin(session::Session& session, const scene::Scene& scene, const
   allowed_ = scene::files_of_run(scene, {folders.begin(), folders.end()}, outputs.files_read());
   supervision_ = supervision_of(session, options.supervision,
                                 {.save = [this](scene::Scene& scene) { return outputs_->state_of(scene); },
-                                 .exchange = [this](const supervise::SceneWish& wish) { exchange(wish); }});
+                                 .exchange = [this](const supervise::SceneRequest& request) { exchange(request); }});
 }
 
 void Steering::leave() {
@@ -51,11 +51,11 @@ void Steering::leave() {
 }
 
 /// It is built as it will be, so that whatever is wrong with it is told, and the present run goes on.
-void Steering::exchange(const supervise::SceneWish& wish) {
+void Steering::exchange(const supervise::SceneRequest& request) {
   if (const std::string reason = why_it_stays(*options_); !reason.empty()) {
     throw SetupError(fmt::format("the run keeps its scene: {}", reason));
   }
-  const RunOptions options = options_for(wish);
+  const RunOptions options = options_for(request);
   const scene::SceneOptions scene_options = scene_options_of(options);
   const auto build = [&] {
     scene::Scene scene(options.scene.file, scene_options);
@@ -64,26 +64,26 @@ void Steering::exchange(const supervise::SceneWish& wish) {
   };
   try {
     scene::for_outside(options.scene.file, scene_options, build);
-  } catch (const scene::OutsideError& error) {
+  } catch (const scene::RequestError& error) {
     say_warning(fmt::format("a supervisor's scene was refused: {}", error.whole()));
     throw;
   }
-  next_ = wish;
+  next_ = request;
 }
 
-RunOptions Steering::options_for(const supervise::SceneWish& wish) const {
+RunOptions Steering::options_for(const supervise::SceneRequest& request) const {
   RunOptions options = first_;
-  options.scene.file = wish.scene;
-  options.scene.overrides = wish.overrides;
+  options.scene.file = request.scene;
+  options.scene.overrides = request.overrides;
   options.scene.seed.reset();
-  if (wish.seed) options.scene.seed = seed_of(*wish.seed);
+  if (request.seed) options.scene.seed = seed_of(*request.seed);
   options.scene.events.clear();
   options.scene.pushes.clear();
   options.scene.plugins.clear();  // they are loaded
   options.scene.only_from = allowed_;
   options.duration.reset();
   options.from.clear();
-  options.supervision.paused = wish.paused;
+  options.supervision.paused = request.paused;
   return options;
 }
 

@@ -25,14 +25,14 @@ class Steering {
   [[nodiscard]] RunOptions take_next();
 
  private:
-  void exchange(const supervise::SceneWish& wish);
-  [[nodiscard]] RunOptions options_for(const supervise::SceneWish& wish) const;
+  void exchange(const supervise::SceneRequest& request);
+  [[nodiscard]] RunOptions options_for(const supervise::SceneRequest& request) const;
 
   const RunOptions& first_;
   std::shared_ptr<const files::AllowedFiles> allowed_;  ///< that scenes of supervisors may be made of
   const RunOptions* options_ = nullptr;
   RunOutputs* outputs_ = nullptr;
-  std::optional<supervise::SceneWish> next_;
+  std::optional<supervise::SceneRequest> next_;
   std::unique_ptr<supervise::Supervision> supervision_;
 };
 

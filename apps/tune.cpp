@@ -12,7 +12,7 @@
 
 #include "apps/command_line.h"
 #include "apps/interruption.h"
-#include "apps/last_words.h"
+#include "apps/error_output.h"
 #include "apps/progress.h"
 #include "apps/record_options.h"
 #include "apps/results.h"
@@ -103,7 +103,7 @@ void define(const Command& command, TuneArguments& arguments) {
   add_plugins(command, arguments.plugins);
 }
 
-/// An option that this search has no use for is a mistake.
+/// An option that this search has no use for is an error.
 void refuse(bool given, const char* option, const char* what) {
   if (given) throw SetupError(fmt::format("{} is nothing that tuning {} asks for", option, what));
 }

@@ -5,7 +5,7 @@
 
 #include "apps/command_line.h"
 #include "apps/interruption.h"
-#include "apps/last_words.h"
+#include "apps/error_output.h"
 #include "apps/option_values.h"
 #include "apps/repeat_arguments.h"
 #include "apps/results.h"
@@ -13,11 +13,11 @@
 #include "apps/scene_arguments.h"
 #include "apps/standard_output.h"
 #include "apps/view_recording.h"
-#include "murosimf/drawing/drawing_board.h"
+#include "murosimf/drawing/debug_draw_source.h"
 #include "murosimf/model/error.h"
-#include "murosimf/recording/recorded_course.h"
+#include "murosimf/recording/recorded_source.h"
 #include "murosimf/recording/recorded_series.h"
-#include "murosimf/session/live_course.h"
+#include "murosimf/session/live_source.h"
 #include "murosimf/viewer/view_report.h"
 #include "murosimf/viewer/window.h"
 
@@ -74,13 +74,13 @@ viewer::WindowOptions window_options(const ViewOptions& options) {
 /// A scene that runs, or a recording that is played, with what other programs drew then; `end`: of it. `recording`: null if nothing is
 /// recorded.
 session::MakeCourse course_of(const SceneArguments& scene, ViewRecording* recording, Duration& end,
-                              const std::shared_ptr<drawing::PinnedDrawings>& others) {
+                              const std::shared_ptr<drawing::DebugDrawBuffer>& others) {
   if (!recording::is_recording(scene.file)) {
     scene::SceneOptions options = options_of(scene);
     options.pushable = true;
     if (recording) return [recording, options] { return recording->make_course(options); };
     return [file = scene.file, options] {
-      return std::make_unique<session::LiveCourse>(std::make_unique<scene::Scene>(file, options));
+      return std::make_unique<session::LiveSource>(std::make_unique<scene::Scene>(file, options));
     };
   }
   if (recording) throw SetupError("--record: this is a recording already");
@@ -88,7 +88,7 @@ session::MakeCourse course_of(const SceneArguments& scene, ViewRecording* record
   const auto run = recorded_run_of(scene.file, repeat_arguments(scene));
   end = std::min(end, run->end());
   return [run, repeat = options_of(repeat_arguments(scene)), others] {
-    return std::make_unique<recording::RecordedCourse>(run, repeat, others);
+    return std::make_unique<recording::RecordedSource>(run, repeat, others);
   };
 }
 
@@ -110,8 +110,8 @@ int view(const ViewOptions& options) {
   viewer_options.session.speed = read_speed(options.speed);
   if (options.duration) viewer_options.end = read_duration(*options.duration);
   if (const std::string reason = viewer::no_window_because(); !reason.empty()) throw SetupError(reason);
-  const auto roboviz = roboviz_door(options.roboviz);
-  const auto drawn_then = std::make_shared<drawing::PinnedDrawings>();
+  const auto roboviz = roboviz_server(options.roboviz);
+  const auto drawn_then = std::make_shared<drawing::DebugDrawBuffer>();
   std::optional<ViewRecording> recording;
   if (!options.record.file.empty()) recording.emplace(options.scene, options.record, roboviz.get());
   viewer_options.make_course =
@@ -119,7 +119,7 @@ int view(const ViewOptions& options) {
   if (recording) viewer_options.session.no_way_back = ViewRecording::no_way_back();
   if (is_asked_for(options.record)) viewer_options.session.record = [&](bool on) { recording->record(on); };
   viewer_options.session.paused = options.paused;
-  viewer_options.others = roboviz ? static_cast<const drawing::DrawingBoard*>(roboviz.get()) : drawn_then.get();
+  viewer_options.others = roboviz ? static_cast<const drawing::DebugDrawSource*>(roboviz.get()) : drawn_then.get();
   viewer::Viewer viewer(viewer_options);
   const viewer::WindowReport shown = show(viewer, window);
   viewer.settle();
@@ -127,7 +127,7 @@ int view(const ViewOptions& options) {
   const bool recorded = !recording || recording->finish();
   write_result(options.json, to_text(viewer, shown),
                options.json.empty() ? "" : to_json(viewer, shown, packets_of(roboviz.get())));
-  return recorded ? exit_code() : users_mistake;
+  return recorded ? exit_code() : user_error;
 }
 
 }  // namespace

@@ -4,17 +4,17 @@
 
 #include "murosimf/model/error.h"
 #include "murosimf/scene/scene_report.h"
-#include "murosimf/session/live_course.h"
+#include "murosimf/session/live_source.h"
 
 namespace murosimf::app {
 
 ViewRecording::ViewRecording(const SceneArguments& scene, const RecordOptions& options,
-                             const drawing::DrawingBoard* others)
+                             const drawing::DebugDrawSource* others)
     : arguments_(scene), options_(options), others_(others) {
   check(options, true);
 }
 
-std::unique_ptr<session::Course> ViewRecording::make_course(const scene::SceneOptions& options) {
+std::unique_ptr<session::PlaybackSource> ViewRecording::make_course(const scene::SceneOptions& options) {
   if (scene_) throw SetupError("no other scene: " + no_way_back());
   files_.emplace();
   auto scene = std::make_unique<scene::Scene>(arguments_.file, options);
@@ -23,7 +23,7 @@ std::unique_ptr<session::Course> ViewRecording::make_course(const scene::SceneOp
   files_->stop();
   scene_ = scene.get();
   begin_ = std::chrono::steady_clock::now();
-  return std::make_unique<session::LiveCourse>(std::move(scene), session::LiveOptions{.no_way_back = no_way_back()});
+  return std::make_unique<session::LiveSource>(std::move(scene), session::LiveOptions{.no_way_back = no_way_back()});
 }
 
 bool ViewRecording::finish() {

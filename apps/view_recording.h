@@ -8,18 +8,18 @@
 
 #include "apps/record_options.h"
 #include "apps/scene_arguments.h"
-#include "murosimf/drawing/drawing_board.h"
-#include "murosimf/session/course.h"
+#include "murosimf/drawing/debug_draw_source.h"
+#include "murosimf/session/playback_source.h"
 
 namespace murosimf::app {
 
 class ViewRecording {
  public:
   /// All must outlive it. `others`: what other programs draw; null: they do not. Throws SetupError if the file could not be written now.
-  ViewRecording(const SceneArguments& scene, const RecordOptions& options, const drawing::DrawingBoard* others);
+  ViewRecording(const SceneArguments& scene, const RecordOptions& options, const drawing::DebugDrawSource* others);
 
   /// The scene with its recorder; once. Throws SetupError.
-  [[nodiscard]] std::unique_ptr<session::Course> make_course(const scene::SceneOptions& options);
+  [[nodiscard]] std::unique_ptr<session::PlaybackSource> make_course(const scene::SceneOptions& options);
   /// From now on, or no longer; in the thread that runs the scene.
   void record(bool on) { recorder_->ask(on); }
   /// Why nobody can go back in time.
@@ -30,7 +30,7 @@ class ViewRecording {
  private:
   const SceneArguments& arguments_;
   const RecordOptions& options_;
-  const drawing::DrawingBoard* others_;
+  const drawing::DebugDrawSource* others_;
   std::optional<files::FilesRead> files_;  // that the scene is made of
   scene::Scene* scene_ = nullptr;
   std::unique_ptr<recording::Recorder> recorder_;

@@ -1,6 +1,6 @@
 #include "apps/web_arguments.h"
 
-#include "apps/last_words.h"
+#include "apps/error_output.h"
 #include "murosimf/files/file_roles.h"
 #include "murosimf/model/error.h"
 
@@ -35,7 +35,7 @@ void check(const WebArguments& arguments) {
 }
 
 std::unique_ptr<web::HtmlRecording> make_html_recording(scene::Scene& scene, const WebArguments& arguments,
-                                                        const drawing::DrawingBoard* others) {
+                                                        const drawing::DebugDrawSource* others) {
   if (arguments.html.empty()) return nullptr;
   return std::make_unique<web::HtmlRecording>(scene, web::HtmlOptions{.file = arguments.html,
                                                                       .rate = arguments.html_rate,

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "apps/command.h"
-#include "murosimf/drawing/drawing_board.h"
+#include "murosimf/drawing/debug_draw_source.h"
 #include "murosimf/league/game_task.h"
 #include "murosimf/session/session.h"
 #include "murosimf/web/html_recording.h"
@@ -27,12 +27,12 @@ void check(const WebArguments& arguments);
 /// Null if none is asked for. Before the first step. `others`: what other programs draw; null: they do not.
 [[nodiscard]] std::unique_ptr<web::HtmlRecording> make_html_recording(scene::Scene& scene,
                                                                       const WebArguments& arguments,
-                                                                      const drawing::DrawingBoard* others);
+                                                                      const drawing::DebugDrawSource* others);
 
 /// What browsers show besides the scene; all of it must outlive the view.
 struct ShownInBrowsers {
   const league::GameTask* game = nullptr;         ///< whose score; null: nobody referees
-  const drawing::DrawingBoard* others = nullptr;  ///< what other programs draw; null: they do not
+  const drawing::DebugDrawSource* others = nullptr;  ///< what other programs draw; null: they do not
 };
 
 /// Shows the session in browsers from now on; its addresses are said. Null if nobody looks on. Throws SetupError, with the option.

@@ -56,7 +56,7 @@ class Match {
  private:
   template <class Set>
   void play(const std::string& name, const Set& set) const {
-    wire::RobotClient robot({.robot = name, .port = server_->address().port, .rate = 100});
+    client::RobotClient robot({.robot = name, .port = server_->address().port, .rate = 100});
     for (const char* signal : {"joint.position", "imu.gyroscope", "imu.accelerometer"}) (void)robot.signal(signal);
     auto& velocity = robot.command("walk.velocity");
     auto& others = robot.command("walk.other_joints");

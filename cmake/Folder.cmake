@@ -2,7 +2,7 @@
 # Left alone are sources whose names in anonymous namespaces others of their folder have, too, or that define macros.
 # MUROSIMF_FOLDERS_ALONE has more of them.
 set(murosimf_folders_alone geometry ${MUROSIMF_FOLDERS_ALONE})
-set_source_files_properties(soccer/localize.cpp components/sensor_keys.cpp components/sensor_toml.cpp
+set_source_files_properties(soccer/localize.cpp robot_formats/mjcf/mjcf_tendons.cpp robot/conversion_additions.cpp robot/robot_builder.cpp components/sensor_keys.cpp components/sensor_toml.cpp
   components/servo_description.cpp files/data_path.cpp robot_formats/mesh/obj_file.cpp robot_formats/urdf/urdf_joint.cpp
   serial/line_rate.cpp locomotion/gait_clock.cpp motion/joint_stop.cpp robot/role_inference.cpp render/image_png.cpp render/opengl/gl_drawing.cpp web/server.cpp
   PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)

@@ -32,11 +32,11 @@ using namespace std::chrono_literals;
 
 namespace {
 
-int mistakes = 0;
+int errors = 0;
 
 void expect(bool right, const char* what) {
   std::printf("%s: %s\n", what, right ? "as the page says" : "NOT as the page says");
-  if (!right) ++mistakes;
+  if (!right) ++errors;
 }
 
 // docs/cameras.md
@@ -224,5 +224,5 @@ int main() {
   session_steered();
   many_worlds();
   log_of();
-  return mistakes;
+  return errors;
 }

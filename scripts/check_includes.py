@@ -29,8 +29,8 @@ include_line = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 
 def folders(root):
-    """The folders of the library, low to high, with the set of those that each may include; and mistakes, as text."""
-    allowed, mistakes = {}, []
+    """The folders of the library, low to high, with the set of those that each may include; and errors, as text."""
+    allowed, errors = {}, []
     for found in folder_line.finditer((root / "murosimf/CMakeLists.txt").read_text(encoding="utf-8")):
         name, words = found[1], found[2].split()
         uses = words[words.index("USES") + 1:] if "USES" in words else []
@@ -39,9 +39,9 @@ def folders(root):
                 uses = uses[:uses.index(keyword)]
         for use in uses:
             if use not in allowed:
-                mistakes.append(f"murosimf/{name} uses {use}, which does not stand above it")
+                errors.append(f"murosimf/{name} uses {use}, which does not stand above it")
         allowed[name] = set(uses).union(*(allowed.get(use, set()) for use in uses))
-    return allowed, mistakes
+    return allowed, errors
 
 
 def folder_of(path, allowed):
@@ -135,8 +135,8 @@ def violations(root):
     """Yields (file, line number, message)."""
     reached = Includes(root)
     library = root / "murosimf"
-    allowed, mistakes = folders(root)
-    yield from (("murosimf/CMakeLists.txt", 1, mistake) for mistake in mistakes)
+    allowed, errors = folders(root)
+    yield from (("murosimf/CMakeLists.txt", 1, error) for error in errors)
     headers = {}
     for file in sources(library) + [file for name in [public, *outside] for file in sources(root / name)]:
         relative = file.relative_to(root)

@@ -220,7 +220,7 @@ def plain(line, vary):
 
 def misquoted(quote, printed, vary):
     """Places in the quote that are not what was printed, each with the line that it should be, or None."""
-    mistakes, at, anywhere = [], 0, False
+    errors, at, anywhere = [], 0, False
     plainly = [plain(line, vary) for line in printed]
     for place, line in enumerate(quote):
         if line.strip() == "...":
@@ -233,12 +233,12 @@ def misquoted(quote, printed, vary):
             rest = plainly[at:] if anywhere else plainly[at : at + 1]
             near = difflib.get_close_matches(wanted, rest, 1, 0.6 if anywhere else 0)
             found = at + rest.index(near[0]) if near else None
-            mistakes.append((place, printed[found] if near else None))
+            errors.append((place, printed[found] if near else None))
         if found is not None:
             at, anywhere = found + 1, False
-    if not mistakes and quote and not anywhere and at < len(printed):
-        mistakes.append((len(quote), printed[at]))  # the quote ends early, and no "..." says so
-    return mistakes
+    if not errors and quote and not anywhere and at < len(printed):
+        errors.append((len(quote), printed[at]))  # the quote ends early, and no "..." says so
+    return errors
 
 
 class Page:
@@ -270,11 +270,11 @@ class Check:
     """Runs pages, counts and reports."""
 
     def __init__(self, options):
-        self.options, self.ran, self.left_out, self.mistakes, self.updated = options, [], [], 0, 0
+        self.options, self.ran, self.left_out, self.errors, self.updated = options, [], [], 0, 0
         self.scratch = Scratch(options.build)
 
     def complain(self, page, number, text):
-        self.mistakes += 1
+        self.errors += 1
         print(f"{page.name}:{number + 1}: {text}")
 
     def why_not(self, call):
@@ -364,7 +364,7 @@ class Check:
         for line in self.left_out:
             print(f"not run: {line}")
         counts = f"{len(self.ran)} commands run, {len(self.left_out)} not"
-        print(f"{counts}, {self.mistakes} mistakes, {self.updated} lines updated")
+        print(f"{counts}, {self.errors} errors, {self.updated} lines updated")
 
 
 def main():
@@ -379,7 +379,7 @@ def main():
                   ROOT / "scenes", ROOT / "examples"]
     paths = [path.resolve() for path in options.pages] or everything
     files = [file for path in paths for file in (sorted(path.glob("*.[ct][po][pm]*")) if path.is_dir() else [path])]
-    mistakes = 0
+    errors = 0
     for path in paths:
         check = Check(options)
         try:
@@ -392,8 +392,8 @@ def main():
             check.scratch.remove()
         print(f"{path.name}: ", end="")
         check.report()
-        mistakes += check.mistakes
-    sys.exit(1 if mistakes else 0)
+        errors += check.errors
+    sys.exit(1 if errors else 0)
 
 
 if __name__ == "__main__":

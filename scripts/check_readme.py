@@ -7,14 +7,14 @@ import sys
 root = pathlib.Path(__file__).resolve().parent.parent
 readme = (root / "README.md").read_text()
 example = (root / "examples" / "minimal.cpp").read_text()
-mistakes = []
+errors = []
 
 blocks = re.findall(r"```cpp\n(.*?)```", readme, re.DOTALL)
 if blocks != [example]:
-    mistakes.append("README.md: its C++ program is not examples/minimal.cpp")
+    errors.append("README.md: its C++ program is not examples/minimal.cpp")
 main_lines = example[example.index("int main"):].count("\n")
 if main_lines >= 15:
-    mistakes.append(f"examples/minimal.cpp: main has {main_lines} lines, not under 15")
+    errors.append(f"examples/minimal.cpp: main has {main_lines} lines, not under 15")
 
 folders = "docs|murosimf|examples|scripts|models|motions|scenes|servos|tests|benchmarks|apps"
 for page in [root / "README.md", *sorted((root / "docs").glob("*.md"))]:
@@ -24,8 +24,8 @@ for page in [root / "README.md", *sorted((root / "docs").glob("*.md"))]:
     missing = {name for name in names if "NAME" not in name and not (root / name).exists()}
     missing |= {link for link in links if not (page.parent / link).exists()}
     for name in sorted(missing):
-        mistakes.append(f"{page.name}: names '{name}', which is not there")
+        errors.append(f"{page.name}: names '{name}', which is not there")
 
-for mistake in mistakes:
-    print(mistake)
-sys.exit(1 if mistakes else 0)
+for error in errors:
+    print(error)
+sys.exit(1 if errors else 0)

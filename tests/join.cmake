@@ -1,6 +1,6 @@
 # cmake -D OUTPUT=<file> -D SOURCES=<files> -P join.cmake: writes several sources of tests as one, so that the compiler reads
 # and instantiates what they share once. Every anonymous namespace gets one more inside, with the name of its file: files may
-# have helpers of the same name, as they do alone. Messages of compiler and tests name the file itself.
+# have parallel_for of the same name, as they do alone. Messages of compiler and tests name the file itself.
 set(joined "")
 foreach(source IN LISTS SOURCES)
   get_filename_component(name "${source}" NAME_WE)

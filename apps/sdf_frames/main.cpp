@@ -4,7 +4,7 @@
 // which the program runs, writes a log into the home folder, and may give up on a file that is not as it should be. MODEL is the
 // name of a model of the first world; empty: the model at the top of the file. Standard input: JSON, for each URI of an include the file
 // that it means. Standard output: JSON, which murosimf/robot_formats/sdf/sdf_poses.cpp reads; poses are x, y, z [m] and w, x, y, z of a
-// quaternion. Exit code 0 also if libsdformat finds mistakes: they are in the output.
+// quaternion. Exit code 0 also if libsdformat finds errors: they are in the output.
 #include <cstdlib>
 #include <exception>
 #include <iostream>

@@ -42,7 +42,7 @@ class DynamixelPort {
       throw std::runtime_error("the port is gone");
   }
 
-  /// The data of the next answer without mistakes; empty: none within 200 ms.
+  /// The data of the next answer without errors; empty: none within 200 ms.
   Bytes receive(std::uint8_t& id) {
     for (;;) {
       while (come_.size() >= 4 && !(come_[0] == 0xFF && come_[1] == 0xFF && come_[2] == 0xFD && come_[3] == 0))

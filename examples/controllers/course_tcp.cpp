@@ -14,7 +14,7 @@ int main(int count, char** arguments) {
   try {
     cross_course_over_tcp(arguments[2], static_cast<std::uint16_t>(std::strtoul(arguments[1], nullptr, 10)));
     return 0;
-  } catch (const murosimf::wire::ClientError& error) {
+  } catch (const murosimf::client::ClientError& error) {
     std::fprintf(stderr, "%s: %s\n", arguments[2], error.what());
     return 1;
   }

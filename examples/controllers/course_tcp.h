@@ -9,9 +9,9 @@
 
 #include "course.h"
 
-/// Until the run is over. Throws murosimf::wire::ClientError.
+/// Until the run is over. Throws murosimf::client::ClientError.
 inline void cross_course_over_tcp(const std::string& name, std::uint16_t port) {
-  murosimf::wire::RobotClient robot(
+  murosimf::client::RobotClient robot(
       {.robot = name, .port = port, .rate = 1 / CourseRunner::period, .software = "course_tcp"});
   const auto& position = robot.signal("joint.position");
   auto& command = robot.command("joint.target");
@@ -19,7 +19,7 @@ inline void cross_course_over_tcp(const std::string& name, std::uint16_t port) {
   std::array<std::size_t, CourseRunner::joint_count> places{};
   for (std::size_t i = 0; i < places.size(); ++i) {
     const auto found = std::find(command.labels.begin(), command.labels.end(), CourseRunner::joints[i]);
-    if (found == command.labels.end()) throw murosimf::wire::ClientError(name + " is no kid21");
+    if (found == command.labels.end()) throw murosimf::client::ClientError(name + " is no kid21");
     places[i] = static_cast<std::size_t>(found - command.labels.begin());
   }
   CourseRunner runner;

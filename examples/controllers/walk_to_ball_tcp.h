@@ -8,9 +8,9 @@
 
 #include "walk_to_ball.h"
 
-/// Until the run is over. Throws murosimf::wire::ClientError.
+/// Until the run is over. Throws murosimf::client::ClientError.
 inline void walk_to_ball(const std::string& name, std::uint16_t port) {
-  murosimf::wire::RobotClient robot({.robot = name, .port = port, .rate = 20, .software = "walk_to_ball_tcp"});
+  murosimf::client::RobotClient robot({.robot = name, .port = port, .rate = 20, .software = "walk_to_ball_tcp"});
   const auto& ball = robot.signal("ground_truth.ball_position");
   const auto& place = robot.signal("ground_truth." + name + "_position");
   const auto& heading = robot.signal("ground_truth." + name + "_heading");

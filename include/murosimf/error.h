@@ -15,7 +15,7 @@ class MUROSIMF_API Error : public std::runtime_error {
   ~Error() override;
 };
 
-/// A mistake in a file, an option or a value: "scenes/a.toml:3:7: unknown level 'full'; did you mean 'full_dynamics'?".
+/// An error in a file, an option or a value: "scenes/a.toml:3:7: unknown level 'full'; did you mean 'full_dynamics'?".
 class MUROSIMF_API InputError : public Error {
  public:
   using Error::Error;

@@ -76,7 +76,7 @@ class MUROSIMF_API Scene {
  public:
   /// `name`: a file, or the name of a scene that comes with the library (`murosimf list scenes`).
   explicit Scene(const std::string& name, const SceneOptions& options = {});
-  /// What a scene file would say (TOML, docs/scenes.md). Files that it names are looked for here and among those of the library; mistakes are told as
+  /// What a scene file would say (TOML, docs/scenes.md). Files that it names are looked for here and among those of the library; errors are told as
   /// of a file "scene.toml".
   [[nodiscard]] static Scene of_text(const std::string& toml, const SceneOptions& options = {});
   /// A robot alone on the ground, called "robot", at `articulated_dynamics` and without controller, unless

@@ -129,7 +129,7 @@ std::vector<RunEvent> Scene::events() const {
 }
 
 std::vector<std::string> Scene::warnings() const {
-  std::vector<std::string> all = inside().scene.parts().remarks.warnings();
+  std::vector<std::string> all = inside().scene.parts().diagnostics.warnings();
   const auto& later = inside().simulation().warnings();
   all.insert(all.end(), later.begin(), later.end());
   return all;

@@ -1,4 +1,4 @@
-/// entity_appearance.h - what entities look like to the renderer: meshes for the eye, shapes, numbers on shirts.
+/// entity_appearance.h - what entities look like to the renderer: visual meshes, shapes, numbers on shirts.
 #pragma once
 
 #include <map>

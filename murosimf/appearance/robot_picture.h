@@ -9,7 +9,7 @@
 namespace murosimf::appearance {
 
 /// The robot in the pose of the file, four times in a row to the same scale. Bodies are drawn with
-/// their meshes for the eye, or else with the shapes that collide. Meshes that cannot be read are left out. Throws
+/// their visual meshes, or else with the shapes that collide. Meshes that cannot be read are left out. Throws
 /// SetupError if this machine or this build cannot draw.
 [[nodiscard]] imaging::ColorImage robot_picture(const robot_formats::RobotDescription& description, int columns = 1600,
                                                 int rows = 640);

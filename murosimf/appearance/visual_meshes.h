@@ -1,4 +1,4 @@
-/// visual_meshes.h - meshes for the eye (model/visual_mesh.h) as triangles: here their files are read.
+/// visual_meshes.h - visual meshes (model/visual_mesh.h) as triangles: here their files are read.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ namespace murosimf::appearance {
 /// mesh file, line if there is one, what is wrong, what to do.
 [[nodiscard]] geometry::TriangleMesh visual_triangles(const VisualMesh& mesh);
 
-/// The files of all meshes for the eye of a model, one for each use.
+/// The files of all visual meshes of a model, one for each use.
 [[nodiscard]] std::vector<std::string> visual_files(const Model& model);
 
 /// Triangles of one color that move with an object.
@@ -32,7 +32,7 @@ struct SeenShape {
 
 /// What is to be drawn of a model.
 struct Appearance {
-  std::vector<SeenMesh> meshes;   ///< of meshes for the eye and convex polyhedra
+  std::vector<SeenMesh> meshes;   ///< of visual meshes and convex polyhedra
   std::vector<SeenShape> shapes;  ///< all others
   double error = 0;               ///< [m] by which surfaces have moved, root mean square; 0: all triangles are there
   std::vector<std::string> warnings;  ///< one line each: meshes that could not be read and are left out
@@ -40,7 +40,7 @@ struct Appearance {
 
 constexpr std::size_t usual_triangles = 3000;  ///< of the meshes of a robot in a camera's picture
 
-/// An object with meshes for the eye is drawn as these, and as those of its shapes that do not collide; another one as
+/// An object with visual meshes is drawn as these, and as those of its shapes that do not collide; another one as
 /// all of its shapes. The meshes of the whole model have at most `most` triangles together (geometry/mesh_reduction.h), but for uneven
 /// ground, which keeps all of its own (collision/relief/relief.h). Reads files, which takes a while: keep the answer as long as the model.
 [[nodiscard]] Appearance appearance_of(const Model& model, std::size_t most = usual_triangles);

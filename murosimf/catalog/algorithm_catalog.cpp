@@ -4,7 +4,7 @@
 
 #include "murosimf/catalog/built_in_controllers.h"
 #include "murosimf/catalog/physics_options.h"
-#include "murosimf/collision/body_carry_law.h"
+#include "murosimf/collision/deferred_impulse_law.h"
 #include "murosimf/collision/body_explicit_laws.h"
 #include "murosimf/collision/body_island_law.h"
 #include "murosimf/collision/implicit_stick_law.h"
@@ -165,7 +165,7 @@ std::vector<BodyContactLawType> built_in_body_contacts() {
                          make_body_island, body_island_options().infos(), 0.002},
       BodyContactLawType{"carry",
                          "either body implicit by itself, the difference given back later; up to 2 ms",
-                         make_body_law<collision::BodyCarryLaw>,
+                         make_body_law<collision::DeferredImpulseLaw>,
                          {},
                          0.002},
       BodyContactLawType{"kelvin_voigt", "explicit spring, damper and viscous friction; 1 ms",

@@ -18,7 +18,7 @@
 #include "murosimf/components/sensor_types.h"
 #include "murosimf/connect/control_link_options.h"
 #include "murosimf/connect/crash_note.h"
-#include "murosimf/runtime/outside_notes.h"
+#include "murosimf/runtime/external_input_log.h"
 #include "murosimf/locomotion/keyframe_motion.h"
 #include "murosimf/model/find_entry.h"
 #include "murosimf/model/option.h"
@@ -103,7 +103,7 @@ struct ControllerOptions {
   std::shared_ptr<connect::TcpServer> software;  ///< where that of the controller "tcp" comes in; null: nowhere
   std::filesystem::path folder;     ///< of the scene's file, where the files that it names are looked for too
   std::filesystem::path terminals;  ///< folder for links to serial lines; empty: there are none
-  OutsideWorld outside;    ///< what is done with all that comes from outside
+  ExternalInputOptions outside;    ///< what is done with all that comes from outside
 };
 
 struct ControllerType {

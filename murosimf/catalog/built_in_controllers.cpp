@@ -11,7 +11,7 @@
 #include "murosimf/connect/command_arrival.h"
 #include "murosimf/connect/controller_task.h"
 #include "murosimf/connect/library_software.h"
-#include "murosimf/runtime/outside_memory.h"
+#include "murosimf/runtime/external_input_history.h"
 #include "murosimf/serial/serial_software.h"
 #include "murosimf/connect/tcp_server.h"
 #include "murosimf/connect/trajectory_file.h"
@@ -165,14 +165,14 @@ void attach_first_ready(connect::TcpServer& server, connect::TcpOptions options,
 }
 
 void attach_tcp(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
-  const OutsideWorld& outside = options.outside;
+  const ExternalInputOptions& outside = options.outside;
   if (!options.software && !outside.repeated) {
     throw SetupError("controller 'tcp': no software can come; say where: murosimf run --listen PORT");
   }
   connect::TcpOptions given;
   tcp_options().apply(options.own, given);
-  OutsideNotes::Channel* const channel = outside.channel("tcp:" + robot.name());
-  const OutsidePen pen(channel);
+  ExternalInputLog::Channel* const channel = outside.channel("tcp:" + robot.name());
+  const ExternalInputRecorder pen(channel);
   const auto attach = [&](const connect::ArrivedSoftware& arrived) {
     attach_software(simulation, robot, usual_rate(options.rate, arrived.rate), arrived.make,
                     {.software = arrived.name, .budget = from_seconds(options.call_budget)}, options);

@@ -18,7 +18,7 @@ struct CommandType {
   /// Numbers, booleans and texts. On the command line they are `--NAME VALUE`, or `--NAME` for true.
   std::vector<OptionInfo> options;
   std::size_t arguments = 0;  ///< so many of them, the first ones, are values without `--NAME`, and needed; no booleans
-  /// Gets what the user has given, checked against these; returns the exit code. May throw SetupError for users' mistakes.
+  /// Gets what the user has given, checked against these; returns the exit code. May throw SetupError for users' errors.
   std::function<int(const OptionValues& given)> run;
 };
 

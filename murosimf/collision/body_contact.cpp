@@ -5,7 +5,7 @@
 
 #include "murosimf/collision/continuous_collision.h"
 #include "murosimf/collision/kinematic_separation.h"
-#include "murosimf/collision/soft_start.h"
+#include "murosimf/collision/depenetration.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::collision {
@@ -44,8 +44,8 @@ void BodyContact::start(MovingEntity& moving_entity) {
   std::fill(moving_entity.external_damping.begin(), moving_entity.external_damping.end(), Sym6d{});
   moving_entity.ledger[0] = Wrenchd{};
   moving_entity.separation[0] = {};
-  moving_entity.seam.terms.dt = period_;
-  moving_entity.seam.damped_by_others = law_->damps();
+  moving_entity.interface.terms.dt = period_;
+  moving_entity.interface.damped_by_others = law_->damps();
 }
 
 void BodyContact::entity_added(Setup& setup) {
@@ -99,11 +99,11 @@ void BodyContact::step(const Instant& instant) noexcept {
   for (MovingEntity& moving_entity : moving_entities_) moving_entity.start_step();
   finder_.find(moving_entities_, set_);
   note_interpenetrations(moving_entities_, dt, instant.now, set_);
-  for (PairContact& c : set_.points) end_lift(c, set_.parameters[c.surface], dt);
+  for (PairContact& c : set_.points) end_depenetration(c, set_.parameters[c.surface], dt);
   kinematic_separation(moving_entities_, *environment_, finder_.within_reach(), dt, set_);
   stop_at_touch(moving_entities_, set_, *environment_, gravity_, dt);
-  NoHelpers nobody;
-  law_->push(moving_entities_, set_, dt, instant.helpers ? *instant.helpers : nobody);
+  SerialFor nobody;
+  law_->push(moving_entities_, set_, dt, instant.parallel_for ? *instant.parallel_for : nobody);
 }
 
 }  // namespace murosimf::collision

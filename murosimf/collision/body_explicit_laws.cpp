@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "murosimf/collision/contact_law_parts.h"
-#include "murosimf/collision/soft_start.h"
+#include "murosimf/collision/depenetration.h"
 
 namespace murosimf::collision {
 namespace {
@@ -27,7 +27,7 @@ double bounded(double c, double dt, double S) { return c / (1 + dt * c * S); }
 
 }  // namespace
 
-void BodyKelvinVoigtLaw::push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt, Helpers&) noexcept {
+void BodyKelvinVoigtLaw::push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt, ParallelFor&) noexcept {
   for (PairContact& c : set.points) push_by_kelvin_voigt(moving_entities, c, set.parameters[c.surface], dt);
 }
 
@@ -43,7 +43,7 @@ void push_by_kelvin_voigt(std::vector<MovingEntity>& moving_entities, PairContac
   moving_entities[c.b].push(c.object_b, c.point, -c.force, dt);
 }
 
-void BodyPaperLaw::push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt, Helpers&) noexcept {
+void BodyPaperLaw::push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt, ParallelFor&) noexcept {
   if (options_.one_point_per_body) keep_deepest(set.points, of_the_same_bodies, stands_before);
   parts_.start();
   touched_.clear();

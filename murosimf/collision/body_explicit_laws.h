@@ -3,7 +3,7 @@
 
 #include "murosimf/collision/body_contact_law.h"
 #include "murosimf/collision/paper_law.h"
-#include "murosimf/collision/yielding_parts.h"
+#include "murosimf/collision/effective_mass.h"
 
 namespace murosimf::collision {
 
@@ -12,7 +12,7 @@ namespace murosimf::collision {
 ///     f_n = max(0, k depth - d v_n),  f_t = -min(mu f_n, ct |v_t|) v_t / |v_t|
 class BodyKelvinVoigtLaw final : public BodyContactLaw {
  public:
-  void push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt, Helpers& helpers) noexcept override;
+  void push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt, ParallelFor& parallel_for) noexcept override;
 };
 
 /// Force of one contact; also for contacts that another law has to leave out. `parameters` are those of the contact.
@@ -28,7 +28,7 @@ void push_by_kelvin_voigt(std::vector<MovingEntity>& moving_entities, PairContac
 ///     f_fric = -c v_t / (1 + dt c S),   c = s_mu |f_n|
 ///
 /// and the same of n_fric, with S [1/kg] what both bodies yield to 1 N s in the direction of sliding, at most, times the contacts
-/// that they have (yielding_parts.h). So friction never adds energy: with x = dt c S / (1 + dt c S) < 1 it gives back at
+/// that they have (effective_mass.h). So friction never adds energy: with x = dt c S / (1 + dt c S) < 1 it gives back at
 /// most x / 2 of what it takes, and the same again where it also turns.
 /// Source:  paper 5.3, eq. (4) and (5).
 /// Limits:  the spring is explicit: dt^2 s_c S must stay below 4.
@@ -36,13 +36,13 @@ class BodyPaperLaw final : public BodyContactLaw {
  public:
   explicit BodyPaperLaw(const PaperLawOptions& options = {}) : options_(options) {}
 
-  void push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt, Helpers& helpers) noexcept override;
+  void push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt, ParallelFor& parallel_for) noexcept override;
 
  private:
   PaperLawOptions options_;
-  YieldingParts parts_;
+  EffectiveMass parts_;
   struct Touched {
-    YieldingParts::Number a, b;
+    EffectiveMass::Number a, b;
   };
   std::vector<Touched> touched_;  // by contact
 };

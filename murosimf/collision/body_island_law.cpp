@@ -11,26 +11,26 @@
 namespace murosimf::collision {
 namespace {
 
-bool ground_becomes_rows(const ContactSeam& seam) { return seam.law && seam.law->island_use() != IslandUse::never; }
+bool ground_becomes_rows(const ContactInterface& interface) { return interface.law && interface.law->island_use() != IslandUse::never; }
 
 }  // namespace
 
 void BodyIslandLaw::push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt,
-                         Helpers& helpers) noexcept {
+                         ParallelFor& parallel_for) noexcept {
   find_islands(moving_entities, set);
   for (PairContact& c : set.points) {
     // levels that cannot answer an island solver
     if (islands_.of(c) < 0)
       push_by_kelvin_voigt(moving_entities, c, for_explicit_step(set.parameters[c.surface], dt), dt);
   }
-  helpers.for_each(entities_, [&](std::size_t i) {
+  parallel_for.for_each(entities_, [&](std::size_t i) {
     const int member = in_islands_[i];
     member_[member].number = start_member(moving_entities[member], dt) ? 0 : insane;
   });
-  helpers.for_each(first_members_, [&](std::size_t i) { solve(static_cast<int>(i), moving_entities, set, dt); });
+  parallel_for.for_each(first_members_, [&](std::size_t i) { solve(static_cast<int>(i), moving_entities, set, dt); });
   count_unsettled(moving_entities, dt, set);
   for (int island = 0; island < islands_.count(); ++island) push_members(island, moving_entities, set, dt);
-  helpers.for_each(entities_, [&](std::size_t i) { finish_member(in_islands_[i], moving_entities); });
+  parallel_for.for_each(entities_, [&](std::size_t i) { finish_member(in_islands_[i], moving_entities); });
 }
 
 void BodyIslandLaw::find_islands(const std::vector<MovingEntity>& moving_entities, const PairSet& set) {
@@ -54,7 +54,7 @@ void BodyIslandLaw::find_islands(const std::vector<MovingEntity>& moving_entitie
 /// The free pass: pushes of users, explicit laws, and rolling resistance, which is no row. Whether its numbers are sensible.
 bool BodyIslandLaw::start_member(MovingEntity& moving_entity, double dt) noexcept {
   ContactSet& ground = moving_entity.contacts;
-  if (ground_becomes_rows(moving_entity.seam)) {
+  if (ground_becomes_rows(moving_entity.interface)) {
     for (const int object : ground.loaded) {
       moving_entity.external_force[object] = ground.rest_force[object];
       moving_entity.external_damping[object] = Sym6d{};
@@ -64,7 +64,7 @@ bool BodyIslandLaw::start_member(MovingEntity& moving_entity, double dt) noexcep
       moving_entity.external_damping[c.object].J += angular_damping_matrix(c);
     }
   }
-  return moving_entity.seam.response->free_pass(dt);
+  return moving_entity.interface.response->free_pass(dt);
 }
 
 /// Forces and memory of all contacts of an island.
@@ -74,14 +74,14 @@ void BodyIslandLaw::solve(int number, std::vector<MovingEntity>& moving_entities
   solver.start(dt);
   island.stands = false;
   for (const int i : islands_.members(number)) {
-    if (member_[i].number != insane) member_[i].number = solver.add(*moving_entities[i].seam.response);
+    if (member_[i].number != insane) member_[i].number = solver.add(*moving_entities[i].interface.response);
     island.stands |= !moving_entities[i].contacts.points.empty();
   }
   for (const int i : islands_.members(number)) {
-    const ContactSeam& seam = moving_entities[i].seam;
-    if (member_[i].number < 0 || !ground_becomes_rows(seam)) continue;
+    const ContactInterface& interface = moving_entities[i].interface;
+    if (member_[i].number < 0 || !ground_becomes_rows(interface)) continue;
     for (ContactPoint& c : moving_entities[i].contacts.points) {
-      solver.add(c, seam.terms.parameters[c.surface], side(i, c.object, c.velocity), {});
+      solver.add(c, interface.terms.parameters[c.surface], side(i, c.object, c.velocity), {});
     }
   }
   for (const int i : islands_.contacts(number)) {
@@ -131,15 +131,15 @@ void BodyIslandLaw::finish_member(int number, std::vector<MovingEntity>& moving_
   Member& member = member_[number];
   const Island& island = island_[islands_.of(number)];
   ContactSet& ground = moving_entity.contacts;
-  const ContactSeam& seam = moving_entity.seam;
+  const ContactInterface& interface = moving_entity.interface;
   if (member.number >= 0) island.solver.apply(member.number);
-  if (seam.law) {
-    if (!ground_becomes_rows(seam)) {
+  if (interface.law) {
+    if (!ground_becomes_rows(interface)) {
       member.next_velocity.clear();
       for (const ContactPoint& c : ground.points) {
-        member.next_velocity.push_back(seam.response->free_velocity(c.object, c.point, c.velocity));
+        member.next_velocity.push_back(interface.response->free_velocity(c.object, c.point, c.velocity));
       }
-      seam.law->commit(ground.points, seam.terms, member.next_velocity);
+      interface.law->commit(ground.points, interface.terms, member.next_velocity);
     }
     write_final_forces(ground, moving_entity.r, moving_entity.external_force);
     for (const int object : ground.loaded) moving_entity.external_damping[object] = Sym6d{};

@@ -3,7 +3,7 @@
 /// Contact and motion meet here: a law turns points into `external_force` and `external_damping` per body; a motion
 /// algorithm that integrates implicitly lets the law look at the velocities that its trial step would give, and repeats
 /// the step while the law asks for it. Everything in a set is plain data: the law and whatever else works on it stand in
-/// the entity's seam (contact_seam.h), other entities are numbers.
+/// the entity's interface (contact_interface.h), other entities are numbers.
 #pragma once
 
 #include <cstdint>

@@ -68,7 +68,7 @@ struct ContactPoint : Contact {
   double spin_damping = 0;                         ///< [N m s] b_s, about n
   double last_normal_force = 0;                    ///< [N] of the pass before: a sliding force follows it
   Vec3d slip_direction;                            ///< [1] d, unit or zero
-  double lift = 0;     ///< [m/s] contact lets the point out no faster (soft_start.h); 0: no bound
+  double lift = 0;     ///< [m/s] contact lets the point out no faster (depenetration.h); 0: no bound
   double bounce = -1;  ///< [m/s] at which it leaves at least (bounce.h); negative: what its spring gives
 };
 

@@ -6,7 +6,7 @@
 #include "murosimf/collision/contact_properties.h"
 #include "murosimf/collision/ground_lanes.h"
 #include "murosimf/collision/impulse_response.h"
-#include "murosimf/collision/soft_start.h"
+#include "murosimf/collision/depenetration.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::collision {
@@ -27,7 +27,7 @@ GroundContact::GroundContact(Setup& setup, const Entity* environment, std::share
       finder_(setup.entity(), environment),
       number_(setup.world().index_of(&setup.entity())),
       environment_(setup.world().index_of(environment)),
-      soft_terms_{{}, setup.entity().options().own_steps * seconds(setup.period())},
+      soft_terms_{{}, setup.entity().options().step_multiple * seconds(setup.period())},
       stiff_terms_(soft_terms_),
       r_(setup.read(properties::position)),
       R_(setup.read(properties::orientation)),
@@ -38,7 +38,7 @@ GroundContact::GroundContact(Setup& setup, const Entity* environment, std::share
       external_force_(setup.write(properties::external_force)),
       external_damping_(setup.write(properties::external_damping)),
       set_(setup.write(contacts)[0]),
-      seam_(setup.write(contact_seam)[0]) {
+      interface_(setup.write(contact_interface)[0]) {
   make_terms();
 }
 
@@ -61,7 +61,7 @@ void GroundContact::make_terms() {
 
 void GroundContact::initialize() {
   terms_are_stiff_ = false;
-  seam_ = ContactSeam{.law = law_.get(), .terms = soft_terms_};
+  interface_ = ContactInterface{.law = law_.get(), .terms = soft_terms_};
   const ContactSet none;
   set_ = none;  // a copy: it keeps its memory for the next start
   set_.environment = environment_;
@@ -82,21 +82,21 @@ void GroundContact::model_exchanged(const Entity& entity) {
   make_terms();
   set_.environment_objects = environment_objects_;
   set_.points.clear();
-  const double dt = seam_.terms.dt;
-  seam_.terms = terms_are_stiff_ ? stiff_terms_ : soft_terms_;
-  seam_.terms.dt = dt;
+  const double dt = interface_.terms.dt;
+  interface_.terms = terms_are_stiff_ ? stiff_terms_ : soft_terms_;
+  interface_.terms.dt = dt;
 }
 
 void GroundContact::exchange_law(std::shared_ptr<const ContactLaw> law) {
   const bool same_memory = law_->island_use() != IslandUse::never && law->island_use() != IslandUse::never;
   law_ = std::move(law);
-  if (seam_.law) seam_.law = law_.get();  // else initialize() is still to come
+  if (interface_.law) interface_.law = law_.get();  // else initialize() is still to come
   if (!same_memory) set_.points.clear();
 }
 
 /// Six coordinates are those of a rigid body.
 bool GroundContact::wants_stiff_terms() const noexcept {
-  return law_->implicit() && (model().joints().empty() || (seam_.response && seam_.response->coordinates() > 6));
+  return law_->implicit() && (model().joints().empty() || (interface_.response && interface_.response->coordinates() > 6));
 }
 
 /// Points of other constants keep their tangential force, and come to their new depth slowly.
@@ -112,7 +112,7 @@ void GroundContact::choose_terms() noexcept {
     }
     set_.stiff = stiff;
   }
-  if (stiff != terms_are_stiff_) seam_.terms = wanted;  // they are not state
+  if (stiff != terms_are_stiff_) interface_.terms = wanted;  // they are not state
   terms_are_stiff_ = stiff;
 }
 
@@ -160,7 +160,7 @@ bool GroundContact::begin_step(const Instant& instant) noexcept {
     external[object] = rest_force[object] = applied[object];
   }
   choose_terms();
-  seam_.terms.dt = seconds(instant.period);
+  interface_.terms.dt = seconds(instant.period);
   previous_.swap(set_.points);
   set_.points.clear();
   set_.tests = {};
@@ -184,7 +184,7 @@ void GroundContact::set_velocities(std::size_t first) noexcept {
 void GroundContact::end_step(const Instant& instant) noexcept {
   remember();
   note_interpenetration(instant.now);
-  law_->prepare(set_.points, seam_.terms);
+  law_->prepare(set_.points, interface_.terms);
   set_.loaded.clear();
   int last = -1;  // points of one body follow each other
   for (const ContactPoint& c : set_.points) {
@@ -199,7 +199,7 @@ void GroundContact::end_step(const Instant& instant) noexcept {
 void GroundContact::begin_lift(ContactPoint& point) const noexcept {
   const auto same_body = [&](const ContactPoint& other) { return other.object == point.object; };
   const auto other = std::find_if(previous_.begin(), previous_.end(), same_body);
-  if (other == previous_.end()) return lift_if_deep(point, seam_.terms.dt);
+  if (other == previous_.end()) return begin_depenetration(point, interface_.terms.dt);
   point.lift = other->lift;
 }
 
@@ -216,7 +216,7 @@ void GroundContact::note_interpenetration(Duration now) noexcept {
   if (set_.interpenetration) return;
   for (const ContactPoint& c : set_.points) {
     const double thinner = std::min(finder_.own_thickness(c.object), thicknesses_[c.surface]);
-    const Depth depth = depth_of(c, thinner, seam_.terms.dt, has_crossed(c));
+    const Depth depth = depth_of(c, thinner, interface_.terms.dt, has_crossed(c));
     if (depth == Depth::usual) continue;
     set_.interpenetration = {
         number_, environment_, c.object, environment_objects_[c.surface], c.depth, thinner, depth == Depth::through,
@@ -231,11 +231,11 @@ void GroundContact::remember() {
     while (old != previous_.end() && old->feature < c.feature) ++old;
     if (old == previous_.end() || old->feature != c.feature) {
       begin_lift(c);
-      begin_bounce(c, seam_.terms.parameters[c.surface], gravity_, seam_.terms.dt);
+      begin_bounce(c, interface_.terms.parameters[c.surface], gravity_, interface_.terms.dt);
     } else {
       recall(*old, c);
       go_on_bouncing(c);
-      end_lift(c, seam_.terms.parameters[c.surface], seam_.terms.dt);
+      end_depenetration(c, interface_.terms.parameters[c.surface], interface_.terms.dt);
     }
   }
 }

@@ -10,7 +10,7 @@
 /// move exactly as told, soft ground stands for the give of legs and servos: with stiff ground open-loop walks of
 /// such levels slip and fall.
 ///
-/// An entity with longer steps of its own (own_steps.h) has contacts as they fit these, also while it makes those of the scene: what
+/// An entity with longer steps of its own (multirate_stepping.h) has contacts as they fit these, also while it makes those of the scene: what
 /// it stands on does not become stiffer when somebody comes near.
 #pragma once
 
@@ -20,7 +20,7 @@
 
 #include "murosimf/collision/contact.h"
 #include "murosimf/collision/contact_law.h"
-#include "murosimf/collision/contact_seam.h"
+#include "murosimf/collision/contact_interface.h"
 #include "murosimf/collision/ground_finder.h"
 #include "murosimf/model/algorithm.h"
 #include "murosimf/model/material.h"
@@ -83,9 +83,9 @@ class GroundContact final : public Algorithm {
   const double& dynamic_;
   std::span<Wrenchd> external_force_;
   std::span<Sym6d> external_damping_;
-  bool terms_are_stiff_ = false;  // those of the seam
+  bool terms_are_stiff_ = false;  // those of the interface
   ContactSet& set_;
-  ContactSeam& seam_;
+  ContactInterface& interface_;
 };
 
 }  // namespace murosimf::collision

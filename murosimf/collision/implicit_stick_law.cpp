@@ -4,7 +4,7 @@
 #include <cassert>
 
 #include "murosimf/collision/contact_law_parts.h"
-#include "murosimf/collision/soft_start.h"
+#include "murosimf/collision/depenetration.h"
 
 namespace murosimf::collision {
 namespace {

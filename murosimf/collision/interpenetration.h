@@ -8,7 +8,7 @@
 ///
 ///     fast       |v| dt > min(thickness of A, thickness of B) / 2, of points that are let out slowly: it came beyond the middle
 ///
-/// Points that are let out slowly (soft_start.h) count only if they came with more than half of that thickness in a step: others were put
+/// Points that are let out slowly (depenetration.h) count only if they came with more than half of that thickness in a step: others were put
 /// there. What would jump over something between two steps is stopped there (continuous_collision.h).
 #pragma once
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "murosimf/collision/contact_law_parts.h"
-#include "murosimf/collision/soft_start.h"
+#include "murosimf/collision/depenetration.h"
 #include "murosimf/math/inline.h"
 
 namespace murosimf::collision {
@@ -118,9 +118,9 @@ void IslandSolver::add(ContactPoint& point, const ContactParameters& p, const Si
   c.R_t = 1 / (dt_ * b_t);
   invert(c);
   const Vec3d spring = (-p.tangent_stiffness / b_t) * tangential(point.stretch, point.normal);
-  c.wish_n = resting_force(point, p, dt_) / b_n;
-  c.wish_1 = dot(spring, c.frame.y);
-  c.wish_2 = dot(spring, c.frame.z);
+  c.request_n = resting_force(point, p, dt_) / b_n;
+  c.request_1 = dot(spring, c.frame.y);
+  c.request_2 = dot(spring, c.frame.z);
   // start from the memory of the step before: its normal force, and what the spring holds
   const double held = -dt_ * p.tangent_stiffness;
   push(c, {dt_ * point.last_normal_force, held * dot(point.stretch, c.frame.y), held * dot(point.stretch, c.frame.z)});
@@ -158,7 +158,7 @@ MUROSIMF_INLINE void IslandSolver::push(Contact& c, const Vec3d& impulse) noexce
 /// Returns by how much [m/s] the contact's velocity changes.
 double IslandSolver::solve(Contact& c) noexcept {
   const Vec3d v = velocity(c);
-  const double rest = v.x + c.R_n * c.lambda.x - c.wish_n;
+  const double rest = v.x + c.R_n * c.lambda.x - c.request_n;
   const double normal = std::max(0.0, c.lambda.x - c.mass_n * rest);
   const double pushed = normal - c.lambda.x;
   const Vec3d friction = solve_friction(c, normal, v + pushed * Vec3d{c.W.xx, c.W.xy, c.W.xz});
@@ -174,8 +174,8 @@ Vec3d IslandSolver::solve_friction(const Contact& c, double normal, const Vec3d&
     c.point->state = ContactState::open;
     return {};
   }
-  const double r1 = v.y + c.R_t * c.lambda.y - c.wish_1;
-  const double r2 = v.z + c.R_t * c.lambda.z - c.wish_2;
+  const double r1 = v.y + c.R_t * c.lambda.y - c.request_1;
+  const double r2 = v.z + c.R_t * c.lambda.z - c.request_2;
   const Vec3d held{0, c.lambda.y - (c.mass_1 * r1 + c.mass_12 * r2), c.lambda.z - (c.mass_12 * r1 + c.mass_2 * r2)};
   c.point->state = ContactState::stick;
   if (within_cone(c, normal, held) >= 1) return held;

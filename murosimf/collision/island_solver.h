@@ -78,7 +78,7 @@ class IslandSolver {
     double mass_n;                   // [kg] 1 / (W_n + R_n)
     double mass_1, mass_12, mass_2;  // [kg] inverse of the tangents' W + R_t
     double slide_mass;               // [kg] 1 / largest eigenvalue of that W + R_t
-    double wish_n, wish_1, wish_2;   // [m/s] right-hand sides
+    double request_n, request_1, request_2;   // [m/s] right-hand sides
   };
 
   /// The same three numbers of four rows.

@@ -33,7 +33,7 @@ void Islands::find(const std::vector<MovingEntity>& moving_entities, const PairS
   std::iota(parent_.begin(), parent_.end(), 0);
   wanted_.assign(size, false);
   const auto solvable = [&](int i) {
-    return moving_entities[i].can_be_pushed() && moving_entities[i].seam.response != nullptr;
+    return moving_entities[i].can_be_pushed() && moving_entities[i].interface.response != nullptr;
   };
   for (const PairContact& c : set.points) {
     for (const int side : {c.a, c.b}) wanted_[side] = wanted_[side] || solvable(side);
@@ -44,7 +44,7 @@ void Islands::find(const std::vector<MovingEntity>& moving_entities, const PairS
     }
   }
   for (int i = 0; i < static_cast<int>(size); ++i) {
-    const ContactLaw* law = moving_entities[i].seam.law;
+    const ContactLaw* law = moving_entities[i].interface.law;
     if (law && law->island_use() == IslandUse::always && solvable(i) && !moving_entities[i].apart()) wanted_[i] = true;
   }
   number_.assign(size, -1);

@@ -25,8 +25,8 @@ std::vector<int> find_feet(const Model& model, const Compound& compound) {
 }
 
 std::span<const double> step_ratio_of(Setup& setup) {
-  const int own_steps = setup.entity().options().own_steps;
-  return own_steps > 1 ? setup.input(properties::step_ratio, own_steps) : std::span<const double>{};
+  const int step_multiple = setup.entity().options().step_multiple;
+  return step_multiple > 1 ? setup.input(properties::step_ratio, step_multiple) : std::span<const double>{};
 }
 
 Compound make_compound(const Entity& entity) {
@@ -54,7 +54,7 @@ MovingEntity::MovingEntity(Setup setup)
       ledger(setup.write(properties::absorbed_impulse)),
       separation(setup.write(properties::separation)),
       contacts(setup.write(collision::contacts)[0]),
-      seam(setup.write(contact_seam)[0]) {
+      interface(setup.write(contact_interface)[0]) {
   take_sizes();
   pushed_.reserve(static_cast<std::size_t>(setup.model().size()));
   setup.claim();  // levels make their free pass for the island solver
@@ -81,7 +81,7 @@ void MovingEntity::take_shapes() {
 
 bool MovingEntity::limbs_can_touch() const {
   // six coordinates are those of a rigid body
-  return !compound.inner_pairs().off() && can_be_pushed() && seam.response && seam.response->coordinates() > 6;
+  return !compound.inner_pairs().off() && can_be_pushed() && interface.response && interface.response->coordinates() > 6;
 }
 
 void MovingEntity::refit() noexcept {
@@ -109,7 +109,7 @@ void MovingEntity::start_step() noexcept {
   ++step_;
   for (const int object : pushed_) {
     interaction_force[object] = Wrenchd{};
-    if (seam.law) continue;
+    if (interface.law) continue;
     // no contact with the ground starts these anew in every step
     external_force[object] = Wrenchd{};
     external_damping[object] = Sym6d{};
@@ -133,14 +133,14 @@ void MovingEntity::turn(int object, const Vec3d& moment, double dt) noexcept {
 void MovingEntity::add(int object, const Wrenchd& at_origin) noexcept {
   interaction_force[object] += at_origin;
   external_force[object] += at_origin;
-  if (seam.law) contacts.rest_force[object] += at_origin;
+  if (interface.law) contacts.rest_force[object] += at_origin;
   if (std::find(pushed_.begin(), pushed_.end(), object) == pushed_.end()) pushed_.push_back(object);
 }
 
 void MovingEntity::damp(int object, const Vec3d& point, const SymMat3d& damping) noexcept {
   const Sym6d at_origin = at_point(damping, point - r[object]);
   external_damping[object] += at_origin;
-  if (seam.law) contacts.rest_damping.push_back({object, at_origin});
+  if (interface.law) contacts.rest_damping.push_back({object, at_origin});
 }
 
 }  // namespace murosimf::collision

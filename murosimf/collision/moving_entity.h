@@ -6,7 +6,7 @@
 
 #include "murosimf/collision/body_pairs.h"
 #include "murosimf/collision/compound.h"
-#include "murosimf/collision/contact_seam.h"
+#include "murosimf/collision/contact_interface.h"
 #include "murosimf/collision/static_compound.h"
 #include "murosimf/model/setup.h"
 
@@ -18,7 +18,7 @@ struct MovingEntity {
 
   [[nodiscard]] const Model& model() const { return entity->model(); }
   [[nodiscard]] bool can_be_pushed() const { return dynamic[0] != 0; }
-  /// It touches nobody: not there, frozen, or alone with steps of its own (own_steps.h).
+  /// It touches nobody: not there, frozen, or alone with steps of its own (multirate_stepping.h).
   [[nodiscard]] bool apart() const { return entity->idle() || (!step_ratio.empty() && step_ratio[0] > 1); }
   /// Self-collision is wanted and can move something: where joints are given, it could not.
   [[nodiscard]] bool limbs_can_touch() const;
@@ -68,7 +68,7 @@ struct MovingEntity {
   std::span<Wrenchd> ledger;
   std::span<Vec3d> separation;
   ContactSet& contacts;
-  ContactSeam& seam;
+  ContactInterface& interface;
 
  private:
   void take_sizes();

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "murosimf/collision/soft_start.h"
+#include "murosimf/collision/depenetration.h"
 #include "murosimf/collision/surface_kinds.h"
 #include "murosimf/geometry/four_points.h"
 
@@ -28,7 +28,7 @@ void begin_lift(PairContact& point, const std::vector<PairContact>& previous, do
     return other.a == point.a && other.b == point.b && other.object == point.object && other.object_b == point.object_b;
   };
   const auto other = std::find_if(previous.begin(), previous.end(), same_bodies);
-  if (other == previous.end()) return lift_if_deep(point, dt);
+  if (other == previous.end()) return begin_depenetration(point, dt);
   point.lift = other->lift;
 }
 

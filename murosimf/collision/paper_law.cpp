@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "murosimf/collision/contact_law_parts.h"
-#include "murosimf/collision/soft_start.h"
+#include "murosimf/collision/depenetration.h"
 
 namespace murosimf::collision {
 PaperForce paper_force(const ContactPoint& c, const ContactParameters& p, double dt,

@@ -37,7 +37,7 @@ struct PaperForce {
   double spin = 0;    ///< [N m s] s_nu |f_n|
 };
 
-/// Of a contact at the depth of `contact`, by its velocity, in a step of dt [s]; bounded where the contact began deep (soft_start.h).
+/// Of a contact at the depth of `contact`, by its velocity, in a step of dt [s]; bounded where the contact began deep (depenetration.h).
 [[nodiscard]] PaperForce paper_force(const ContactPoint& contact, const ContactParameters& parameters, double dt,
                                      const PaperLawOptions& options) noexcept;
 

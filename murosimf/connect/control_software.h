@@ -26,7 +26,7 @@ class ControlSoftware {
   virtual void state(StateArchive&) {}
   /// Whether it remembers more than that: it, or who is behind it, goes on as it is when a state is loaded.
   [[nodiscard]] virtual bool keeps_state() const { return true; }
-  /// Whether it writes down what comes from outside, and repeats it (outside_memory.h): a step that is repeated is one as others then.
+  /// Whether it writes down what comes from outside, and repeats it (external_input_history.h): a step that is repeated is one as others then.
   [[nodiscard]] virtual bool repeats_itself() const { return false; }
   /// Why nobody steers the robot now, though somebody may come; empty: somebody does.
   [[nodiscard]] virtual std::string absence() const { return {}; }

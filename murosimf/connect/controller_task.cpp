@@ -36,7 +36,7 @@ ControllerTask::ControllerTask(Setup& setup, const SoftwareMaker& make, Controll
     : options_(std::move(options)),
       robot_(&setup.entity()),
       port_(setup, options_.link, options_.seed),
-      seam_(setup.write(software_seam)[0]) {
+      interface_(setup.write(software_interface)[0]) {
   report_.software = options_.software;
   report_.rate_hz = 1 / seconds(setup.period());
   report_.budget = options_.budget;
@@ -49,12 +49,12 @@ ControllerTask::ControllerTask(Setup& setup, const SoftwareMaker& make, Controll
 }
 
 void ControllerTask::initialize() {
-  seam_.report = &report_;
+  interface_.report = &report_;
   now_ = {};
   port_.restart();
   port_.radio().refresh(now_);
   if (repeats()) {  // the entity comes in again, as it did then
-    (void)repeat_call(OutsideNote::began);
+    (void)repeat_call(ExternalInput::began);
   } else {
     begin();
   }
@@ -69,34 +69,34 @@ void ControllerTask::begin() {
                              .keeps_state = report_.keeps_state};
   report_ = fresh;
   over_ = false;
-  const CallOutcome outcome = noted(OutsideNote::began, [&] { return software_->start(); });
+  const CallOutcome outcome = noted(ExternalInput::began, [&] { return software_->start(); });
   note(outcome.changes);
   if (!outcome) refuse(outcome);
-  tell_news();
+  publish_news();
 }
 
 void ControllerTask::step(const Instant& instant) noexcept {
   now_ = instant.now;
   if (repeats()) {
-    if (repeat_call(OutsideNote::sent)) take_over_commands();
+    if (repeat_call(ExternalInput::sent)) take_over_commands();
     return;
   }
   if (over_) return;
-  if (std::exchange(jumped_, false)) port_.renew_wishes();
+  if (std::exchange(jumped_, false)) port_.renew_requests();
   port_.refresh(instant.now);
   const WallClock::time_point begin = WallClock::now();
-  const CallOutcome outcome = noted(OutsideNote::sent, [&] { return software_->step(now_); });
+  const CallOutcome outcome = noted(ExternalInput::sent, [&] { return software_->step(now_); });
   count(WallClock::now() - begin);
   count_messages();
   if (!outcome.changes.empty()) note(outcome.changes);
   if (!outcome) return end(outcome);
   take_over_commands();
-  tell_news();
+  publish_news();
 }
 
 /// Makes a call of the software, and writes down what it does if somebody wants it.
 template <class Call>
-CallOutcome ControllerTask::noted(OutsideNote::Kind kind, const Call& call) {
+CallOutcome ControllerTask::noted(ExternalInput::Kind kind, const Call& call) {
   const bool notes = memory_ && memory_->keeps();
   if (notes) port_.listen();
   CallOutcome outcome = call();
@@ -112,18 +112,18 @@ CallOutcome ControllerTask::noted(OutsideNote::Kind kind, const Call& call) {
 bool ControllerTask::repeats() const { return memory_ && memory_->repeats() && (report_.keeps_state || over_); }
 
 /// False: it was not called then, or did not come back.
-bool ControllerTask::repeat_call(OutsideNote::Kind kind) {
-  const OutsideNote* const note = memory_->next();
+bool ControllerTask::repeat_call(ExternalInput::Kind kind) {
+  const ExternalInput* const note = memory_->next();
   if (!note || note->kind != kind) return false;
   const CallNote done = call_note(note->bytes);
   memory_->pass();
-  if (kind == OutsideNote::sent) port_.refresh(now_);
+  if (kind == ExternalInput::sent) port_.refresh(now_);
   port_.repeat(done);
   return done.good;
 }
 
 /// In reports software that has gone has ended, until other software comes.
-void ControllerTask::tell_news() {
+void ControllerTask::publish_news() {
   if (const std::string news = software_->news(); !news.empty()) say(news);
   const std::string absence = software_->absence();
   if (absence.empty()) return report_.ended.clear();
@@ -206,7 +206,7 @@ void ControllerTask::state(StateArchive& archive) {
 }
 
 const SoftwareReport* software_report(const Entity& entity) {
-  const Column<SoftwareSeam>* column = entity.find(software_seam);
+  const Column<SoftwareInterface>* column = entity.find(software_interface);
   return column ? column->values[0].report : nullptr;
 }
 

@@ -3,7 +3,7 @@
 /// It shows the software the robot's signals, calls it, takes over its commands and notes how long that took. Software that throws
 /// or does not come back ends, and the robot keeps its last commands; the others go on. Software that crashes ends the run.
 ///
-/// Of an instant that was there before (outside_memory.h) software that keeps its state to itself is not asked again: what its call did
+/// Of an instant that was there before (external_input_history.h) software that keeps its state to itself is not asked again: what its call did
 /// then is done anew.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 #include "murosimf/connect/control_software.h"
 #include "murosimf/connect/crash_note.h"
-#include "murosimf/runtime/outside_memory.h"
+#include "murosimf/runtime/external_input_history.h"
 #include "murosimf/connect/software_report.h"
 #include "murosimf/model/algorithm.h"
 
@@ -23,7 +23,7 @@ struct ControllerTaskOptions {
   std::shared_ptr<CrashNote> crashes = {};     ///< null: nobody looks
   ControlLinkOptions link{};                   ///< between the robot and the software
   std::uint64_t seed = 1;                      ///< of the link's chances
-  std::shared_ptr<OutsideMemory> memory = {};  ///< where its calls are written down; null: nowhere
+  std::shared_ptr<ExternalInputHistory> memory = {};  ///< where its calls are written down; null: nowhere
 };
 
 class ControllerTask final : public Algorithm {
@@ -42,11 +42,11 @@ class ControllerTask final : public Algorithm {
 
  private:
   template <class Call>
-  [[nodiscard]] CallOutcome noted(OutsideNote::Kind kind, const Call& call);
+  [[nodiscard]] CallOutcome noted(ExternalInput::Kind kind, const Call& call);
   [[nodiscard]] bool repeats() const;
-  [[nodiscard]] bool repeat_call(OutsideNote::Kind kind);
+  [[nodiscard]] bool repeat_call(ExternalInput::Kind kind);
   void begin();
-  void tell_news();
+  void publish_news();
   void say(const std::string& line);
   void count(Duration took) noexcept;
   void end(const CallOutcome& outcome);
@@ -59,10 +59,10 @@ class ControllerTask final : public Algorithm {
   ControllerTaskOptions options_;
   const Entity* robot_;
   RobotPort port_;
-  SoftwareSeam& seam_;
+  SoftwareInterface& interface_;
   SoftwareReport report_;
   Duration now_{};                            // of the step that is being made, for messages
-  OutsideMemory::Channel* memory_ = nullptr;  // null: nobody goes back in time, or the software repeats itself
+  ExternalInputHistory::Channel* memory_ = nullptr;  // null: nobody goes back in time, or the software repeats itself
   bool over_ = false;                         // it has ended for good
   bool jumped_ = false;                       // a state was loaded since the last call
   std::unique_ptr<ControlSoftware> software_;

@@ -115,7 +115,7 @@ void MessageExchange::deliver(Duration now) {
 }
 
 void MessageExchange::deliver_from_outside(Duration now) {
-  for (const OutsideMessage& outside : gateway_->take(now)) {
+  for (const ExternalMessage& outside : gateway_->take(now)) {
     for (const Member& member : members_) {
       if (member.robot->options().team != outside.team || member.robot->idle()) continue;
       member.box->deliver({now, "", outside.bytes});

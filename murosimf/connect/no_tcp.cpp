@@ -14,8 +14,8 @@ namespace {
 
 std::shared_ptr<TcpServer> listen_for_software(TcpServerOptions) { refuse(); }
 
-ArrivedSoftware repeat_software(std::shared_ptr<const OutsideNotes>, const std::string&, const TcpOptions&,
-                                std::uint64_t, OutsidePen) {
+ArrivedSoftware repeat_software(std::shared_ptr<const ExternalInputLog>, const std::string&, const TcpOptions&,
+                                std::uint64_t, ExternalInputRecorder) {
   refuse();
 }
 

@@ -115,7 +115,7 @@ const murosimf_signal* RobotPort::signal(std::string_view name) {
   return &found->row->shown_head<const murosimf_signal>();
 }
 
-void RobotPort::renew_wishes() noexcept {
+void RobotPort::renew_requests() noexcept {
   bool any = false;
   for (Signal& signal : signals_) {
     any = any || (signal.asked && !signal.wanted);

@@ -126,7 +126,7 @@ class RobotPort {
   /// Does what the software had done.
   void repeat(const CallNote& note) noexcept;
   /// Software that has come meanwhile has asked for signals that the state which was loaded does not know of.
-  void renew_wishes() noexcept;
+  void renew_requests() noexcept;
 
   void declare_commands(Setup& setup) const { commands_.declare(setup); }
   void reseed(std::uint64_t seed);

@@ -54,14 +54,14 @@ struct SoftwareReport {
 };
 
 /// Where the report of an entity's software stands; null: it has none.
-struct SoftwareSeam {
+struct SoftwareInterface {
   const SoftwareReport* report = nullptr;
 };
-inline void append_hash(Hasher&, const SoftwareSeam&) {}
-inline void state(StateArchive&, SoftwareSeam&) {}
+inline void append_hash(Hasher&, const SoftwareInterface&) {}
+inline void state(StateArchive&, SoftwareInterface&) {}
 
 /// No state: wall times differ from run to run.
-inline constexpr Property<SoftwareSeam> software_seam{
-    {"software_seam", "-", "-", "report of the entity's control software", Scope::wiring}};
+inline constexpr Property<SoftwareInterface> software_interface{
+    {"software_interface", "-", "-", "report of the entity's control software", Scope::wiring}};
 
 }  // namespace murosimf::connect

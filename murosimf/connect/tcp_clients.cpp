@@ -45,10 +45,10 @@ class RepeatedClients::Line final : public ClientLine {
   void flush_until(wire::WallTime) override {}
 
   [[nodiscard]] std::optional<std::string_view> receive() override {
-    const OutsideNote* note = cursor_->reader.next(cursor_->now);
-    if (!note || note->kind == OutsideNote::came || note->kind == OutsideNote::told) return std::nullopt;
+    const ExternalInput* note = cursor_->reader.next(cursor_->now);
+    if (!note || note->kind == ExternalInput::came || note->kind == ExternalInput::told) return std::nullopt;
     cursor_->reader.pass();
-    if (note->kind == OutsideNote::left) throw wire::WireError(note->bytes);
+    if (note->kind == ExternalInput::left) throw wire::WireError(note->bytes);
     return note->bytes;
   }
 
@@ -58,8 +58,8 @@ class RepeatedClients::Line final : public ClientLine {
   }
 
   [[nodiscard]] bool flush() override {
-    const OutsideNote* note = cursor_->reader.next(cursor_->now);
-    if (!note || note->kind != OutsideNote::told) return false;
+    const ExternalInput* note = cursor_->reader.next(cursor_->now);
+    if (!note || note->kind != ExternalInput::told) return false;
     cursor_->reader.pass();
     return true;
   }
@@ -69,18 +69,18 @@ class RepeatedClients::Line final : public ClientLine {
 };
 
 std::optional<ArrivedClient> RepeatedClients::take() {
-  const OutsideNote* note = cursor_->reader.next(cursor_->now);
-  if (!note || note->kind != OutsideNote::came) return std::nullopt;
+  const ExternalInput* note = cursor_->reader.next(cursor_->now);
+  if (!note || note->kind != ExternalInput::came) return std::nullopt;
   cursor_->reader.pass();
   ArrivedClient client = arrived_client(note->bytes);
   client.line = line();
   return client;
 }
 
-std::vector<OutsideNote> RepeatedClients::jump_to(Duration now) {
-  std::vector<OutsideNote> lasting;
+std::vector<ExternalInput> RepeatedClients::jump_to(Duration now) {
+  std::vector<ExternalInput> lasting;
   cursor_->reader.rewind();
-  for (const Duration before = now - Duration{1}; const OutsideNote* note = cursor_->reader.next(before);) {
+  for (const Duration before = now - Duration{1}; const ExternalInput* note = cursor_->reader.next(before);) {
     if (lasts(note->kind)) lasting.push_back(*note);
     cursor_->reader.pass();
   }

@@ -1,4 +1,4 @@
-/// tcp_clients.h - who is a robot's software over TCP: programs that connect, or what a recording has of them (outside_notes.h).
+/// tcp_clients.h - who is a robot's software over TCP: programs that connect, or what a recording has of them (external_input_log.h).
 #pragma once
 
 #include <memory>
@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "murosimf/runtime/outside_notes.h"
+#include "murosimf/runtime/external_input_log.h"
 #include "murosimf/connect/tcp_reception.h"
 #include "murosimf/wire/connection.h"
 
@@ -47,7 +47,7 @@ class TcpClients {
   /// Its client has gone. From now on another one may come, or (`for_good`) none.
   virtual void leave(bool for_good) = 0;
   /// Of a recording, after time has jumped: what lasts of all before `now`, and goes on there. Live: nothing.
-  [[nodiscard]] virtual std::vector<OutsideNote> jump_to(Duration) { return {}; }
+  [[nodiscard]] virtual std::vector<ExternalInput> jump_to(Duration) { return {}; }
   /// The line of a client of whom jump_to() told.
   [[nodiscard]] virtual std::unique_ptr<ClientLine> line() { return nullptr; }
 };
@@ -70,28 +70,28 @@ class ReceivedClients final : public TcpClients {
 class RepeatedClients final : public TcpClients {
  public:
   /// `channel` may be null: it has none.
-  RepeatedClients(std::shared_ptr<const OutsideNotes> notes, const std::string& channel)
+  RepeatedClients(std::shared_ptr<const ExternalInputLog> notes, const std::string& channel)
       : notes_(std::move(notes)), cursor_(std::make_shared<Cursor>(notes_->find(channel))) {}
   void at(Duration now) override { cursor_->now = now; }
   [[nodiscard]] std::optional<ArrivedClient> take() override;
   [[nodiscard]] std::optional<ArrivedClient> wait(double) override { return take(); }
   void leave(bool) override {}
-  [[nodiscard]] std::vector<OutsideNote> jump_to(Duration now) override;
+  [[nodiscard]] std::vector<ExternalInput> jump_to(Duration now) override;
   [[nodiscard]] std::unique_ptr<ClientLine> line() override;
 
  private:
   class Line;
   struct Cursor {
-    explicit Cursor(const OutsideNotes::Channel* channel) : reader(channel) {}
-    OutsideReader reader;
+    explicit Cursor(const ExternalInputLog::Channel* channel) : reader(channel) {}
+    ExternalInputReader reader;
     Duration now = before_the_run;
   };
 
-  std::shared_ptr<const OutsideNotes> notes_;
+  std::shared_ptr<const ExternalInputLog> notes_;
   std::shared_ptr<Cursor> cursor_;
 };
 
-/// The bytes of a note OutsideNote::came, and back. Throws WireError if they are none.
+/// The bytes of a note ExternalInput::came, and back. Throws WireError if they are none.
 [[nodiscard]] std::string to_bytes(const ArrivedClient& client);
 [[nodiscard]] ArrivedClient arrived_client(std::string_view bytes);
 

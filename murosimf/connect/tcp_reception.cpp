@@ -66,7 +66,7 @@ void TcpReception::forget_who_has_gone(const std::string& robot) {
   if (present != busy_.end() && present->second.has_ended()) busy_.erase(present);
   const auto waiting = waiting_.find(robot);
   if (waiting == waiting_.end() || !waiting->second.connection.socket().has_ended()) return;
-  tell_of_refusal(waiting->second.address, "it closed the connection before its robot was there");
+  publish_refusal(waiting->second.address, "it closed the connection before its robot was there");
   waiting_.erase(waiting);
 }
 
@@ -75,7 +75,7 @@ void TcpReception::admit(TcpClient client) {
   if (!robots_) return early_.push_back(std::move(client));
   if (const std::string reason = objection(client.robot); !reason.empty()) {
     refuse(client.connection, reason);
-    return tell_of_refusal(client.address, reason);
+    return publish_refusal(client.address, reason);
   }
   const std::string robot = client.robot;
   waiting_.emplace(robot, std::move(client));
@@ -126,7 +126,7 @@ void TcpReception::say(const std::string& line) {
 }
 
 /// Under the lock.
-void TcpReception::tell_of_refusal(const std::string& address, const std::string& reason) {
+void TcpReception::publish_refusal(const std::string& address, const std::string& reason) {
   say(fmt::format("client {} was refused: {}", address, reason));
 }
 
@@ -145,7 +145,7 @@ void TcpReception::look_at(wire::Caller& caller, std::string_view message) {
 void TcpReception::turn_away(wire::Caller& caller, const std::string& reason) {
   refuse(caller.connection, reason);
   const std::lock_guard lock(mutex_);
-  tell_of_refusal(caller.address, reason);
+  publish_refusal(caller.address, reason);
 }
 
 }  // namespace murosimf::connect

@@ -44,7 +44,7 @@ class TcpReception {
   void admit(TcpClient client);
   [[nodiscard]] std::string objection(const std::string& robot);
   void forget_who_has_gone(const std::string& robot);
-  void tell_of_refusal(const std::string& address, const std::string& reason);
+  void publish_refusal(const std::string& address, const std::string& reason);
   void say(const std::string& line);
   [[nodiscard]] std::optional<TcpClient> taken(const std::string& robot);
 

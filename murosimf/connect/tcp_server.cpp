@@ -19,7 +19,7 @@ class ReceivingServer final : public TcpServer {
   [[nodiscard]] wire::Address address() const override { return reception_->address(); }
   void expect(std::vector<std::string> robots) override { reception_->expect(std::move(robots)); }
   [[nodiscard]] ArrivedSoftware wait_for(const std::string& robot, const TcpOptions& options, std::uint64_t seed,
-                                         OutsidePen pen) override;
+                                         ExternalInputRecorder pen) override;
   void tell(const std::string& line) override { reception_->tell(line); }
 
  private:
@@ -27,7 +27,7 @@ class ReceivingServer final : public TcpServer {
 };
 
 ArrivedSoftware arrived(std::shared_ptr<TcpClients> clients, ArrivedClient first, const TcpOptions& options,
-                        std::uint64_t seed, OutsidePen pen) {
+                        std::uint64_t seed, ExternalInputRecorder pen) {
   const auto client = std::make_shared<ArrivedClient>(std::move(first));  // makers can be copied, lines cannot
   return {client->name, client->rate, [=](Setup& setup, RobotPort& port, const SayLine& say) {
             return std::make_unique<TcpSoftware>(setup, port, say, clients, std::move(*client), options, seed, pen);
@@ -35,7 +35,7 @@ ArrivedSoftware arrived(std::shared_ptr<TcpClients> clients, ArrivedClient first
 }
 
 ArrivedSoftware ReceivingServer::wait_for(const std::string& robot, const TcpOptions& options, std::uint64_t seed,
-                                          OutsidePen pen) {
+                                          ExternalInputRecorder pen) {
   const auto clients = std::make_shared<ReceivedClients>(reception_, robot);
   std::optional<ArrivedClient> found = clients->wait(options.wait);
   if (!found && reception_->is_stopped()) {
@@ -54,8 +54,8 @@ std::shared_ptr<TcpServer> listen_for_software(TcpServerOptions options) {
   return std::make_shared<ReceivingServer>(std::move(options));
 }
 
-ArrivedSoftware repeat_software(std::shared_ptr<const OutsideNotes> notes, const std::string& robot,
-                                const TcpOptions& options, std::uint64_t seed, OutsidePen pen) {
+ArrivedSoftware repeat_software(std::shared_ptr<const ExternalInputLog> notes, const std::string& robot,
+                                const TcpOptions& options, std::uint64_t seed, ExternalInputRecorder pen) {
   const auto clients = std::make_shared<RepeatedClients>(std::move(notes), "tcp:" + robot);
   try {
     if (std::optional<ArrivedClient> first = clients->take()) {

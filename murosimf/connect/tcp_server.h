@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "murosimf/runtime/outside_notes.h"
+#include "murosimf/runtime/external_input_log.h"
 #include "murosimf/connect/software_maker.h"
 #include "murosimf/model/error.h"
 #include "murosimf/runtime/pacer.h"
@@ -56,7 +56,7 @@ class TcpServer {
   virtual void expect(std::vector<std::string> robots) = 0;
   /// Waits for a robot's software. What it sends is written down with `pen`. Throws SetupError if none comes in time.
   [[nodiscard]] virtual ArrivedSoftware wait_for(const std::string& robot, const TcpOptions& options,
-                                                 std::uint64_t seed, OutsidePen pen) = 0;
+                                                 std::uint64_t seed, ExternalInputRecorder pen) = 0;
   /// A line of what has gone wrong with clients, to TcpServerOptions::say.
   virtual void tell(const std::string&) {}
 };
@@ -65,7 +65,7 @@ class TcpServer {
 [[nodiscard]] std::shared_ptr<TcpServer> listen_for_software(TcpServerOptions options);
 
 /// A robot's software that was there before, and does it again. Throws SetupError: there was none; this program was built without TCP.
-[[nodiscard]] ArrivedSoftware repeat_software(std::shared_ptr<const OutsideNotes> notes, const std::string& robot,
-                                              const TcpOptions& options, std::uint64_t seed, OutsidePen pen);
+[[nodiscard]] ArrivedSoftware repeat_software(std::shared_ptr<const ExternalInputLog> notes, const std::string& robot,
+                                              const TcpOptions& options, std::uint64_t seed, ExternalInputRecorder pen);
 
 }  // namespace murosimf::connect

@@ -34,7 +34,7 @@ DrawnShape shape_of(const wire::Shape& shape) {
 
 }  // namespace
 
-TcpSession::TcpSession(std::unique_ptr<ClientLine> line, TcpRobot robot, RobotPort& port, SayLine say, OutsidePen& pen)
+TcpSession::TcpSession(std::unique_ptr<ClientLine> line, TcpRobot robot, RobotPort& port, SayLine say, ExternalInputRecorder& pen)
     : line_(std::move(line)),
       robot_(std::move(robot)),
       port_(&port),
@@ -65,7 +65,7 @@ void TcpSession::set_up(wire::WallTime end) {
   while (!ready_) take(line_->receive_until(end));
 }
 
-void TcpSession::tell_start() {
+void TcpSession::publish_start() {
   wire::Cycle& cycle = *outgoing_->mutable_cycle();
   cycle.Clear();
   cycle.set_start(true);
@@ -74,18 +74,18 @@ void TcpSession::tell_start() {
   tell();
 }
 
-void TcpSession::tell_cycle(Duration now) {
+void TcpSession::publish_cycle(Duration now) {
   wire::Cycle& cycle = *outgoing_->mutable_cycle();
   cycle.set_start(false);
   cycle.set_now(now.count());
-  tell_samples(cycle);
-  tell_messages(cycle);
-  tell_pictures(cycle);
+  publish_samples(cycle);
+  publish_messages(cycle);
+  publish_pictures(cycle);
   tell();
 }
 
 /// Memory of the cycle before is used again.
-void TcpSession::tell_samples(wire::Cycle& cycle) const {
+void TcpSession::publish_samples(wire::Cycle& cycle) const {
   if (cycle.samples_size() == 0) {
     for (std::size_t i = 0; i < signals_.size(); ++i) cycle.add_samples();
   }
@@ -100,7 +100,7 @@ void TcpSession::tell_samples(wire::Cycle& cycle) const {
 }
 
 /// What does not fit comes with the next cycle.
-void TcpSession::tell_messages(wire::Cycle& cycle) {
+void TcpSession::publish_messages(wire::Cycle& cycle) {
   cycle.clear_messages();
   if (!has_messages_) return;
   std::size_t bytes = 0;
@@ -115,7 +115,7 @@ void TcpSession::tell_messages(wire::Cycle& cycle) {
   }
 }
 
-void TcpSession::tell_pictures(wire::Cycle& cycle) {
+void TcpSession::publish_pictures(wire::Cycle& cycle) {
   cycle.clear_pictures();
   for (std::size_t i = 0; i < pictures_.size(); ++i) {
     const murosimf_picture& shown = *pictures_[i].picture;
@@ -164,21 +164,21 @@ void TcpSession::take(std::string_view bytes) {
 }
 
 /// All of it, or nothing.
-OutsideNote::Kind TcpSession::take_message() {
+ExternalInput::Kind TcpSession::take_message() {
   const bool at_start = robot_.lock_step && outgoing_->cycle().start();
   switch (incoming_->kind_case()) {
     case wire::FromClient::kAsk:
       if (ready_) throw wire::WireError("asks for a name after it was ready");
       answer(incoming_->ask());
-      return OutsideNote::asked;
+      return ExternalInput::asked;
     case wire::FromClient::kReady:
       if (ready_) throw wire::WireError("is ready twice");
       ready_ = true;
-      return OutsideNote::asked;
+      return ExternalInput::asked;
     case wire::FromClient::kCommands:
       if (!ready_) throw wire::WireError("sends commands before it was ready");
       take_over(incoming_->commands());
-      return at_start ? OutsideNote::began : OutsideNote::sent;
+      return at_start ? ExternalInput::began : ExternalInput::sent;
     default: throw wire::WireError("says Hello twice");
   }
 }

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/runtime/outside_notes.h"
+#include "murosimf/runtime/external_input_log.h"
 #include "murosimf/connect/robot_port.h"
 #include "murosimf/connect/tcp_clients.h"
 #include "murosimf/connect/tcp_server.h"
@@ -34,7 +34,7 @@ struct TcpRobot {
 class TcpSession {
  public:
   /// Welcomes the client. What it sends is written down with `pen`, which must outlive it, once it was found good.
-  TcpSession(std::unique_ptr<ClientLine> line, TcpRobot robot, RobotPort& port, SayLine say, OutsidePen& pen);
+  TcpSession(std::unique_ptr<ClientLine> line, TcpRobot robot, RobotPort& port, SayLine say, ExternalInputRecorder& pen);
   ~TcpSession();
   TcpSession(const TcpSession&) = delete;
   TcpSession& operator=(const TcpSession&) = delete;
@@ -48,8 +48,8 @@ class TcpSession {
   void ask_again(std::string_view message) { take(message); }
 
   /// Tells it the cycle at `now`, or that the run begins.
-  void tell_cycle(Duration now);
-  void tell_start();
+  void publish_cycle(Duration now);
+  void publish_start();
   /// Waits for the answer to it and puts it into the port's commands.
   void wait_for_answer(wire::WallTime end);
   /// Takes what has come, without waiting.
@@ -68,14 +68,14 @@ class TcpSession {
 
  private:
   void take(std::string_view bytes);
-  [[nodiscard]] OutsideNote::Kind take_message();
+  [[nodiscard]] ExternalInput::Kind take_message();
   void answer(const wire::Ask& ask);
   void describe_signal(const std::string& name, wire::Description& described);
   void describe_command(const std::string& name, wire::Description& described);
   void describe_picture(const std::string& name, wire::Description& described);
-  void tell_samples(wire::Cycle& cycle) const;
-  void tell_messages(wire::Cycle& cycle);
-  void tell_pictures(wire::Cycle& cycle);
+  void publish_samples(wire::Cycle& cycle) const;
+  void publish_messages(wire::Cycle& cycle);
+  void publish_pictures(wire::Cycle& cycle);
   void take_over(const wire::Commands& commands);
   void send_to_team(const wire::Commands& commands);
   void draw(const wire::Commands& commands);
@@ -87,7 +87,7 @@ class TcpSession {
   TcpRobot robot_;
   RobotPort* port_;
   SayLine say_;
-  OutsidePen* pen_;
+  ExternalInputRecorder* pen_;
   std::vector<const murosimf_signal*> signals_;
   std::vector<murosimf_command*> commands_;
   std::vector<std::string> command_names_;

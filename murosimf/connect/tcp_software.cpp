@@ -11,7 +11,7 @@
 namespace murosimf::connect {
 
 TcpSoftware::TcpSoftware(const Setup& setup, RobotPort& port, SayLine say, std::shared_ptr<TcpClients> clients,
-                         ArrivedClient client, const TcpOptions& options, std::uint64_t seed, OutsidePen pen)
+                         ArrivedClient client, const TcpOptions& options, std::uint64_t seed, ExternalInputRecorder pen)
     : clients_(std::move(clients)),
       options_(options),
       robot_{setup.entity().name(),
@@ -40,7 +40,7 @@ TcpSoftware::~TcpSoftware() {
 
 void TcpSoftware::meet(ArrivedClient client) {
   client_ = client.name;
-  pen_.write(OutsideNote::came, to_bytes(client));
+  pen_.write(ExternalInput::came, to_bytes(client));
   session_ = std::make_unique<TcpSession>(std::move(client.line), robot_, *port_, say_, pen_);
 }
 
@@ -54,7 +54,7 @@ wire::WallTime TcpSoftware::end_of_waiting() const {
 }
 
 void TcpSoftware::drop(const std::string& reason) noexcept {
-  pen_.write(OutsideNote::left, reason);
+  pen_.write(ExternalInput::left, reason);
   if (session_) session_->say_refused(reason);
   session_.reset();
   clients_->leave(false);
@@ -82,7 +82,7 @@ CallOutcome TcpSoftware::start() {
   if (robot_.lock_step) {
     talk_in_step({});
   } else if (session_) {
-    guarded([&] { session_->tell_start(); });
+    guarded([&] { session_->publish_start(); });
   }
   return {};
 }
@@ -117,7 +117,7 @@ void TcpSoftware::talk_in_step(std::optional<Duration> now) noexcept {
 }
 
 void TcpSoftware::ask(std::optional<Duration> now) {
-  now ? session_->tell_cycle(*now) : session_->tell_start();
+  now ? session_->publish_cycle(*now) : session_->publish_start();
   session_->wait_for_answer(end_of_waiting());
 }
 
@@ -135,14 +135,14 @@ void TcpSoftware::talk_freely(Duration now) {
   const wire::WallTime present = std::chrono::steady_clock::now();
   const bool begins = !session_->is_ready();
   session_->take_what_has_come(present);
-  if (begins && session_->is_ready()) session_->tell_start();
+  if (begins && session_->is_ready()) session_->publish_start();
   const bool waits = session_->is_live() && session_->is_waited_for();
   if (waits && present - session_->waited_for_since() > from_seconds(options_.limit)) {
     throw wire::WireError("did not answer in time");
   }
   if (!session_->keeps_up()) return;
-  session_->tell_cycle(now);
-  pen_.write(OutsideNote::told);  // its messages have been taken out of the robot's box
+  session_->publish_cycle(now);
+  pen_.write(ExternalInput::told);  // its messages have been taken out of the robot's box
 }
 
 void TcpSoftware::welcome_another() {
@@ -154,23 +154,23 @@ void TcpSoftware::welcome_another() {
 
 /// Of a recording: the client that was there at `now`, as it was, whatever has been before.
 void TcpSoftware::catch_up(Duration now) {
-  const std::vector<OutsideNote> lasting = clients_->jump_to(now);
+  const std::vector<ExternalInput> lasting = clients_->jump_to(now);
   if (lasting.empty()) return;
-  const OutsidePen pen = std::exchange(pen_, OutsidePen{});  // it is written down already
-  for (const OutsideNote& note : lasting) {
-    if (note.kind == OutsideNote::came) {
+  const ExternalInputRecorder pen = std::exchange(pen_, ExternalInputRecorder{});  // it is written down already
+  for (const ExternalInput& note : lasting) {
+    if (note.kind == ExternalInput::came) {
       ArrivedClient client = arrived_client(note.bytes);
       client.line = clients_->line();
       meet(std::move(client));
     }
-    if (note.kind == OutsideNote::asked && session_) session_->ask_again(note.bytes);
-    if (note.kind == OutsideNote::left) {
+    if (note.kind == ExternalInput::asked && session_) session_->ask_again(note.bytes);
+    if (note.kind == ExternalInput::left) {
       session_.reset();
       last_ = fmt::format("{} {}", client_, note.bytes);
     }
   }
   pen_ = pen;
-  if (session_ && session_->is_ready()) session_->tell_start();
+  if (session_ && session_->is_ready()) session_->publish_start();
 }
 
 std::string TcpSoftware::news() { return std::exchange(news_, {}); }

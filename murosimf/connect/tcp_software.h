@@ -10,7 +10,7 @@
 #include <string>
 
 #include "murosimf/connect/control_software.h"
-#include "murosimf/runtime/outside_notes.h"
+#include "murosimf/runtime/external_input_log.h"
 #include "murosimf/connect/tcp_clients.h"
 #include "murosimf/connect/tcp_server.h"
 #include "murosimf/connect/tcp_session.h"
@@ -21,7 +21,7 @@ class TcpSoftware final : public ControlSoftware {
  public:
   /// Answers what the client asks for. Throws SoftwareWent if it does not get ready in time, or goes.
   TcpSoftware(const Setup& setup, RobotPort& port, SayLine say, std::shared_ptr<TcpClients> clients,
-              ArrivedClient client, const TcpOptions& options, std::uint64_t seed, OutsidePen pen);
+              ArrivedClient client, const TcpOptions& options, std::uint64_t seed, ExternalInputRecorder pen);
   ~TcpSoftware() override;
   TcpSoftware(const TcpSoftware&) = delete;
   TcpSoftware& operator=(const TcpSoftware&) = delete;
@@ -52,7 +52,7 @@ class TcpSoftware final : public ControlSoftware {
   TcpRobot robot_;
   RobotPort* port_;
   SayLine say_;
-  OutsidePen pen_;
+  ExternalInputRecorder pen_;
   std::unique_ptr<TcpSession> session_;  // null: nobody is there
   std::string client_;                   // the name of the last one
   std::string last_;                     // why it has gone

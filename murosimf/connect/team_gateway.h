@@ -8,7 +8,7 @@
 
 namespace murosimf::connect {
 
-struct OutsideMessage {
+struct ExternalMessage {
   std::string team, bytes;
 };
 
@@ -17,7 +17,7 @@ class TeamGateway {
   virtual ~TeamGateway() = default;
 
   /// At the beginning of the tick at `now`: what has come from outside meanwhile; every robot of the team gets it.
-  [[nodiscard]] virtual std::vector<OutsideMessage> take(Duration now) = 0;
+  [[nodiscard]] virtual std::vector<ExternalMessage> take(Duration now) = 0;
   /// What a robot of the team has sent, before the radio has done anything to it.
   virtual void give(const std::string& team, const TeamMessage& message) = 0;
 };

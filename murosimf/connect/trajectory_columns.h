@@ -22,7 +22,7 @@ struct TrajectoryColumns {
     std::size_t cell = 0;    ///< of a line
     int object = 0;          ///< the joint
     double factor = 1;       ///< to rad or m
-    double lowest, highest;  ///< [rad | m] what is farther out is a mistake
+    double lowest, highest;  ///< [rad | m] what is farther out is an error
   };
   std::size_t cells = 0;   ///< of every line
   double time_factor = 1;  ///< to s

@@ -78,11 +78,11 @@ std::vector<std::optional<TeamPlace>> team_places(std::span<const std::string> t
   return places;
 }
 
-std::vector<Drawn> drawn_by_others(const DrawnByOthers& others, std::span<const std::string> teams) {
+std::vector<Drawn> external_drawings(const ExternalDrawings& others, std::span<const std::string> teams) {
   std::vector<Drawn> all;
   if (!others.groups.empty()) all.push_back({-1, std::string(others_name), others.groups});
   const std::vector<std::optional<TeamPlace>> places = team_places(teams);
-  for (const DrawnByOthers::Note& note : others.notes) {
+  for (const ExternalDrawings::Note& note : others.notes) {
     const auto place = std::ranges::find(places, TeamPlace{note.team, note.number});
     if (place == places.end()) continue;
     const auto entity = static_cast<int>(place - places.begin());

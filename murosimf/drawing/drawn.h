@@ -1,5 +1,5 @@
 /// drawn.h - all that is drawn for people who watch: by the software of robots (model/drawing.h), and by others
-/// (drawing_board.h).
+/// (debug_draw_source.h).
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "murosimf/drawing/drawing_board.h"
+#include "murosimf/drawing/debug_draw_source.h"
 #include "murosimf/model/world.h"
 
 namespace murosimf::drawing {
@@ -34,7 +34,7 @@ struct Drawn {
 
 /// `teams`: of the world's entities. Robots have their numbers in the order in which they came into the world;
 /// the team of the first one is on the left.
-[[nodiscard]] std::vector<Drawn> drawn_by_others(const DrawnByOthers& others, std::span<const std::string> teams);
+[[nodiscard]] std::vector<Drawn> external_drawings(const ExternalDrawings& others, std::span<const std::string> teams);
 
 /// A robot's team and its number there, as notes have them.
 struct TeamPlace {

@@ -181,8 +181,8 @@ void RobovizDrawings::swap(const std::string& begin) {
   }
 }
 
-DrawnByOthers RobovizDrawings::shown() const {
-  DrawnByOthers all{.groups = {}, .notes = {}, .changes = changes_};
+ExternalDrawings RobovizDrawings::shown() const {
+  ExternalDrawings all{.groups = {}, .notes = {}, .changes = changes_};
   for (const auto& [name, set] : sets_) {
     if (!set.shown.empty()) all.groups.push_back({.name = name, .shapes = set.shown});
   }

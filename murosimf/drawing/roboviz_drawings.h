@@ -23,7 +23,7 @@
 #include <string_view>
 #include <vector>
 
-#include "murosimf/drawing/drawing_board.h"
+#include "murosimf/drawing/debug_draw_source.h"
 #include "murosimf/model/drawing.h"
 
 namespace murosimf::drawing {
@@ -36,7 +36,7 @@ class RobovizDrawings {
   /// False: something of it is too much, or it is no packet from some byte on, and the rest is ignored.
   bool take(std::string_view packet);
   /// What is to be seen now.
-  [[nodiscard]] DrawnByOthers shown() const;
+  [[nodiscard]] ExternalDrawings shown() const;
   [[nodiscard]] std::uint64_t changes() const { return changes_; }
 
  private:
@@ -53,7 +53,7 @@ class RobovizDrawings {
     std::size_t points = 0, shown_points = 0;  // of those that wait, of the others
   };
   std::map<std::string, Set> sets_;
-  std::map<int, DrawnByOthers::Note> notes_;  // by agent
+  std::map<int, ExternalDrawings::Note> notes_;  // by agent
   std::size_t points_ = 0;                    // of all sets
   bool all_had_place_ = true;
   std::uint64_t changes_ = 0;

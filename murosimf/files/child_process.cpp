@@ -92,7 +92,7 @@ std::optional<ProcessResult> run_process(const std::vector<std::string>& argumen
     if (is_missing(error)) return std::nullopt;
     cannot_run(program, error);
   }
-  const Leftover running(child);
+  const CleanupGuard running(child);
   int status = 0;
   while (waitpid(child, &status, 0) < 0) {
     if (errno != EINTR) cannot_run(program, errno);

@@ -14,7 +14,7 @@
 #include <sys/types.h>
 
 #include "murosimf/files/file_pointer.h"
-#include "murosimf/files/leftovers.h"
+#include "murosimf/files/cleanup_guard.h"
 
 namespace murosimf::files {
 
@@ -54,7 +54,7 @@ class ChildPipe {
   FilePtr errors_;
   int socket_ = -1;
   pid_t child_ = -1;
-  std::optional<Leftover> running_;
+  std::optional<CleanupGuard> running_;
 };
 
 }  // namespace murosimf::files

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "murosimf/files/leftovers.h"
+#include "murosimf/files/cleanup_guard.h"
 
 namespace murosimf::files {
 
@@ -42,7 +42,7 @@ class PartFile {
 
  private:
   std::filesystem::path file_, place_, part_;
-  std::optional<Leftover> half_;
+  std::optional<CleanupGuard> half_;
 };
 
 }  // namespace murosimf::files

@@ -1,4 +1,4 @@
-/// toml_reader.h - typed reading of a TOML table: every mistake becomes one line with file:line:column.
+/// toml_reader.h - typed reading of a TOML table: every error becomes one line with file:line:column.
 ///
 /// Only for .cpp files: it brings toml++ in.
 #pragma once

@@ -1,7 +1,7 @@
 /// xml_element.h - elements of an XML file that know where they stand, so that every complaint has a file and a line.
 ///
 /// A thin view of tinyxml2, which stays out of the headers. Elements are valid as long as their XmlFile lives.
-/// Numbers are plain decimals, whatever the locale; NaN and infinity are mistakes here.
+/// Numbers are plain decimals, whatever the locale; NaN and infinity are errors here.
 #pragma once
 
 #include <filesystem>

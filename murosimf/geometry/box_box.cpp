@@ -87,12 +87,12 @@ bool see_edges(const TwoBoxes& p, Least& least) {
   return true;
 }
 
-void meet_at_edges(const BoxParts& a, const BoxParts& b, const Least& least, const Parting& parting, Manifold& found) {
+void meet_at_edges(const BoxParts& a, const BoxParts& b, const Least& least, const Penetration& penetration, Manifold& found) {
   const Vec3d& n = least.from_a;
   const Segment edge_a = a.edge(least.edge_a, n), edge_b = b.edge(least.edge_b, -n);
   const auto [s, t] = closest_places(edge_a, edge_b);
   const std::uint32_t name = joined(a.edge_name(least.edge_a, n), 64 + b.edge_name(least.edge_b, -n));
-  only_point(parting, 0.5 * (edge_a.at(s) + edge_b.at(t)), name, found);
+  only_point(penetration, 0.5 * (edge_a.at(s) + edge_b.at(t)), name, found);
 }
 
 /// True if a face of either lies about flat against the other.
@@ -120,14 +120,14 @@ bool collide_boxes(const Box& box_a, const Transformd& at_a, const Box& box_b, c
   const TwoBoxes pair(a, b);
   Least least;
   if (!see_faces(pair, least) || !see_edges(pair, least)) return false;
-  const Parting parting{-least.from_a, least.overlap};
-  begin(parting, found);
+  const Penetration penetration{-least.from_a, least.overlap};
+  begin(penetration, found);
   if (meet_at_faces(a, b, least.from_a, found)) {
-    finish(parting, found);
+    finish(penetration, found);
   } else if (least.edge_a >= 0) {
-    meet_at_edges(a, b, least, parting, found);
+    meet_at_edges(a, b, least, penetration, found);
   } else {
-    only_point(parting, 0.5 * (a.center + b.center), 0, found);
+    only_point(penetration, 0.5 * (a.center + b.center), 0, found);
   }
   return true;
 }

@@ -5,30 +5,30 @@
 
 namespace murosimf::geometry {
 
-void begin(const Parting& parting, Manifold& found) {
-  found.normal = parting.normal;
+void begin(const Penetration& penetration, Manifold& found) {
+  found.normal = penetration.normal;
   found.count = 0;
 }
 
-void only_point(const Parting& parting, const Vec3d& middle, std::uint32_t name, Manifold& found) {
-  found.normal = parting.normal;
+void only_point(const Penetration& penetration, const Vec3d& middle, std::uint32_t name, Manifold& found) {
+  found.normal = penetration.normal;
   found.count = 1;
-  found.points[0] = {middle, parting.depth, name};
+  found.points[0] = {middle, penetration.depth, name};
 }
 
-bool add_side_by_side(const Parting& parting, const Segment& a, double radius_a, const Segment& b, double radius_b,
+bool add_side_by_side(const Penetration& penetration, const Segment& a, double radius_a, const Segment& b, double radius_b,
                       std::uint32_t name, Manifold& found) {
   const double aa = dot(a.half, a.half), bb = dot(b.half, b.half);
   const Vec3d across = cross(a.half, b.half);
   if (!(aa > 0 && bb > 0) || dot(across, across) > side_by_side * side_by_side * aa * bb) return false;
-  const double lean = dot(a.half, parting.normal);
+  const double lean = dot(a.half, penetration.normal);
   if (lean * lean > 0.01 * aa) return false;
   // B's ends on A's line, in halves of A
   const double middle = dot(b.middle - a.middle, a.half) / aa, reach = std::abs(dot(b.half, a.half)) / aa;
   const double low = std::max(-1.0, middle - reach), high = std::min(1.0, middle + reach);
   if (!((high - low) * std::sqrt(aa) > 1e-3 * std::sqrt(std::min(aa, bb)))) return false;
   const int before = found.count;
-  const Vec3d& n = parting.normal;
+  const Vec3d& n = penetration.normal;
   const double most_aside = 4 * side_by_side * side_by_side * std::min(aa, bb);
   for (const double s : {low, high}) {
     const Vec3d on_a = a.at(s);
@@ -42,7 +42,7 @@ bool add_side_by_side(const Parting& parting, const Segment& a, double radius_a,
   return found.count > before;
 }
 
-void finish(const Parting& parting, Manifold& found) {
+void finish(const Penetration& penetration, Manifold& found) {
   for (int i = 1; i < found.count; ++i) {
     for (int k = 0; k < i; ++k) {
       if (found.points[k].feature == found.points[i].feature) {
@@ -54,7 +54,7 @@ void finish(const Parting& parting, Manifold& found) {
   const auto end = found.points.begin() + found.count;
   const auto deepest =
       std::max_element(found.points.begin(), end, [](const auto& a, const auto& b) { return a.depth < b.depth; });
-  if (deepest != end) deepest->depth = parting.depth;
+  if (deepest != end) deepest->depth = penetration.depth;
 }
 
 }  // namespace murosimf::geometry

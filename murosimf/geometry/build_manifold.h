@@ -8,7 +8,7 @@
 namespace murosimf::geometry {
 
 /// The normal that parts A and B with the least shift, from B to A, and that shift [m].
-struct Parting {
+struct Penetration {
   Vec3d normal;
   double depth = 0;
 };
@@ -19,15 +19,15 @@ inline constexpr double flat = 0.999;
 inline constexpr double side_by_side = 0.01;
 
 /// Starts a manifold anew.
-void begin(const Parting& parting, Manifold& found);
+void begin(const Penetration& penetration, Manifold& found);
 /// A single point.
-void only_point(const Parting& parting, const Vec3d& middle, std::uint32_t name, Manifold& found);
+void only_point(const Penetration& penetration, const Vec3d& middle, std::uint32_t name, Manifold& found);
 /// Two segments with rounded surroundings of radius [m], side by side: one point at each end of their overlap. False, and
 /// no point, if they do not lie side by side.
-bool add_side_by_side(const Parting& parting, const Segment& a, double radius_a, const Segment& b, double radius_b,
+bool add_side_by_side(const Penetration& penetration, const Segment& a, double radius_a, const Segment& b, double radius_b,
                       std::uint32_t name, Manifold& found);
 /// No two points may have the same name; the deepest one gets the exact depth.
-void finish(const Parting& parting, Manifold& found);
+void finish(const Penetration& penetration, Manifold& found);
 
 /// Points of `incident`, which was cut to the size of the face `reference`, where they are below it. `out`: the normal,
 /// seen from the shape of the reference face.

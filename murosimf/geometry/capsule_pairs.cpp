@@ -109,21 +109,21 @@ FaceOfSum face_of_sum(const SegmentAtBox& s, double enough) {
 }
 
 /// From the box to the segment; box frame.
-bool part(const SegmentAtBox& s, double radius, Parting& parting) {
+bool part(const SegmentAtBox& s, double radius, Penetration& penetration) {
   const FaceOfSum face = face_of_sum(s, radius);
   if (face.apart >= radius) return false;
-  parting = {{face.out[0], face.out[1], face.out[2]}, radius - face.apart};
+  penetration = {{face.out[0], face.out[1], face.out[2]}, radius - face.apart};
   if (face.apart <= 0) return true;
   const Vec3d gap = s.gap(s.nearest_place());
   const double distance = norm(gap);
   if (distance >= radius) return false;
-  if (distance > 1e-9 * (s.length + radius)) parting = {(1 / distance) * gap, radius - distance};
+  if (distance > 1e-9 * (s.length + radius)) penetration = {(1 / distance) * gap, radius - distance};
   return true;
 }
 
 /// Place of the one point where a box and a capsule meet, if no flat side does.
 Vec3d middle_point(const SegmentAtBox& s, const BoxParts& box, const Segment& axis, double radius, const Vec3d& out,
-                   const Parting& parting) {
+                   const Penetration& penetration) {
   const double t = s.nearest_place();
   const Vec3d gap = s.gap(t);
   Vec3d on_axis = axis.middle + (s.length > 0 ? t / s.length : 0.0) * axis.half;
@@ -142,7 +142,7 @@ Vec3d middle_point(const SegmentAtBox& s, const BoxParts& box, const Segment& ax
       }
     }
   }
-  return on_axis + (0.5 * parting.depth - radius) * out;
+  return on_axis + (0.5 * penetration.depth - radius) * out;
 }
 
 }  // namespace
@@ -156,12 +156,12 @@ bool collide_capsules(const Capsule& a, const Transformd& at_a, const Capsule& b
   if (!(square < sum * sum)) return false;
   const double distance = std::sqrt(square);
   const Vec3d normal = distance > 1e-12 * sum ? (1 / distance) * way : across(u, v);
-  const Parting parting{normal, sum - distance};
-  begin(parting, found);
-  if (add_side_by_side(parting, u, a.radius, v, b.radius, 0, found)) {
-    finish(parting, found);
+  const Penetration penetration{normal, sum - distance};
+  begin(penetration, found);
+  if (add_side_by_side(penetration, u, a.radius, v, b.radius, 0, found)) {
+    finish(penetration, found);
   } else {
-    only_point(parting, on_b + (b.radius - 0.5 * parting.depth) * normal, 0, found);
+    only_point(penetration, on_b + (b.radius - 0.5 * penetration.depth) * normal, 0, found);
   }
   return true;
 }
@@ -174,11 +174,11 @@ bool collide_box_capsule(const Box& a, const Transformd& at_a, const Capsule& b,
                              {middle.x, middle.y, middle.z},
                              {u.x, u.y, u.z},
                              b.half_length};
-  Parting local;
+  Penetration local;
   if (!part(segment, b.radius, local)) return false;
   const Vec3d out = at_a.orientation * local.normal;
-  const Parting parting{-out, local.depth};
-  begin(parting, found);
+  const Penetration penetration{-out, local.depth};
+  begin(penetration, found);
   const BoxParts box(a, at_a);
   const Segment axis = axis_of(b, at_b);
   const int i = box.axis_along(out);
@@ -193,12 +193,12 @@ bool collide_box_capsule(const Box& a, const Transformd& at_a, const Capsule& b,
     add_points_below(side, face, out, found);
   } else {
     const int along = box.axis_along(at_b.orientation.z);
-    add_side_by_side(parting, box.edge(along, out), 0, axis, b.radius, box.edge_name(along, out), found);
+    add_side_by_side(penetration, box.edge(along, out), 0, axis, b.radius, box.edge_name(along, out), found);
   }
   if (found.count > 0) {
-    finish(parting, found);
+    finish(penetration, found);
   } else {
-    only_point(parting, middle_point(segment, box, axis, b.radius, out, parting), 0, found);
+    only_point(penetration, middle_point(segment, box, axis, b.radius, out, penetration), 0, found);
   }
   return true;
 }

@@ -15,21 +15,21 @@ double Descent::shift(const Vec3d& n) const { return dot(n, b_.core_support(n) -
 
 Deepest Descent::from(const Vec3d& n) const {
   Deepest best;
-  best.parting = {n, shift(n)};
+  best.penetration = {n, shift(n)};
   Vec3d last_way;
   for (int i = 0; i < most_steps; ++i) {
-    const double before = best.parting.depth;
-    const Vec3d out = (before + step_out_) * best.parting.normal;
-    const CoreGap gap = gap_of_cores(a_, out, b_, best.parting.normal);
+    const double before = best.penetration.depth;
+    const Vec3d out = (before + step_out_) * best.penetration.normal;
+    const CoreGap gap = gap_of_cores(a_, out, b_, best.penetration.normal);
     if (!(gap.distance > 0)) break;
     best.on_a = gap.on_a - out;
     best.on_b = gap.on_b;
     const Vec3d next = gap.direction();
-    const Vec3d way = next - best.parting.normal;
+    const Vec3d way = next - best.penetration.normal;
     take_if_lower(next, best);
     leap(next, way, last_way, best);
     last_way = way;
-    if (!(before - best.parting.depth > 1e-9 * step_out_)) break;
+    if (!(before - best.penetration.depth > 1e-9 * step_out_)) break;
   }
   put_points(best);
   return best;
@@ -38,7 +38,7 @@ Deepest Descent::from(const Vec3d& n) const {
 /// Where the last gap does not belong to the normal (the minimum is flat, and rounding chose), the farthest points do: of
 /// a smooth body they are unique.
 void Descent::put_points(Deepest& deepest) const {
-  const auto& [n, depth] = deepest.parting;
+  const auto& [n, depth] = deepest.penetration;
   const Vec3d aside = tangential(deepest.on_b - deepest.on_a, n);
   const double error = norm(aside) + std::abs(dot(deepest.on_b - deepest.on_a, n) - depth);
   if (error < 0.01 * step_out_) return;
@@ -53,7 +53,7 @@ void Descent::put_points(Deepest& deepest) const {
 
 void Descent::take_if_lower(const Vec3d& n, Deepest& best) const {
   const double here = shift(n);
-  if (here < best.parting.depth) best.parting = {n, here};
+  if (here < best.penetration.depth) best.penetration = {n, here};
 }
 
 /// Steps shrink by about the same factor each time: sum up the rest of them.

@@ -5,7 +5,7 @@
 /// direction m: g(m) = p . m - e <= |p| - e <= g(n), so g never rises; n stays where g has a local minimum.
 #pragma once
 
-#include "murosimf/geometry/parting.h"
+#include "murosimf/geometry/penetration.h"
 
 namespace murosimf::geometry {
 

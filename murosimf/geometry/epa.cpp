@@ -129,17 +129,17 @@ struct Least {
 /// Takes a direction in, if it is better. For curved bodies the local minimum below it, once the polyhedron is no longer
 /// coarse: with its surface point as a vertex, the faces around lie about as high, and need not be made finer.
 void take(const Descent& descent, const Face& face, double shift, double coarse, Polyhedron& polyhedron, Least& least) {
-  Parting& parting = least.deepest.parting;
-  if (!(shift < parting.depth)) return;
+  Penetration& penetration = least.deepest.penetration;
+  if (!(shift < penetration.depth)) return;
   if (shift - face.height > coarse) {
-    parting = {face.normal, shift};
+    penetration = {face.normal, shift};
     least.settled = false;
     return;
   }
   const Deepest here = descent.from(face.normal);
-  if (!(here.parting.depth < parting.depth)) return;
+  if (!(here.penetration.depth < penetration.depth)) return;
   least = {here, true};
-  (void)polyhedron.grow(polyhedron.support(here.parting.normal));
+  (void)polyhedron.grow(polyhedron.support(here.penetration.normal));
 }
 
 }  // namespace
@@ -151,8 +151,8 @@ Deepest deepest_of_cores(const Body& a, const Body& b, double size) {
   Polyhedron polyhedron(a, b, size);
   polyhedron.start();
   Least least;
-  least.deepest.parting = {{0, 0, 1}, std::numeric_limits<double>::infinity()};
-  const double& depth = least.deepest.parting.depth;
+  least.deepest.penetration = {{0, 0, 1}, std::numeric_limits<double>::infinity()};
+  const double& depth = least.deepest.penetration.depth;
   while (true) {
     const Face face = polyhedron.face(polyhedron.lowest());
     if (!(depth - face.height > tolerance)) break;
@@ -160,7 +160,7 @@ Deepest deepest_of_cores(const Body& a, const Body& b, double size) {
     take(descent, face, dot(vertex, face.normal), coarse, polyhedron, least);
     if (!(depth - face.height > tolerance) || !polyhedron.grow(vertex)) break;
   }
-  return least.settled ? least.deepest : descent.from(least.deepest.parting.normal);
+  return least.settled ? least.deepest : descent.from(least.deepest.penetration.normal);
 }
 
 }  // namespace murosimf::geometry

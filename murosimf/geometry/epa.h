@@ -5,7 +5,7 @@
 /// below it, and as the origin is inside the difference, the polyhedron swallows it. Keeps its store on the stack.
 #pragma once
 
-#include "murosimf/geometry/parting.h"
+#include "murosimf/geometry/penetration.h"
 
 namespace murosimf::geometry {
 

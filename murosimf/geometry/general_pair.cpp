@@ -2,7 +2,7 @@
 #include "murosimf/geometry/build_manifold.h"
 #include "murosimf/geometry/facing.h"
 #include "murosimf/geometry/pair_tests.h"
-#include "murosimf/geometry/parting.h"
+#include "murosimf/geometry/penetration.h"
 
 namespace murosimf::geometry {
 namespace {
@@ -26,10 +26,10 @@ void put_exact_point(const Deepest& deepest, double size, Manifold& found) {
   for (int i = 1; i < found.count; ++i) {
     if (found.points[i].depth > found.points[best].depth) best = i;
   }
-  const double missing = deepest.parting.depth - found.points[best].depth;
-  if (missing > 1e-3 * deepest.parting.depth + 1e-5 * size) {
+  const double missing = deepest.penetration.depth - found.points[best].depth;
+  if (missing > 1e-3 * deepest.penetration.depth + 1e-5 * size) {
     found.points[best].point = 0.5 * (deepest.on_a + deepest.on_b);
-    found.points[best].depth = deepest.parting.depth;
+    found.points[best].depth = deepest.penetration.depth;
   }
 }
 
@@ -38,20 +38,20 @@ void put_exact_point(const Deepest& deepest, double size, Manifold& found) {
 bool collide_general(const Shape& a, const Transformd& at_a, const Shape& b, const Transformd& at_b, Manifold& found) {
   Deepest deepest;
   if (!find_deepest(Body(a, at_a), Body(b, at_b), deepest)) return false;
-  const Parting& parting = deepest.parting;
-  const Vec3d& n = parting.normal;
-  begin(parting, found);
+  const Penetration& penetration = deepest.penetration;
+  const Vec3d& n = penetration.normal;
+  begin(penetration, found);
   Side side_a, side_b;
   find_facing(a, at_a, -n, side_a);
   find_facing(b, at_b, n, side_b);
   std::uint32_t name_a = 0, name_b = 0;
   const Segment line_a = line_facing(a, side_a, -n, name_a), line_b = line_facing(b, side_b, n, name_b);
   if (meet_at_face(side_a, side_b, n, found) ||
-      add_side_by_side(parting, line_a, 0, line_b, 0, joined(name_a, name_b), found)) {
+      add_side_by_side(penetration, line_a, 0, line_b, 0, joined(name_a, name_b), found)) {
     put_exact_point(deepest, std::min(bounding_radius(a), bounding_radius(b)), found);
-    finish(parting, found);
+    finish(penetration, found);
   } else {
-    only_point(parting, 0.5 * (deepest.on_a + deepest.on_b), joined(name_a, name_b), found);
+    only_point(penetration, 0.5 * (deepest.on_a + deepest.on_b), joined(name_a, name_b), found);
   }
   return true;
 }

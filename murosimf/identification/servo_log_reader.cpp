@@ -18,7 +18,7 @@ using identification::ServoLog;
 using identification::ServoSample;
 using nlohmann::json;
 
-constexpr double longest_log = 3600;  // [s]; more is a mistake in the unit
+constexpr double longest_log = 3600;  // [s]; more is an error in the unit
 
 /// "line 3: 'NaN' is ..." for the place where the parser stopped.
 std::string what_is_wrong(const std::string& text, std::size_t byte) {

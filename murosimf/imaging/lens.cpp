@@ -183,7 +183,7 @@ Fov Lens::fov() const noexcept {
           std::max(falling, rising)};
 }
 
-std::string Lens::fold_remark() const {
+std::string Lens::fold_warning() const {
   if (plain()) return {};
   constexpr int most = 200;  // samples to a side
   const int columns = std::min(spec_.width, most), rows = std::min(spec_.height, most);

@@ -78,7 +78,7 @@ class Lens {
   [[nodiscard]] double corner_angle() const noexcept;
   [[nodiscard]] Fov fov() const noexcept;
   /// Empty, or "the distortion folds over at 47.1 deg, inside the picture: 9.0 % of the pixels see nothing".
-  [[nodiscard]] std::string fold_remark() const;
+  [[nodiscard]] std::string fold_warning() const;
 
  private:
   /// From the optical axis [rad]; the widest angle where there is no ray.

@@ -15,7 +15,7 @@ class Datagrams {
 
   /// At the beginning of the tick at `now`: those that have come since the one before, in their order. Never waits.
   [[nodiscard]] virtual std::vector<std::string> take(Duration now) = 0;
-  /// Sends one; that it does not arrive is no mistake.
+  /// Sends one; that it does not arrive is no error.
   virtual void give(std::string_view bytes) = 0;
 };
 

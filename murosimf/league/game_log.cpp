@@ -71,12 +71,12 @@ GameLog GameLog::parse(std::string_view text, const std::string& name) {
   return log;
 }
 
-GameLog GameLog::of(const OutsideNotes& notes) {
+GameLog GameLog::of(const ExternalInputLog& notes) {
   GameLog log;
   for (const std::string& name : notes.names()) {
     if (name != "game" && !name.starts_with("team:")) continue;
     std::vector<Entry>& entries = log.channels_[name];
-    for (const OutsideNote& note : *notes.find(name)) entries.push_back({note.time, note.bytes});
+    for (const ExternalInput& note : *notes.find(name)) entries.push_back({note.time, note.bytes});
   }
   return log;
 }
@@ -108,18 +108,18 @@ std::vector<std::string> RecordedDatagrams::take(Duration now) {
 
 std::vector<std::string> NotedDatagrams::take(Duration now) {
   std::vector<std::string> taken = source_->take(now);
-  for (const std::string& bytes : taken) notes_->push_back({now, OutsideNote::sent, bytes});
+  for (const std::string& bytes : taken) notes_->push_back({now, ExternalInput::sent, bytes});
   return taken;
 }
 
 std::vector<std::string> RememberedDatagrams::take(Duration now) {
   if (!memory_->repeats()) {
     std::vector<std::string> taken = source_->take(now);
-    for (const std::string& bytes : taken) memory_->write(OutsideNote::sent, bytes);
+    for (const std::string& bytes : taken) memory_->write(ExternalInput::sent, bytes);
     return taken;
   }
   std::vector<std::string> taken;
-  for (; const OutsideNote* note = memory_->next(); memory_->pass()) taken.push_back(note->bytes);
+  for (; const ExternalInput* note = memory_->next(); memory_->pass()) taken.push_back(note->bytes);
   return taken;
 }
 

@@ -13,8 +13,8 @@
 #include <string_view>
 #include <vector>
 
-#include "murosimf/runtime/outside_memory.h"
-#include "murosimf/runtime/outside_notes.h"
+#include "murosimf/runtime/external_input_history.h"
+#include "murosimf/runtime/external_input_log.h"
 #include "murosimf/league/datagrams.h"
 
 namespace murosimf::league {
@@ -33,7 +33,7 @@ class GameLog {
   [[nodiscard]] static GameLog parse(std::string_view text, const std::string& name);
 
   /// What a recording has of games and teams.
-  [[nodiscard]] static GameLog of(const OutsideNotes& notes);
+  [[nodiscard]] static GameLog of(const ExternalInputLog& notes);
 
   /// By time; empty for one of which there is nothing. Channels stay where they are: each may be written by a thread of its own.
   [[nodiscard]] std::vector<Entry>& channel(const std::string& name) { return channels_[name]; }
@@ -62,20 +62,20 @@ class RecordedDatagrams final : public Datagrams {
 class NotedDatagrams final : public Datagrams {
  public:
   /// All must outlive it.
-  NotedDatagrams(Datagrams& source, OutsideNotes::Channel& notes) : source_(&source), notes_(&notes) {}
+  NotedDatagrams(Datagrams& source, ExternalInputLog::Channel& notes) : source_(&source), notes_(&notes) {}
   [[nodiscard]] std::vector<std::string> take(Duration now) override;
   void give(std::string_view bytes) override { source_->give(bytes); }
 
  private:
   Datagrams* source_;
-  OutsideNotes::Channel* notes_;
+  ExternalInputLog::Channel* notes_;
 };
 
 /// Datagrams of another source, which is not asked again for an instant that was there before, and hears nothing of it.
 class RememberedDatagrams final : public Datagrams {
  public:
   /// All must outlive it.
-  RememberedDatagrams(Datagrams& source, OutsideMemory::Channel& memory)
+  RememberedDatagrams(Datagrams& source, ExternalInputHistory::Channel& memory)
       : source_(&source), memory_(&memory) {}
   [[nodiscard]] std::vector<std::string> take(Duration now) override;
   void give(std::string_view bytes) override {
@@ -84,7 +84,7 @@ class RememberedDatagrams final : public Datagrams {
 
  private:
   Datagrams* source_;
-  OutsideMemory::Channel* memory_;
+  ExternalInputHistory::Channel* memory_;
 };
 
 /// Datagrams of a log; what is given goes nowhere. Remembers nothing, so a run may go back and forth.

@@ -54,7 +54,7 @@ GameTask::Member GameTask::member(Setup setup, const Player& player) const {
   if (robot.find(connect::game_view)) member.view = &setup.write(connect::game_view)[0];
   if (robot.find(connect::game_answer)) member.answer = &setup.read(connect::game_answer)[0];
   if (robot.find(properties::pose_estimate)) member.estimate = &setup.read(properties::pose_estimate)[0];
-  if (robot.find(properties::halted) && !robot.find(connect::software_seam)) {
+  if (robot.find(properties::halted) && !robot.find(connect::software_interface)) {
     member.halted = &setup.write(properties::halted)[0];
   }
   return member;
@@ -126,7 +126,7 @@ bool GameTask::find_teams(const GameState& game) {
 void GameTask::hear(const GameState& game, Duration now) {
   const GameState before = std::exchange(game_, game);
   if (words_++ == 0) events_.push_back("game: the referee is there");
-  tell_changes(before);
+  publish_changes(before);
   for (std::size_t i = 0; i < members_.size(); ++i) {
     show(members_[i], now);
     judge(i);
@@ -182,7 +182,7 @@ void GameTask::judge(std::size_t number) {
                         : fmt::format("game: {}: the penalty has ended", player.robot->name()));
 }
 
-void GameTask::tell_changes(const GameState& before) {
+void GameTask::publish_changes(const GameState& before) {
   if (words_ == 1 || game_.state != before.state) events_.push_back(fmt::format("game: {}", state_name(game_.state)));
   if (game_.secondary_state != before.secondary_state) {
     events_.push_back(fmt::format("game: {}", secondary_state_name(game_.secondary_state)));

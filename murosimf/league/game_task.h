@@ -84,7 +84,7 @@ class GameTask final : public Algorithm {
   void hear(const GameState& game, Duration now);
   void show(Member& member, Duration now) const;
   void judge(std::size_t number);
-  void tell_changes(const GameState& before);
+  void publish_changes(const GameState& before);
   void answer() const;
   void report() const;
   [[nodiscard]] bool may_move(const Player& player) const;

@@ -62,7 +62,7 @@ class League::BetweenSteps final : public GameTask::Scene {
  public:
   explicit BetweenSteps(scene::Scene& scene) : scene_(&scene) {}
   void record(std::string event) override { scene_->simulation().record(std::move(event)); }
-  void warn(std::string warning) override { scene_->parts().remarks.warn(std::move(warning)); }
+  void warn(std::string warning) override { scene_->parts().diagnostics.warn(std::move(warning)); }
 
   scene::Placement place(const Player& player) override {
     std::vector<Vec3d> others;
@@ -90,7 +90,7 @@ class League::BetweenSteps final : public GameTask::Scene {
 
 League::League(scene::Scene& scene, const LeagueOptions& options) : scene_(&scene), outside_(options.outside) {
   outside_.memory = scene.parts().outside.memory;
-  const OutsideNotes* recorded = outside_.repeated.get();
+  const ExternalInputLog* recorded = outside_.repeated.get();
   if (recorded) repeated_ = GameLog::of(*recorded);
   if (!options.repeat.empty()) repeated_ = GameLog::read(options.repeat);
   const auto repeats = [&](const std::string& channel) {
@@ -129,7 +129,7 @@ Datagrams& League::open(const std::string& channel, const UdpPort::Options& opti
   datagrams_.push_back(std::move(source));
   datagrams_.push_back(std::make_unique<RememberedDatagrams>(*datagrams_.back(), outside_.memory->channel(channel)));
   datagrams_.push_back(std::make_unique<RecordedDatagrams>(*datagrams_.back(), log_, channel));
-  if (OutsideNotes::Channel* notes = outside_.channel(channel)) {
+  if (ExternalInputLog::Channel* notes = outside_.channel(channel)) {
     datagrams_.push_back(std::make_unique<NotedDatagrams>(*datagrams_.back(), *notes));
   }
   return *datagrams_.back();

@@ -32,7 +32,7 @@ struct LeagueOptions {
   std::optional<UdpAddress> game_controller{};  ///< where it is listened to
   std::vector<TeamLink> team_links{};
   std::filesystem::path repeat{};  ///< a game log that takes the place of all sockets; empty: none
-  OutsideWorld
+  ExternalInputOptions
       outside{};  ///< the scene's: where it is written down, and a recording that takes the place of all sockets
   Referee* referee = nullptr;  ///< in the place of the GameController; must outlive the League
 };
@@ -62,7 +62,7 @@ class League {
   void forward(const TeamLink& link);
 
   scene::Scene* scene_;
-  OutsideWorld outside_;
+  ExternalInputOptions outside_;
   std::optional<GameLog> repeated_;
   GameLog log_;
   std::vector<std::unique_ptr<Datagrams>> datagrams_;

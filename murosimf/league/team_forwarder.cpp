@@ -4,8 +4,8 @@
 
 namespace murosimf::league {
 
-std::vector<connect::OutsideMessage> TeamForwarder::take(Duration now) {
-  std::vector<connect::OutsideMessage> all;
+std::vector<connect::ExternalMessage> TeamForwarder::take(Duration now) {
+  std::vector<connect::ExternalMessage> all;
   for (const auto& [team, datagrams] : teams_) {
     for (std::string& bytes : datagrams->take(now)) all.push_back({team, std::move(bytes)});
   }

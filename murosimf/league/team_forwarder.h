@@ -16,7 +16,7 @@ class TeamForwarder final : public connect::TeamGateway {
   void add(const std::string& team, Datagrams& datagrams) { teams_.emplace(team, &datagrams); }
   [[nodiscard]] bool empty() const { return teams_.empty(); }
 
-  [[nodiscard]] std::vector<connect::OutsideMessage> take(Duration now) override;
+  [[nodiscard]] std::vector<connect::ExternalMessage> take(Duration now) override;
   void give(const std::string& team, const connect::TeamMessage& message) override;
 
  private:

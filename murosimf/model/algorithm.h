@@ -13,7 +13,7 @@
 namespace murosimf {
 
 class Entity;
-class Helpers;
+class ParallelFor;
 class LaneGroup;
 class Setup;
 class StateArchive;
@@ -22,7 +22,7 @@ class StateArchive;
 struct Instant {
   Duration now{};              ///< simulated time at the beginning of the step
   Duration period{};           ///< time until this algorithm's next step
-  Helpers* helpers = nullptr;  ///< threads that have nothing else to do meanwhile (helpers.h); null: there are none
+  ParallelFor* parallel_for = nullptr;  ///< threads that have nothing else to do meanwhile (parallel_for.h); null: there are none
 };
 
 /// The parts of a tick, in their order. Algorithms that conflict run by phase, those of one phase in the order in which they

@@ -26,7 +26,7 @@ struct EntityOptions {
   Color color;              ///< of the team or of the thing
   CollisionOptions collision;
   bool present = true;  ///< at the start (Simulation::enter, leave)
-  int own_steps =
+  int step_multiple =
       1;  ///< its motion and contact with the ground make steps that are so many times longer while nobody is near
 };
 

@@ -1,4 +1,4 @@
-/// error.h - the one exception that users' mistakes throw, while a simulation is being set up.
+/// error.h - the one exception that users' errors throw, while a simulation is being set up.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace murosimf {
 
-/// A mistake in a file, a name or a set-up. `what()` is one line: where, what, and what to do.
+/// An error in a file, a name or a set-up. `what()` is one line: where, what, and what to do.
 class SetupError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

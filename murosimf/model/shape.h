@@ -74,7 +74,7 @@ struct PlacedShape {
   [[nodiscard]] Transformd place() const { return {position, orientation}; }
   Surface surface;
   Color color;
-  bool collides = true;  ///< false: for the eye only
+  bool collides = true;  ///< false: visual only
   /// Which kinds of shapes this one is, and which it touches; one bit per kind (`may_touch`).
   std::uint32_t contact_type = 1, contact_affinity = 1;
 };

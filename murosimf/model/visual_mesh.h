@@ -1,4 +1,4 @@
-/// visual_mesh.h - meshes of a model that are for the eye only: where they stand, not what is in them.
+/// visual_mesh.h - meshes of a model that are visual only: where they stand, not what is in them.
 ///
 /// Nothing of the physics depends on them, so no file is opened before somebody draws the model (appearance/visual_meshes.h);
 /// only then it shows whether it is there.
@@ -32,7 +32,7 @@ using Visuals = std::vector<VisualMesh>;
 
 namespace properties {
 
-inline constexpr Property<Visuals> visuals{{"visuals", "m", "object", "meshes for the eye only, by their files"}};
+inline constexpr Property<Visuals> visuals{{"visuals", "m", "object", "visual meshes, by their files"}};
 
 }  // namespace properties
 }  // namespace murosimf

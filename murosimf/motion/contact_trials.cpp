@@ -7,20 +7,20 @@ namespace murosimf::motion {
 
 ContactTrials::ContactTrials(Setup& setup)
     : set_(setup.write(collision::contacts)[0]),
-      seam_(setup.write(collision::contact_seam)[0]),
+      interface_(setup.write(collision::contact_interface)[0]),
       r_(setup.write(properties::position)),
       external_force_(setup.write(properties::external_force)),
       external_damping_(setup.write(properties::external_damping)) {}
 
 bool ContactTrials::accept() noexcept {
-  if (!seam_.law || seam_.law->accept(set_.points, seam_.terms, next_velocity_)) return true;
+  if (!interface_.law || interface_.law->accept(set_.points, interface_.terms, next_velocity_)) return true;
   collision::write_loads(set_, r_, external_force_, external_damping_);
   return false;
 }
 
 void ContactTrials::commit() noexcept {
-  if (!seam_.law || set_.solved) return;
-  seam_.law->commit(set_.points, seam_.terms, next_velocity_);
+  if (!interface_.law || set_.solved) return;
+  interface_.law->commit(set_.points, interface_.terms, next_velocity_);
   collision::write_final_forces(set_, r_, external_force_);
 }
 

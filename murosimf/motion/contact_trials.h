@@ -9,7 +9,7 @@
 
 #include "murosimf/collision/contact.h"
 #include "murosimf/collision/contact_law.h"
-#include "murosimf/collision/contact_seam.h"
+#include "murosimf/collision/contact_interface.h"
 #include "murosimf/model/setup.h"
 #include "murosimf/motion/integrator.h"
 
@@ -22,9 +22,9 @@ class ContactTrials {
   explicit ContactTrials(Setup& setup);
 
   /// Throws SetupError if contact does not go with the integrator, or has another period than the motion [s].
-  void check(Integrator integrator, double period) const { check_contacts(integrator, seam_, period); }
+  void check(Integrator integrator, double period) const { check_contacts(integrator, interface_, period); }
   /// Who answers to impulses from now on; null: nobody.
-  void answer_by(collision::ImpulseResponse* response) noexcept { seam_.response = response; }
+  void answer_by(collision::ImpulseResponse* response) noexcept { interface_.response = response; }
 
   /// An island solver has settled the present step.
   [[nodiscard]] bool solved() const noexcept { return set_.solved; }
@@ -65,7 +65,7 @@ class ContactTrials {
 
  private:
   collision::ContactSet& set_;
-  collision::ContactSeam& seam_;
+  collision::ContactInterface& interface_;
   std::span<const Vec3d> r_;  // [m] origins of the objects, world
   std::span<Wrenchd> external_force_;
   std::span<Sym6d> external_damping_;

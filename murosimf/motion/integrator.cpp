@@ -21,7 +21,7 @@ constexpr std::array entries{
 
 std::span<const IntegratorEntry> integrators() { return entries; }
 
-void check_contacts(Integrator integrator, const collision::ContactSeam& contacts, double period) {
+void check_contacts(Integrator integrator, const collision::ContactInterface& contacts, double period) {
   if (contacts.terms.dt > 0 && contacts.terms.dt != period) {
     throw SetupError(fmt::format("its motion has steps of {:.3g} ms, its contact of {:.3g} ms; attach both at one rate",
                                  1e3 * period, 1e3 * contacts.terms.dt));

@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-#include "murosimf/collision/contact_seam.h"
+#include "murosimf/collision/contact_interface.h"
 
 namespace murosimf::motion {
 
@@ -27,7 +27,7 @@ struct IntegratorEntry {
 [[nodiscard]] std::span<const IntegratorEntry> integrators();
 
 /// Throws SetupError if the entity's contact does not go with the integrator, or has another period than its motion [s].
-void check_contacts(Integrator integrator, const collision::ContactSeam& contacts, double period);
+void check_contacts(Integrator integrator, const collision::ContactInterface& contacts, double period);
 
 /// One step of h [s] of y' = rate(y) by the classical Runge-Kutta method; rate(y, dy) fills dy.
 class RungeKutta4 {

@@ -9,7 +9,7 @@
 
 #include "murosimf/model/model.h"
 #include "murosimf/recording/foxglove_messages.h"
-#include "murosimf/recording/recorded_outside.h"
+#include "murosimf/recording/recorded_external_input.h"
 #include "murosimf/recording/recording_schemas.h"
 
 namespace murosimf::recording {

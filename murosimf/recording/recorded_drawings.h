@@ -2,7 +2,7 @@
 ///
 /// On the topic `/drawings/ROBOT` stands a foxglove.SceneUpdate whenever something is new, and every 5 s: everything on the topic is deleted,
 /// and all groups that are there are drawn, each an entity of its name in the frame of the robot's base or the world. The entity's
-/// metadata have each shape as JSON, with all digits; that is what is read back. What others draw (recorded_others.h) stands on
+/// metadata have each shape as JSON, with all digits; that is what is read back. What others draw (recorded_external_drawings.h) stands on
 /// `/drawings/roboviz`, what they draw at a robot on `/drawings/roboviz/ROBOT`; the channel's metadata tell them from a robot of that name.
 #pragma once
 

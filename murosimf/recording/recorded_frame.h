@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/runtime/outside_notes.h"
+#include "murosimf/runtime/external_input_log.h"
 #include "murosimf/imaging/image.h"
 #include "murosimf/model/drawing.h"
 #include "murosimf/model/world.h"
@@ -83,7 +83,7 @@ struct CameraPicture {
   imaging::LabelImage labels;
 };
 
-/// Whose drawings they are: of a robot's software, or of others (drawing/drawing_board.h), at that robot or in the world.
+/// Whose drawings they are: of a robot's software, or of others (drawing/debug_draw_source.h), at that robot or in the world.
 struct DrawingTopic {
   bool by_others = false;
   std::string robot;  ///< its name; empty: in the world
@@ -114,7 +114,7 @@ struct RecordedFrame {
   std::vector<CameraPicture> pictures{};
   std::vector<FrameDrawings> drawings{};
   std::vector<std::pair<Duration, std::string>> events{}, warnings{}, commands{};  ///< new ones
-  std::vector<std::pair<std::string, OutsideNote>> outside{};             ///< by channel, new ones
+  std::vector<std::pair<std::string, ExternalInput>> outside{};             ///< by channel, new ones
   std::optional<std::uint64_t> hash{};                                             ///< of the state
   std::vector<std::byte> state{};  ///< all of it (Scene::save); empty: not kept
 

@@ -7,7 +7,7 @@
 
 #include "murosimf/league/league.h"
 #include "murosimf/model/error.h"
-#include "murosimf/recording/recorded_outside.h"
+#include "murosimf/recording/recorded_external_input.h"
 
 namespace murosimf::recording {
 namespace {
@@ -38,7 +38,7 @@ bool takes_part(const RunDescription& run, std::string_view begin) {
 RecordedRun::RecordedRun(const std::filesystem::path& file)
     : file_(file), description_(description_of(file_)), files_(file_), states_(file_) {
   if (!description_.channels.empty()) {
-    outside_ = with_context(file.string(), [&] { return recorded_outside(file_); });
+    outside_ = with_context(file.string(), [&] { return recorded_external_input(file_); });
   }
   end_ = Duration(static_cast<Duration::rep>(file_.contents().statistics.end_time));
 }
@@ -66,7 +66,7 @@ std::shared_ptr<scene::Scene> RecordedRun::build(const RepeatOptions& options) c
     scene_options.overrides.insert(scene_options.overrides.end(), options.overrides.begin(), options.overrides.end());
     const files::MovedFiles moved(files_.folder(), run.names);
     if (outside_) scene_options.outside.repeated = outside_;
-    if (outside_ && options.recorded) scene_options.outside.notes = std::make_shared<OutsideNotes>();
+    if (outside_ && options.recorded) scene_options.outside.notes = std::make_shared<ExternalInputLog>();
     const auto repeated = std::make_shared<RepeatedScene>(run.scene, scene_options);
     check_repeatable(repeated->scene);
     if (takes_part(run, "game") || takes_part(run, "team:")) {

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/runtime/outside_notes.h"
+#include "murosimf/runtime/external_input_log.h"
 #include "murosimf/recording/recorded_states.h"
 #include "murosimf/recording/run_description.h"
 #include "murosimf/recording/unpacked_files.h"
@@ -60,7 +60,7 @@ class RecordedRun {
   RunDescription description_;
   UnpackedFiles files_;
   RecordedStates states_;
-  std::shared_ptr<const OutsideNotes> outside_;  // null: nobody else took part
+  std::shared_ptr<const ExternalInputLog> outside_;  // null: nobody else took part
   Duration end_{};
 };
 

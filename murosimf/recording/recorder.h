@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/drawing/drawing_board.h"
+#include "murosimf/drawing/debug_draw_source.h"
 #include "murosimf/files/files_read.h"
 #include "murosimf/recording/attached_files.h"
 #include "murosimf/recording/frame_writer.h"
@@ -24,7 +24,7 @@
 #include "murosimf/recording/mcap/mcap_writer.h"
 #include "murosimf/recording/recorded_contacts.h"
 #include "murosimf/recording/recorded_drawings.h"
-#include "murosimf/recording/recorded_others.h"
+#include "murosimf/recording/recorded_external_drawings.h"
 #include "murosimf/recording/recorded_picture.h"
 #include "murosimf/recording/recording_thread.h"
 #include "murosimf/recording/run_description.h"
@@ -60,7 +60,7 @@ struct RecorderOptions {
   bool in_the_middle =
       false;  ///< the scene is initialized already: the file begins with its next step, as one that went on from a state
   /// What other programs draw, a part of "drawings"; must outlive the run. Null: nobody else draws.
-  const drawing::DrawingBoard* others = nullptr;
+  const drawing::DebugDrawSource* others = nullptr;
 };
 
 /// It must live as long as the run lasts, and the scene longer.
@@ -129,7 +129,7 @@ class Recorder {
   std::vector<RecordedSensor> sensors_;
   std::vector<RecordedCamera> cameras_;
   SketchWatch sketches_;
-  const drawing::DrawingBoard* others_;
+  const drawing::DebugDrawSource* others_;
   OthersWatch others_watch_;
   ContactWatch touching_;
   std::unique_ptr<SceneLooks> looks_;
@@ -146,8 +146,8 @@ class Recorder {
   std::optional<RunWatch> watch_;
   std::vector<RecordingThread::Batch> held_;                        // not in the file yet
   std::vector<std::pair<Duration, std::string>> commands_between_;  // of what will never be in it
-  OutsideNotes* outside_;                                  // null: it is not written down
-  std::vector<std::pair<std::string, OutsideNote>> outside_between_;
+  ExternalInputLog* outside_;                                  // null: it is not written down
+  std::vector<std::pair<std::string, ExternalInput>> outside_between_;
   Duration write_until_{-1};
   bool began_ = false, asked_ = false, newly_asked_ = false, finished_ = false;
   std::size_t happened_ = 0;

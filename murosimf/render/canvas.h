@@ -1,4 +1,4 @@
-/// canvas.h - small helpers on a cairo canvas: colors, shapes, text.
+/// canvas.h - small parallel_for on a cairo canvas: colors, shapes, text.
 ///
 /// Only for the .cpp files of this folder: it brings cairo in.
 #pragma once

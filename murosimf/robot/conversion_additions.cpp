@@ -127,7 +127,7 @@ void take_repaired_solids(robot_formats::RobotDescription& description, const Ro
   robot_formats::RobotDescription welded = description;
   std::set<std::string> kept;
   for (const robot_formats::BodyDescription& body : robot.description.bodies) kept.insert(body.name);
-  weld_fixed_bodies(welded, kept);
+  lump_fixed_joints(welded, kept);
   std::set<std::string> repaired;  // bodies that stay
   for (std::size_t i = 0; i < welded.bodies.size(); ++i) {
     if (!same_solid(robot.description.bodies[i].solid, welded.bodies[i].solid)) repaired.insert(welded.bodies[i].name);

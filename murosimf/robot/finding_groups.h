@@ -1,4 +1,4 @@
-/// finding_groups.h - findings of one kind as one line, for people: files repeat their mistakes.
+/// finding_groups.h - findings of one kind as one line, for people: files repeat their errors.
 #pragma once
 
 #include <cstddef>

@@ -30,7 +30,7 @@ void weld(robot_formats::BodyDescription& body, robot_formats::BodyDescription& 
 
 }  // namespace
 
-void weld_fixed_bodies(robot_formats::RobotDescription& description, const std::set<std::string>& measured) {
+void lump_fixed_joints(robot_formats::RobotDescription& description, const std::set<std::string>& measured) {
   std::vector<robot_formats::BodyDescription> kept;
   std::vector<int> index;          // of each body, or of the one that it is welded to, among those kept
   std::vector<Transformd> welded;  // of each body in that one

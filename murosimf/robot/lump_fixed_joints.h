@@ -12,6 +12,6 @@
 namespace murosimf::robot {
 
 /// `measured`: names of bodies that stay (sensor_cuts.h).
-void weld_fixed_bodies(robot_formats::RobotDescription& description, const std::set<std::string>& measured);
+void lump_fixed_joints(robot_formats::RobotDescription& description, const std::set<std::string>& measured);
 
 }  // namespace murosimf::robot

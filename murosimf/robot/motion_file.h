@@ -13,7 +13,7 @@ namespace murosimf::robot {
 [[nodiscard]] std::filesystem::path find_motion(std::string_view name, const std::filesystem::path& beside = {});
 
 /// Of a file with `mirror_of` the motion that it names, beside it or found as above, which is for the `other_side` then.
-/// Throws SetupError with file:line:column if the file is missing, is not TOML, or has a mistake: columns and values that do
+/// Throws SetupError with file:line:column if the file is missing, is not TOML, or has an error: columns and values that do
 /// not match, a channel that is set twice, numbers that are not finite, durations that are not positive, a
 /// ball that is nowhere, a mirror image of a
 /// mirror image.

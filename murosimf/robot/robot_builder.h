@@ -3,7 +3,7 @@
 /// A body becomes translation (`<body>.offset`), rotation (`<body>.turn`) and its joints; what is the identity is left
 /// out. A joint away from the body's origin has a translation before (`<joint>.anchor`) and its inverse behind; one whose
 /// position is not zero in the pose of the file has a turn or shift back before (`<joint>.zero`). The last of these
-/// objects has the body's frame and carries its mass, shapes and meshes for the eye; it has the body's name, as an alias if it is a joint.
+/// objects has the body's frame and carries its mass, shapes and visual meshes; it has the body's name, as an alias if it is a joint.
 /// Child bodies and frames follow as branches of a fork; a frame ends in an endpoint of its name.
 /// In a Model no two objects share a name: a joint keeps it, a body or frame of the same name gets a suffix.
 #pragma once

@@ -108,7 +108,7 @@ struct RobotConfig {
 };
 
 /// Throws SetupError with file:line:column for unknown keys, values of a wrong type, impossible numbers, and motions that are missing
-/// or have mistakes.
+/// or have errors.
 [[nodiscard]] RobotConfig read_robot_config(const std::filesystem::path& file);
 
 /// The table beside a model file; an empty one if there is none.

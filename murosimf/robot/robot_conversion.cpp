@@ -124,7 +124,7 @@ std::string removed_sensors_toml(const std::vector<std::string>& names) {
   return text;
 }
 
-/// A table [sensors] itself, beside those of single ones: a second one would be a mistake.
+/// A table [sensors] itself, beside those of single ones: a second one would be an error.
 bool has_sensor_list(const std::string& toml) {
   return toml.starts_with("[sensors]") || toml.find("\n[sensors]") != std::string::npos;
 }

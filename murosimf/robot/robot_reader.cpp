@@ -64,7 +64,7 @@ RobotFile read_robot(const std::filesystem::path& file, const robot_formats::Rea
   check_names(table, robot.description);
   apply_surfaces(robot.description, table);
   apply_rate_limits(robot.description, table);
-  weld_fixed_bodies(robot.description, find_cuts(robot.description, table));
+  lump_fixed_joints(robot.description, find_cuts(robot.description, table));
   repair_solids(robot.description);
   turn_meshes_up(robot.description);
   apply_sole_sizes(robot.description, table);

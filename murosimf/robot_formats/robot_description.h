@@ -5,7 +5,7 @@
 /// is written ("robot.xml:12"), so that later complaints can say so. Names are those of the file.
 ///
 /// Bodies form a tree, parents first; body 0 is the base and has no joints. A body is placed in the frame of its parent
-/// and then moved by its joints in their order; a body without joints is welded to its parent (weld_fixed_bodies).
+/// and then moved by its joints in their order; a body without joints is welded to its parent (lump_fixed_joints).
 #pragma once
 
 #include <filesystem>
@@ -92,7 +92,7 @@ struct BodyDescription {
   MassProperties solid;     ///< mass 0: massless
   std::string solid_where;  ///< where its mass is written; empty: nowhere, or worked out from shapes
   std::vector<ShapeDescription> shapes;
-  std::vector<VisualDescription> visuals;  ///< meshes; other shapes for the eye are shapes that do not collide
+  std::vector<VisualDescription> visuals;  ///< meshes; other visual shapes are shapes that do not collide
   std::vector<FrameDescription> frames;
 };
 

@@ -1,4 +1,4 @@
-/// robot_visuals.h - the meshes for the eye that a robot file gives a body.
+/// robot_visuals.h - the visual meshes that a robot file gives a body.
 #pragma once
 
 #include "murosimf/robot_formats/robot_description.h"
@@ -6,7 +6,7 @@
 
 namespace murosimf::robot_formats {
 
-/// The meshes for the eye of a body of the description, in the body's frame. Left out is what stands in the robot file itself.
+/// The visual meshes of a body of the description, in the body's frame. Left out is what stands in the robot file itself.
 [[nodiscard]] Visuals visuals_of(const RobotDescription& description, const BodyDescription& body);
 
 }  // namespace murosimf::robot_formats

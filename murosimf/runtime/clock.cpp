@@ -55,9 +55,9 @@ void Clock::count(Duration behind) {
 }
 
 void Clock::tell_of(Duration simulated, Duration wall) {
-  if (!tell_ || wall - told_at_ < silence_) return;
+  if (!publish_ || wall - told_at_ < silence_) return;
   if (untold_.late_steps > 0) {
-    tell_({simulated, untold_});
+    publish_({simulated, untold_});
     silence_ = std::min(2 * silence_, longest_silence);
   }
   told_at_ = wall;

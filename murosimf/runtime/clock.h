@@ -47,7 +47,7 @@ class Clock final : public Pacer {
 
   /// Has `tell` called by wait_until() when steps were late: after the first second of wall time that had any, then after at least
   /// 2, 4, ... 64 s, so that a long run is not drowned.
-  void tell_of_overruns(std::function<void(const Overrun&)> tell) { tell_ = std::move(tell); }
+  void publish_overruns(std::function<void(const Overrun&)> tell) { publish_ = std::move(tell); }
 
   /// Goes on with a wait that its `stop` has ended before the time was due.
   void wait_on(Duration simulated, const StopRequest& stop) {
@@ -70,7 +70,7 @@ class Clock final : public Pacer {
   Duration wall_start_{};
   Duration simulated_start_{};
   Lateness lateness_, untold_;
-  std::function<void(const Overrun&)> tell_;
+  std::function<void(const Overrun&)> publish_;
   Duration told_at_{}, silence_ = std::chrono::seconds(1);  // wall time
 };
 

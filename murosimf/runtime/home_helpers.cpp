@@ -18,7 +18,7 @@ void HomeHelpers::share_out(std::span<const Entity* const> entities, Call call, 
   ends_.clear();
   for (std::size_t thread = 0; thread < static_cast<std::size_t>(pool_.threads()); ++thread) {
     for (std::size_t i = 0; i < entities.size(); ++i) {
-      if (homes_.of(*entities[i]) == thread) order_.push_back(i);
+      if (thread_affinity_.of(*entities[i]) == thread) order_.push_back(i);
     }
     ends_.push_back(order_.size());
   }

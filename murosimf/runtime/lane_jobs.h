@@ -1,6 +1,6 @@
 /// lane_jobs.h - what the threads do of a wave: algorithms one by one, and groups of equal ones that step in lanes.
 ///
-/// Every thread has the algorithms that are at home there (homes.h). Of these, the ones that go together (Algorithm::goes_with) and
+/// Every thread has the algorithms that are at home there (thread_affinity.h). Of these, the ones that go together (Algorithm::goes_with) and
 /// have the same period are shared out evenly among as many groups as eight lanes demand. What each of them makes of its step does
 /// not depend on it.
 #pragma once

@@ -204,10 +204,10 @@ std::unique_ptr<Simulation::Task> Simulation::new_task(std::string name, const E
 }
 
 /// What moves the entity reads how long its steps are.
-void Simulation::follow_own_steps(Task& task, Setup& setup) {
-  const int own_steps = setup.entity().options().own_steps;
-  if (own_steps > 1 && makes_steps(task.algorithm->phase())) {
-    task.step_ratio = setup.input(properties::step_ratio, own_steps).data();
+void Simulation::follow_step_multiple(Task& task, Setup& setup) {
+  const int step_multiple = setup.entity().options().step_multiple;
+  if (step_multiple > 1 && makes_steps(task.algorithm->phase())) {
+    task.step_ratio = setup.input(properties::step_ratio, step_multiple).data();
   }
 }
 
@@ -219,7 +219,7 @@ void Simulation::use_lanes(bool use) {
 }
 
 /// Robots of one model at the same level take equally long.
-Homes Simulation::find_homes() const {
+ThreadAffinity Simulation::find_homes() const {
   std::map<std::pair<const Model*, std::string_view>, std::vector<const Entity*>> alike;
   std::vector<const std::vector<const Entity*>*> in_order;  // of attaching: pointers have none that is always the same
   for (const auto& task : tasks_) {
@@ -228,18 +228,18 @@ Homes Simulation::find_homes() const {
     if (entities.empty()) in_order.push_back(&entities);
     entities.push_back(task->entity);
   }
-  Homes homes(static_cast<std::size_t>(pool_.threads()));
-  for (const auto* entities : in_order) homes.share_out(*entities);
-  return homes;
+  ThreadAffinity thread_affinity(static_cast<std::size_t>(pool_.threads()));
+  for (const auto* entities : in_order) thread_affinity.share_out(*entities);
+  return thread_affinity;
 }
 
 /// Who makes steps of its own length is due when the others are not.
 void Simulation::plan_jobs() {
-  helpers_.use(find_homes());
+  parallel_for_.use(find_homes());
   std::vector<LaneJobs::Member> members;
   for (const auto& task : tasks_) {
     const bool alone = !use_lanes_ || task->step_ratio || ForeignCode::of(*task->algorithm);
-    members.push_back({alone ? nullptr : task->algorithm.get(), task->period, helpers_.homes().of(*task->entity)});
+    members.push_back({alone ? nullptr : task->algorithm.get(), task->period, parallel_for_.thread_affinity().of(*task->entity)});
   }
   std::vector<LaneJobs::Member> at_one_home = members;
   for (LaneJobs::Member& member : at_one_home) member.home = 0;
@@ -256,7 +256,7 @@ void Simulation::execute(Task& task) noexcept {
   const AccessGuard guard(task.access);
 #endif
   Task* const alone = &task;
-  const auto step = [&] { task.algorithm->step({now_, period, alone_in_wave_ ? &helpers_ : nullptr}); };
+  const auto step = [&] { task.algorithm->step({now_, period, alone_in_wave_ ? &parallel_for_ : nullptr}); };
   const ForeignCode* const code = ForeignCode::of(*task.algorithm);
   take_time({&alone, 1}, [&] { code ? code->caller(*code, full_name(task), step) : step(); });
 }

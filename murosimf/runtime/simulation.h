@@ -264,7 +264,7 @@ class Simulation {
 
   [[nodiscard]] std::unique_ptr<Task> new_task(std::string name, const Entity& entity, const Rate& rate) const;
   [[nodiscard]] static std::string full_name(const Task& task);
-  static void follow_own_steps(Task& task, Setup& setup);
+  static void follow_step_multiple(Task& task, Setup& setup);
   void add_in_order(std::unique_ptr<Task> task);
   [[nodiscard]] std::vector<std::unique_ptr<Task>>::iterator task_of_level(const Entity& entity);
   void construct(Task& task, Entity& entity, const Maker<Algorithm>& make);
@@ -291,7 +291,7 @@ class Simulation {
   static void keep_memory(Task& task);
   static void recall_first(Task& task);
   void state(StateArchive& archive);
-  [[nodiscard]] Homes find_homes() const;
+  [[nodiscard]] ThreadAffinity find_homes() const;
   void plan_jobs();
   void execute(Task& task) noexcept;
   void execute(const Job& job) noexcept;
@@ -321,7 +321,7 @@ class Simulation {
   Duration planned_at_{};
   StepChecks checks_;  // used in debug builds only
   ThreadPool pool_;
-  HomeHelpers helpers_{pool_};
+  HomeHelpers parallel_for_{pool_};
   bool alone_in_wave_ = false;  // who steps now
   Duration now_{};
   std::int64_t ticks_ = 0;

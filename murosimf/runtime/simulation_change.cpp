@@ -24,7 +24,7 @@ void Simulation::construct(Task& task, Entity& entity, const Maker<Algorithm>& m
   try {
     Setup setup(*world_, entity, task.access, task.period);
     task.algorithm = make(setup);
-    follow_own_steps(task, setup);
+    follow_step_multiple(task, setup);
     task.level = dynamic_cast<MotionLevel*>(task.algorithm.get());
     if (task.level && task_of_level(entity) != tasks_.end()) {
       throw SetupError(
@@ -151,7 +151,7 @@ void Simulation::construct_level(Task& task, Entity& entity, const Maker<MotionL
     auto level = make(setup);
     task.level = level.get();
     task.algorithm = std::move(level);
-    follow_own_steps(task, setup);
+    follow_step_multiple(task, setup);
   } catch (const SetupError&) {
     if (initialized_) world_->freeze_columns();
     throw;

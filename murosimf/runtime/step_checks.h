@@ -3,7 +3,7 @@
 /// A span that was taken from a column without a Setup, or a pointer into one, escapes every declaration. So now and then
 /// the columns are compared before and after a wave: those that have changed must be written by an algorithm of the wave.
 /// And after every tick numbers of state that were finite must be finite still, or their entity frozen (algorithm.h).
-/// Whatever is wrong ends the program with a message: it is a mistake of ours, not of users.
+/// Whatever is wrong ends the program with a message: it is an error of ours, not of users.
 #pragma once
 
 #include <cstdint>

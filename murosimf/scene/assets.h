@@ -32,7 +32,7 @@ struct RobotKind {
 
 class Assets {
  public:
-  /// Of the options those count that scenes have: lenient, body, xacro. Throws SetupError: no such file, a mistake in it; nothing is kept
+  /// Of the options those count that scenes have: lenient, body, xacro. Throws SetupError: no such file, an error in it; nothing is kept
   /// then.
   [[nodiscard]] std::shared_ptr<const RobotKind> robot(const std::filesystem::path& file,
                                                        const robot_formats::ReaderOptions& options);

@@ -43,8 +43,8 @@ void require_numbers(const scene_file::PropertySetting& setting, std::size_t cou
 /// The constants of one model while they change.
 class Changes {
  public:
-  Changes(const Model& model, std::vector<std::string>& remarks)
-      : model_(model), constants_(model.constants()), remarks_(remarks) {}
+  Changes(const Model& model, std::vector<std::string>& diagnostics)
+      : model_(model), constants_(model.constants()), diagnostics_(diagnostics) {}
 
   void take(const scene_file::PropertySetting& setting) {
     if (is_of_servo(setting)) return take_servo(setting);
@@ -85,7 +85,7 @@ class Changes {
       inertia = fmt::format(", its inertia scaled by {:.4g}", mass / before);
     }
     const bool is_name = model_.find_object(setting.object).has_value();  // not a pattern
-    remarks_.push_back(fmt::format("{}: mass {:.4g} kg instead of {:.4g} kg{}", is_name ? setting.object : name(object),
+    diagnostics_.push_back(fmt::format("{}: mass {:.4g} kg instead of {:.4g} kg{}", is_name ? setting.object : name(object),
                                    mass, before, inertia));
   }
 
@@ -158,7 +158,7 @@ class Changes {
 
   const Model& model_;
   ConstantTable constants_;
-  std::vector<std::string>& remarks_;
+  std::vector<std::string>& diagnostics_;
 };
 
 }  // namespace
@@ -170,8 +170,8 @@ bool is_constant(const scene_file::PropertySetting& setting) {
 }
 
 ModelPtr with_constants(const Model& model, const std::vector<scene_file::PropertySetting>& settings,
-                        std::vector<std::string>& remarks) {
-  Changes changes(model, remarks);
+                        std::vector<std::string>& diagnostics) {
+  Changes changes(model, diagnostics);
   std::vector<scene_file::PropertySetting> ordered = settings;
   std::stable_partition(ordered.begin(), ordered.end(), [](const scene_file::PropertySetting& setting) {
     return setting.property == properties::mass.name;

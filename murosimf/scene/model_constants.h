@@ -16,9 +16,9 @@ namespace murosimf::scene {
 /// True if the setting means a constant, not a property that changes while a scene runs.
 [[nodiscard]] bool is_constant(const scene_file::PropertySetting& setting);
 
-/// A copy of the model with other constants. Masses come first; the inertia goes with its mass, which `remarks` say.
+/// A copy of the model with other constants. Masses come first; the inertia goes with its mass, which `diagnostics` say.
 /// Throws SetupError that begins with the setting's place: for objects without that constant, and impossible numbers.
 [[nodiscard]] ModelPtr with_constants(const Model& model, const std::vector<scene_file::PropertySetting>& settings,
-                                      std::vector<std::string>& remarks);
+                                      std::vector<std::string>& diagnostics);
 
 }  // namespace murosimf::scene

@@ -25,12 +25,12 @@ std::vector<scene_file::PropertySetting> constants_of(const scene_file::SceneSpe
   return settings;
 }
 
-/// All whom the first setting means, for remarks that are true of all of them.
+/// All whom the first setting means, for diagnostics that are true of all of them.
 std::string owners_of(const std::vector<scene_file::PropertySetting>& settings) {
   return fmt::format("{}", fmt::join(settings[0].entities, ", "));
 }
 
-/// Meshes for the eye are read later, when somebody looks.
+/// Visual meshes are read later, when somebody looks.
 void check_visuals(const Model& model) {
   for (const std::string& file : appearance::visual_files(model)) {
     if (files::may_be_read(file)) continue;
@@ -74,8 +74,8 @@ const RobotKind& ModelSource::read(const std::string& name, const std::string& w
   const auto file =
       with_context(where, [&] { return files::find_data_file(name, "models", ".xml", spec_.file.parent_path()); });
   auto kind = assets_.robot(file, options);
-  remarks_.warn(kind->warnings);
-  if (!kind->unused.empty() && !comes_with_the_program(file)) remarks_.note(name, unused_text(kind->unused, name));
+  diagnostics_.warn(kind->warnings);
+  if (!kind->unused.empty() && !comes_with_the_program(file)) diagnostics_.note(name, unused_text(kind->unused, name));
   check_materials(*kind->model);
   check_visuals(*kind->model);
   known = std::move(kind);
@@ -89,9 +89,9 @@ ModelPtr ModelSource::changed_for(const std::string& entity, const ModelPtr& mod
   for (const scene_file::PropertySetting& setting : settings) key += setting.where + "\n";
   ModelPtr& known = with_constants_[{model, key}];
   if (known) return known;
-  std::vector<std::string> remarks;
-  known = with_constants(*model, settings, remarks);
-  for (const std::string& remark : remarks) remarks_.note(owners_of(settings), remark);
+  std::vector<std::string> diagnostics;
+  known = with_constants(*model, settings, diagnostics);
+  for (const std::string& diagnostic : diagnostics) diagnostics_.note(owners_of(settings), diagnostic);
   return known;
 }
 

@@ -8,7 +8,7 @@
 
 #include "murosimf/model/model.h"
 #include "murosimf/scene/assets.h"
-#include "murosimf/scene/remarks.h"
+#include "murosimf/scene/diagnostics.h"
 #include "murosimf/scene_file/scene_spec.h"
 
 namespace murosimf::scene {
@@ -18,10 +18,10 @@ void check_materials(const Model& model, const MaterialTable& materials);
 
 class ModelSource {
  public:
-  ModelSource(const scene_file::SceneSpec& spec, Assets& assets, bool lenient, Remarks& remarks)
-      : spec_(spec), assets_(assets), lenient_(lenient), remarks_(remarks) {}
+  ModelSource(const scene_file::SceneSpec& spec, Assets& assets, bool lenient, Diagnostics& diagnostics)
+      : spec_(spec), assets_(assets), lenient_(lenient), diagnostics_(diagnostics) {}
 
-  /// A robot's model by name or file, with the sensors of its files. Throws SetupError: no such file, a mistake in it,
+  /// A robot's model by name or file, with the sensors of its files. Throws SetupError: no such file, an error in it,
   /// an unknown material.
   [[nodiscard]] const RobotKind& robot(const scene_file::RobotSpec& robot);
   /// The same of a body that has a file.
@@ -39,7 +39,7 @@ class ModelSource {
   const scene_file::SceneSpec& spec_;
   Assets& assets_;
   bool lenient_;
-  Remarks& remarks_;
+  Diagnostics& diagnostics_;
   using RobotKey = std::tuple<std::string, std::string, std::map<std::string, std::string>>;
   std::map<RobotKey, std::shared_ptr<const RobotKind>> robots_;          // those that fit to the scene
   std::map<std::pair<ModelPtr, std::string>, ModelPtr> with_constants_;  // equal changes share one, too

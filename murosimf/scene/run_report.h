@@ -40,7 +40,7 @@ struct EarlyStop {
   double asked = 0;  ///< [s] of simulated time that there should have been
 };
 
-/// What came in for drawings of other programs (drawing/roboviz_door.h).
+/// What came in for drawings of other programs (drawing/roboviz_server.h).
 struct DrawingPackets {
   std::uint64_t packets = 0;
   std::uint64_t ignored = 0;  ///< of them: damaged, or too much

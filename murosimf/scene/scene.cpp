@@ -12,7 +12,7 @@
 #include "murosimf/scene/scene_presence.h"
 #include "murosimf/scene/scene_start.h"
 #include "murosimf/scene/scene_state.h"
-#include "murosimf/scene_file/outside_override.h"
+#include "murosimf/scene_file/remote_override.h"
 #include "murosimf/scene_file/scene_change.h"
 
 namespace murosimf::scene {
@@ -22,7 +22,7 @@ scene_file::SceneSpec read(const std::filesystem::path& name, const SceneOptions
   const files::OnlyAllowed only(options.only_from.get());
   const auto file = files::find_data_file(name.string(), "scenes", ".toml");
   if (options.only_from) {
-    for (const std::string& text : options.overrides) scene_file::check_outside_override(text, file.parent_path());
+    for (const std::string& text : options.overrides) scene_file::check_remote_override(text, file.parent_path());
   }
   return scene_file::read_scene(file, options.overrides, options.events, options.pushes);
 }

@@ -39,7 +39,7 @@ class Lengths {
     parts_.moving_entities.resize(moving_);
     parts_.ground_contacts.resize(moving_);
     parts_.queries = queries_;
-    parts_.own_steps = own_steps_;
+    parts_.step_multiple = multirate_;
     parts_.messages = messages_;
   }
 
@@ -47,7 +47,7 @@ class Lengths {
   std::size_t robots_ = parts_.spec.robots.size(), bodies_ = parts_.spec.bodies.size();
   std::size_t moving_bodies_ = parts_.bodies.size(), moving_ = parts_.moving_entities.size();
   sensors::WorldQueries* queries_ = parts_.queries;       // may have come with its sensors
-  collision::OwnSteps* own_steps_ = parts_.own_steps;     // may have come with it
+  collision::MultirateStepping* multirate_ = parts_.step_multiple;     // may have come with it
   connect::MessageExchange* messages_ = parts_.messages;  // the same
   bool done_ = false;
 };
@@ -64,7 +64,7 @@ void finish(SceneParts& parts, Entity& entity) {
   start_moving(parts, entity);
   parts.at_start.algorithms.push_back(algorithms_in_force(parts).back());
   show_changes(parts);
-  parts.remarks.warn(overlaps_of(entity, *parts.field, parts.moving_entities));
+  parts.diagnostics.warn(overlaps_of(entity, *parts.field, parts.moving_entities));
 }
 
 }  // namespace
@@ -73,13 +73,13 @@ Entity& add(SceneParts& parts, scene_file::RobotSpec robot) {
   const files::OnlyAllowed only(parts.only_from.get());
   parts.simulation->initialize();
   check_team(parts.spec, robot);
-  ModelSource models(parts.spec, *parts.assets, parts.lenient, parts.remarks);
+  ModelSource models(parts.spec, *parts.assets, parts.lenient, parts.diagnostics);
   const EntitySpec kind = robot_entity(parts, models, robot);
   Lengths lengths(parts);
   parts.spec.robots.push_back(robot);
   const auto furnish = [&](Entity& entity) {
     enlist(parts, robot, entity);
-    attach_own_steps(parts, entity);
+    attach_multirate_stepping(parts, entity);
     attach_sensors(parts, models, parts.robots.size() - 1);
     attach_controller(parts, robot, entity);
     attach_messages(parts, entity);
@@ -101,7 +101,7 @@ Entity& add(SceneParts& parts, scene_file::BodySpec body) {
     throw SetupError(fmt::format("'{}' is static: it is part of the field from the start", body.name));
   const files::OnlyAllowed only(parts.only_from.get());
   parts.simulation->initialize();
-  ModelSource models(parts.spec, *parts.assets, parts.lenient, parts.remarks);
+  ModelSource models(parts.spec, *parts.assets, parts.lenient, parts.diagnostics);
   const EntitySpec kind = body_entity(models, body);
   Lengths lengths(parts);
   parts.spec.bodies.push_back(body);

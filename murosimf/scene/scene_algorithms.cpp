@@ -5,7 +5,7 @@
 #include "murosimf/air/air.h"
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/collision/ground_contact.h"
-#include "murosimf/collision/own_steps.h"
+#include "murosimf/collision/multirate_stepping.h"
 #include "murosimf/connect/message_exchange.h"
 #include "murosimf/motion/accelerations.h"
 #include "murosimf/motion/odometer.h"
@@ -109,9 +109,9 @@ void attach_level_of(SceneParts& parts, const scene_file::RobotSpec& robot, Enti
   with_context(robot.where, [&] { attach_level(parts, entity, level_options(parts, robot)); });
 }
 
-void attach_own_steps(SceneParts& parts, const Entity& entity) {
-  if (parts.own_steps || entity.options().own_steps == 1) return;
-  parts.own_steps = &parts.simulation->attach<collision::OwnSteps>("own_steps", parts.spec.rate, parts.moving_entities);
+void attach_multirate_stepping(SceneParts& parts, const Entity& entity) {
+  if (parts.step_multiple || entity.options().step_multiple == 1) return;
+  parts.step_multiple = &parts.simulation->attach<collision::MultirateStepping>("step_multiple", parts.spec.rate, parts.moving_entities);
 }
 
 void attach_odometer(SceneParts& parts, Entity& entity) {

@@ -34,7 +34,7 @@ void attach_level(SceneParts& parts, Entity& entity, const catalog::LevelOptions
 void attach_level_of(SceneParts& parts, const scene_file::RobotSpec& robot, Entity& entity);
 
 /// Steps of its own for an entity that has them; does nothing for others, and for all but the first.
-void attach_own_steps(SceneParts& parts, const Entity& entity);
+void attach_multirate_stepping(SceneParts& parts, const Entity& entity);
 
 /// Counts its way and its falls.
 void attach_odometer(SceneParts& parts, Entity& entity);

@@ -17,13 +17,13 @@ class Before {
       : parts_(&parts),
         state_(save_state(parts)),
         agenda_(parts.simulation->agenda()),
-        remarks_(parts.remarks),
+        diagnostics_(parts.diagnostics),
         times_set_(parts.times_set) {}
 
   void restore() {
     load_state(*parts_, state_);
     parts_->simulation->agenda_was(std::move(agenda_));
-    parts_->remarks = std::move(remarks_);
+    parts_->diagnostics = std::move(diagnostics_);
     parts_->times_set = std::move(times_set_);
     parts_->simulation->publish_poses();
   }
@@ -32,7 +32,7 @@ class Before {
   SceneParts* parts_;
   std::vector<std::byte> state_;
   Simulation::Agenda agenda_;
-  Remarks remarks_;
+  Diagnostics diagnostics_;
   std::map<std::string, int> times_set_;
 };
 

@@ -4,7 +4,7 @@
 
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/collision/body_contact.h"
-#include "murosimf/runtime/outside_memory.h"
+#include "murosimf/runtime/external_input_history.h"
 #include "murosimf/connect/tcp_server.h"
 #include "murosimf/scene/assets.h"
 #include "murosimf/scene/contact_marks.h"
@@ -97,13 +97,13 @@ void build(SceneParts& parts, const SceneOptions& options) {
   parts.software = options.software;
   parts.terminals = options.terminals;
   parts.outside = options.outside;
-  if (!parts.outside.memory) parts.outside.memory = std::make_shared<OutsideMemory>();
+  if (!parts.outside.memory) parts.outside.memory = std::make_shared<ExternalInputHistory>();
   if (options.cameras) parts.cameras = std::make_unique<CameraRenderer>(parts);
   parts.assets = options.assets ? options.assets : std::make_shared<Assets>();
   parts.lenient = options.lenient;
-  ModelSource models(parts.spec, *parts.assets, options.lenient, parts.remarks);
+  ModelSource models(parts.spec, *parts.assets, options.lenient, parts.diagnostics);
   add_entities(parts, models);
-  for (const Entity* robot : parts.robots) attach_own_steps(parts, *robot);
+  for (const Entity* robot : parts.robots) attach_multirate_stepping(parts, *robot);
   attach_control(parts, models);
   attach_pushes(parts, options.pushable);
   attach_contact(parts);

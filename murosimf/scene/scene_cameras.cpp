@@ -30,7 +30,7 @@ std::unique_ptr<render::Renderer> make_renderer(SceneParts& parts, const scene_f
       [&](const Entity& entity) { return library.appearance(entity); },
       render::RendererOptions{light_of(light), light.samples});
   for (const std::string& warning : library.warnings()) {  // of several renderers
-    if (!parts.remarks.has_warning(warning)) parts.remarks.warn(warning);
+    if (!parts.diagnostics.has_warning(warning)) parts.diagnostics.warn(warning);
   }
   renderer->locate();
   return renderer;
@@ -45,10 +45,10 @@ sensors::ViewSource* CameraRenderer::view_source() {
   if (renderer_) return this;
   try {
     renderer_ = make_renderer(parts_, parts_.spec.light);
-    parts_.remarks.note("cameras", fmt::format("drawn by {}", renderer_->name()));
+    parts_.diagnostics.note("cameras", fmt::format("drawn by {}", renderer_->name()));
   } catch (const SetupError& error) {
     cannot_draw_ = true;
-    parts_.remarks.warn(fmt::format("cameras have no frames: {}", error.what()));
+    parts_.diagnostics.warn(fmt::format("cameras have no frames: {}", error.what()));
     return nullptr;
   }
   return this;

@@ -34,7 +34,7 @@ void add_materials(const Model& model, std::set<std::string>& names) {
   }
 }
 
-void check_no_contact(Remarks& remarks, const scene_file::RobotSpec& robot, const Model& model) {
+void check_no_contact(Diagnostics& diagnostics, const scene_file::RobotSpec& robot, const Model& model) {
   const auto given = robot.given.find("no_contact");
   if (given == robot.given.end()) return;
   for (const auto& [a, b] : robot.collision.never) {
@@ -45,7 +45,7 @@ void check_no_contact(Remarks& remarks, const scene_file::RobotSpec& robot, cons
     }
   }
   if (!robot.collision.never.empty() && !robot.collision.self_collision) {
-    remarks.warn(robot.name, "'no_contact' changes nothing without 'self_collision = true'");
+    diagnostics.warn(robot.name, "'no_contact' changes nothing without 'self_collision = true'");
   }
 }
 
@@ -53,7 +53,7 @@ void check_property(SceneParts& parts, const scene_file::PropertySetting& settin
   for (const std::string& entity : setting.entities) {
     with_context(setting.where, [&] {
       if (const auto line = check_setting(*parts.simulation, parts.spec, setting, entity, time); !line.empty()) {
-        parts.remarks.warn(entity, fmt::format("{}; it changes nothing ({})", line, setting.where));
+        parts.diagnostics.warn(entity, fmt::format("{}; it changes nothing ({})", line, setting.where));
       }
     });
     if (setting.property != properties::walk_command.name || setting.numbers.size() != 3) continue;
@@ -62,7 +62,7 @@ void check_property(SceneParts& parts, const scene_file::PropertySetting& settin
       const scene_file::RobotSpec& robot = parts.spec.robots[i];
       if (robot.name != entity) continue;
       const auto line = check_command(robot, parts.robots[i]->model(), command);
-      if (!line.empty()) parts.remarks.warn(entity, fmt::format("{} ({})", line, setting.where));
+      if (!line.empty()) parts.diagnostics.warn(entity, fmt::format("{} ({})", line, setting.where));
     }
   }
 }
@@ -81,7 +81,7 @@ void warn_about_steps(SceneParts& parts, const std::string& entity, const Contac
   const catalog::LongestSteps steps = catalog::stable_steps(law, use.options);
   const double longest = use.servos ? steps.with_servos : steps.without_servos;
   if (use.step <= longest * (1 + 1e-9)) return;
-  parts.remarks.warn(entity, fmt::format("{} under {} is stable with steps up to {:.0f} ms; these are {:.3g} ms long",
+  parts.diagnostics.warn(entity, fmt::format("{} under {} is stable with steps up to {:.0f} ms; these are {:.3g} ms long",
                                          use.contact, use.level, 1e3 * longest, 1e3 * use.step));
 }
 
@@ -96,7 +96,7 @@ void warn_about_things(SceneParts& parts) {
     const bool round = body.shape && std::holds_alternative<Sphere>(*body.shape);
     const double stiff = scene_file::longest_stiff_step(parts.spec, body.contact, body.material, body.mass);
     if (round || step <= stiff) continue;
-    parts.remarks.warn(body.name,
+    parts.diagnostics.warn(body.name,
                        fmt::format("the 'stiffness' of its pair of materials needs steps of {:.2g} ms under {}; these "
                                    "are {:.3g} ms long",
                                    1e3 * stiff, body.contact, 1e3 * step));
@@ -128,7 +128,7 @@ void warn_about_missing_servos(SceneParts& parts, const scene_file::RobotSpec& r
   const auto joints = model.joints();
   const auto without = std::ranges::count(driven_joints(model), false);
   if (without == 0) return;
-  parts.remarks.warn(robot.name,
+  parts.diagnostics.warn(robot.name,
                      fmt::format("{} of its {} joints have no servo and hang free", without, joints.size()));
 }
 
@@ -146,20 +146,20 @@ std::string other_gravity(const scene_file::RobotSpec& robot, double gravity) {
 }
 
 void note_other_gravity(SceneParts& parts) {
-  std::vector<SharedRemark> remarks;
+  std::vector<SharedDiagnostic> diagnostics;
   for (const scene_file::RobotSpec& robot : parts.spec.robots) {
-    add_remark(other_gravity(robot, norm(parts.spec.gravity)), robot.name, remarks);
+    add_diagnostic(other_gravity(robot, norm(parts.spec.gravity)), robot.name, diagnostics);
   }
-  for (const SharedRemark& remark : remarks) parts.remarks.note(to_text(remark));
+  for (const SharedDiagnostic& diagnostic : diagnostics) parts.diagnostics.note(to_text(diagnostic));
 }
 
 }  // namespace
 
 void warn_about_settings(SceneParts& parts) {
   const scene_file::SceneSpec& spec = parts.spec;
-  parts.remarks.warn(scene_file::unused_keys(spec));
+  parts.diagnostics.warn(scene_file::unused_keys(spec));
   if (spec.automatic_rate) {
-    parts.remarks.note(fmt::format("rate \"auto\" is {:g} Hz: {}", spec.rate, spec.rate_because));
+    parts.diagnostics.note(fmt::format("rate \"auto\" is {:g} Hz: {}", spec.rate, spec.rate_because));
   }
   std::set<std::string> materials;
   add_materials(parts.field->model(), materials);
@@ -168,16 +168,16 @@ void warn_about_settings(SceneParts& parts) {
     if (event.section == "ball" && event.key == "material") materials.insert(changed(*spec.ball, event).material);
   }
   const std::vector<std::string> used(materials.begin(), materials.end());
-  parts.remarks.warn(scene_file::unused_pairs(spec, used));
-  if (auto line = scene_file::unused_friction_direction(spec, used); !line.empty()) parts.remarks.warn(std::move(line));
-  parts.remarks.warn(scene_file::unsteady_stacks(spec));
+  parts.diagnostics.warn(scene_file::unused_pairs(spec, used));
+  if (auto line = scene_file::unused_friction_direction(spec, used); !line.empty()) parts.diagnostics.warn(std::move(line));
+  parts.diagnostics.warn(scene_file::unsteady_stacks(spec));
   warn_about_things(parts);
   for (std::size_t i = 0; i < parts.robots.size(); ++i) {
     const scene_file::RobotSpec& robot = spec.robots[i];
     const Model& model = parts.robots[i]->model();
-    check_no_contact(parts.remarks, robot, model);
+    check_no_contact(parts.diagnostics, robot, model);
     if (const auto line = check_command(robot, model, robot.command); !line.empty())
-      parts.remarks.warn(robot.name, line);
+      parts.diagnostics.warn(robot.name, line);
   }
   note_other_gravity(parts);
 }
@@ -191,7 +191,7 @@ void check_properties(SceneParts& parts) {
   }
 }
 
-void warn_about_start(SceneParts& parts) { parts.remarks.warn(start_overlaps(*parts.field, parts.moving_entities)); }
+void warn_about_start(SceneParts& parts) { parts.diagnostics.warn(start_overlaps(*parts.field, parts.moving_entities)); }
 
 void warn_about_level(SceneParts& parts, const scene_file::RobotSpec& robot) {
   const LevelTraits level = find_entry(catalog::levels(), "level", robot.level).traits;

@@ -1,6 +1,6 @@
 /// scene_checks.h - whether what a scene says acts, is impossible, or changes nothing. docs/scenes.md has the rule.
 ///
-/// Each function adds lines to the remarks of the scene. All throw SetupError for what is impossible.
+/// Each function adds lines to the diagnostics of the scene. All throw SetupError for what is impossible.
 #pragma once
 
 #include "murosimf/scene/scene_parts.h"

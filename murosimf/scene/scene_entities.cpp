@@ -51,7 +51,7 @@ void add_ball(SceneParts& parts, ModelSource& models) {
   parts.moving_entities.push_back(parts.ball);
 }
 
-int own_steps_of(const scene_file::SceneSpec& spec, const scene_file::RobotSpec& robot) {
+int step_multiple_of(const scene_file::SceneSpec& spec, const scene_file::RobotSpec& robot) {
   if (robot.rate == 0) return 1;
   const double steps = spec.rate / robot.rate;
   if (!(std::round(steps) >= 1) || std::abs(steps - std::round(steps)) > 1e-6 * steps) {
@@ -72,7 +72,7 @@ EntityOptions options_of(const scene_file::SceneSpec& spec, const scene_file::Ro
   options.collision = robot.collision;
   options.team = robot.team;
   options.base_level = !robot.keyframe.empty();
-  options.own_steps = with_context(robot.where, [&] { return own_steps_of(spec, robot); });
+  options.step_multiple = with_context(robot.where, [&] { return step_multiple_of(spec, robot); });
   for (const scene_file::TeamSpec& team : spec.teams) {
     if (team.name == robot.team) options.color = team.color;
   }

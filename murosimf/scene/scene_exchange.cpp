@@ -35,8 +35,8 @@ void renew_level(SceneParts& parts, const scene_file::RobotSpec& robot) {
   std::string saturation = motion::saturation_message(entity);
   parts.simulation->exchange(robot.level, entity,
                              [&](Setup& setup) { return catalog::make_level(robot.level, setup, options); });
-  if (!overload.empty()) parts.remarks.warn(std::move(overload));
-  if (!saturation.empty()) parts.remarks.note(std::move(saturation));
+  if (!overload.empty()) parts.diagnostics.warn(std::move(overload));
+  if (!saturation.empty()) parts.diagnostics.note(std::move(saturation));
   entity.contact = level.traits.dynamic ? robot.contact : "";
   warn_about_level(parts, robot);
   note_about_sensors(parts, robot);

@@ -9,18 +9,18 @@
 #include <vector>
 
 #include "murosimf/connect/crash_note.h"
-#include "murosimf/runtime/outside_notes.h"
+#include "murosimf/runtime/external_input_log.h"
 #include "murosimf/files/allowed_files.h"
 #include "murosimf/runtime/path_recorder.h"
 #include "murosimf/runtime/simulation.h"
-#include "murosimf/scene/remarks.h"
+#include "murosimf/scene/diagnostics.h"
 #include "murosimf/scene/scene_cameras.h"
 #include "murosimf/scene_file/scene_spec.h"
 #include "murosimf/sensors/sensor.h"
 
 namespace murosimf::collision {
 class GroundContact;
-class OwnSteps;
+class MultirateStepping;
 }  // namespace murosimf::collision
 namespace murosimf::connect {
 class MessageExchange;
@@ -57,7 +57,7 @@ struct ChangingSections {
 struct StartOfScene {
   ChangingSections sections;
   std::vector<Algorithms> algorithms;  ///< by moving entity
-  std::optional<Remarks> remarks;      ///< of building
+  std::optional<Diagnostics> diagnostics;      ///< of building
 };
 
 /// Stays where it is: the simulation calls back into it.
@@ -69,7 +69,7 @@ struct SceneParts {
 
   scene_file::SceneSpec spec;  ///< what the file says, with the levels and laws of now
   std::unique_ptr<Simulation> simulation;
-  Remarks remarks;
+  Diagnostics diagnostics;
   std::map<std::string, int> times_set;  ///< how often each property was, by its path
   Entity* field = nullptr;
   Entity* ball = nullptr;
@@ -79,14 +79,14 @@ struct SceneParts {
   std::vector<Entity*> moving_entities;                      ///< robots, ball and bodies
   std::vector<collision::GroundContact*> ground_contacts;    ///< by moving entity
   std::map<const Entity*, motion::Push*> pushes;             ///< of those that can be pushed
-  collision::OwnSteps* own_steps = nullptr;                  ///< null: all make the scene's steps
+  collision::MultirateStepping* step_multiple = nullptr;                  ///< null: all make the scene's steps
   sensors::WorldQueries* queries = nullptr;                  ///< null: no sensor asks for them
   connect::MessageExchange* messages = nullptr;              ///< null: no software asks for them
   const PathRecorder* recorder = nullptr;                    ///< null: nobody asked for paths
   std::shared_ptr<connect::CrashNote> crashes = std::make_shared<connect::CrashNote>();  ///< of control software
   std::shared_ptr<connect::TcpServer> software;  ///< that of the controller "tcp" comes in there; null: nowhere
   std::string terminals;                         ///< folder for links to serial lines; empty: there are none
-  OutsideWorld outside;                 ///< what is done with all that comes from outside
+  ExternalInputOptions outside;                 ///< what is done with all that comes from outside
   bool libraries = false;                        ///< those that files name are loaded
   bool only_shown = false;                       ///< SceneOptions::only_shown
   std::shared_ptr<Assets> assets;                ///< for robots that come later

@@ -27,7 +27,7 @@ void enter(SceneParts& parts, std::string_view name) {
   parts.simulation->enter(entity, [&](Entity& entering) { place_at_start(parts, entering); });
   start_moving(parts, entity);
   apply_settings_of(parts, entity);
-  parts.remarks.warn(overlaps_of(entity, *parts.field, parts.moving_entities));
+  parts.diagnostics.warn(overlaps_of(entity, *parts.field, parts.moving_entities));
 }
 
 void leave(SceneParts& parts, std::string_view name) { parts.simulation->leave(moving_entity(parts, name)); }

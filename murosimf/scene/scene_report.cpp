@@ -49,7 +49,7 @@ void add_control_warnings(const Scene& scene, std::vector<std::string>& lines) {
 
 /// Those of the scene, then those of the run.
 std::vector<std::string> notes_of(const Scene& scene) {
-  std::vector<std::string> all = scene.parts().remarks.notes();
+  std::vector<std::string> all = scene.parts().diagnostics.notes();
   for (const Entity* entity : scene.moving_entities()) {
     if (auto line = motion::saturation_message(*entity); !line.empty()) all.push_back(std::move(line));
   }
@@ -58,7 +58,7 @@ std::vector<std::string> notes_of(const Scene& scene) {
 
 /// Likewise.
 std::vector<std::string> warnings_of(const Scene& scene, const Lateness& lateness) {
-  std::vector<std::string> all = scene.parts().remarks.warnings();
+  std::vector<std::string> all = scene.parts().diagnostics.warnings();
   const auto& frozen = scene.simulation().warnings();
   all.insert(all.end(), frozen.begin(), frozen.end());
   if (auto line = events_to_come(scene); !line.empty()) all.push_back(std::move(line));

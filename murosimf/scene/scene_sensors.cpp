@@ -34,7 +34,7 @@ bool fits(const sensors::SensorSpec& spec, double step_rate) {
 /// Gives a sensor of a robot's file a rate that the scene's steps allow, if steps of usual length would allow its own. What
 /// has changed; empty: nothing.
 std::string fit_to_steps(sensors::SensorSpec& spec, double step_rate) {
-  // a rate that steps of usual length do not allow either is a mistake of the file
+  // a rate that steps of usual length do not allow either is an error of the file
   if (fits(spec, step_rate) || !fits(spec, usual_step_rate)) return {};
   return fmt::format("samples at {:.4g} Hz, not {:.4g}, because steps are {:.4g} ms long", step_rate,
                      std::exchange(spec.rate, step_rate), 1e3 / step_rate);
@@ -44,25 +44,25 @@ std::vector<sensors::SensorSpec> sensors_of(SceneParts& parts, ModelSource& mode
                                             const scene_file::RobotSpec& robot) {
   std::vector<sensors::SensorSpec> specs;
   if (!robot.sensors.none) specs = models.robot(robot).sensors;
-  std::vector<SharedRemark> remarks;
+  std::vector<SharedDiagnostic> diagnostics;
   for (sensors::SensorSpec& spec : specs)
-    add_remark(fit_to_steps(spec, step_rate(parts.spec, robot)), spec.name, remarks);
-  for (const SharedRemark& remark : remarks) parts.remarks.note(robot.name, to_text(remark));
+    add_diagnostic(fit_to_steps(spec, step_rate(parts.spec, robot)), spec.name, diagnostics);
+  for (const SharedDiagnostic& diagnostic : diagnostics) parts.diagnostics.note(robot.name, to_text(diagnostic));
   components::change_sensors(specs, robot.sensors.tables, parts.spec.file.parent_path());
   return specs;
 }
 
 /// "kinematic_walking: left_foot, right_foot: there are no ..."; empty if the level has all that the sensors show.
-std::string sensor_remarks(const SceneParts& parts, const scene_file::RobotSpec& robot) {
+std::string sensor_diagnostics(const SceneParts& parts, const scene_file::RobotSpec& robot) {
   const auto number =
       std::ranges::find(parts.spec.robots, robot.name, &scene_file::RobotSpec::name) - parts.spec.robots.begin();
   const LevelTraits level = parts.simulation->level_of(*parts.robots[static_cast<std::size_t>(number)])->traits();
-  std::vector<SharedRemark> remarks;
+  std::vector<SharedDiagnostic> diagnostics;
   for (const sensors::Sensor* sensor : parts.sensors[static_cast<std::size_t>(number)]) {
-    add_remark(sensor->remark(level), sensor->reading().info->name, remarks);
+    add_diagnostic(sensor->diagnostic(level), sensor->reading().info->name, diagnostics);
   }
   std::string text;
-  for (const SharedRemark& remark : remarks) text += (text.empty() ? "" : "; ") + to_text(remark);
+  for (const SharedDiagnostic& diagnostic : diagnostics) text += (text.empty() ? "" : "; ") + to_text(diagnostic);
   return text.empty() ? "" : fmt::format("{}: {}", robot.level, text);
 }
 
@@ -90,18 +90,18 @@ void attach_sensors(SceneParts& parts, ModelSource& models, std::size_t robot) {
 }
 
 void note_about_sensors(SceneParts& parts) {
-  std::vector<SharedRemark> remarks;
+  std::vector<SharedDiagnostic> diagnostics;
   for (const scene_file::RobotSpec& robot : parts.spec.robots) {
-    const std::string text = sensor_remarks(parts, robot);
-    add_remark(text, robot.name, remarks);
-    (void)parts.remarks.is_new(robot.name, text);
+    const std::string text = sensor_diagnostics(parts, robot);
+    add_diagnostic(text, robot.name, diagnostics);
+    (void)parts.diagnostics.is_new(robot.name, text);
   }
-  for (const SharedRemark& remark : remarks) parts.remarks.note(to_text(remark));
+  for (const SharedDiagnostic& diagnostic : diagnostics) parts.diagnostics.note(to_text(diagnostic));
 }
 
 void note_about_sensors(SceneParts& parts, const scene_file::RobotSpec& robot) {
-  const std::string text = sensor_remarks(parts, robot);
-  if (!text.empty() && parts.remarks.is_new(robot.name, text)) parts.remarks.note(robot.name, text);
+  const std::string text = sensor_diagnostics(parts, robot);
+  if (!text.empty() && parts.diagnostics.is_new(robot.name, text)) parts.diagnostics.note(robot.name, text);
 }
 
 }  // namespace murosimf::scene

@@ -84,8 +84,8 @@ void begin_at_every_start(SceneParts& parts) {
     for (Entity* entity : parts.moving_entities) place_at_start(parts, *entity);
   });
   parts.simulation->after_start([&parts] {
-    if (!parts.at_start.remarks)
-      parts.at_start.remarks = parts.remarks;  // also whatever a first picture tells of the machine
+    if (!parts.at_start.diagnostics)
+      parts.at_start.diagnostics = parts.diagnostics;  // also whatever a first picture tells of the machine
     check_properties(parts);
     for (Entity* entity : parts.moving_entities) start_moving(parts, *entity);
     apply_settings(parts);
@@ -99,7 +99,7 @@ void reset(SceneParts& parts, std::optional<std::uint64_t> seed) {
     put_in_force(parts, *parts.moving_entities[i], parts.at_start.algorithms[i]);
   }
   put_in_force(parts, parts.at_start.sections);
-  parts.remarks = *parts.at_start.remarks;
+  parts.diagnostics = *parts.at_start.diagnostics;
   parts.times_set.clear();
   if (seed) {
     parts.spec.seed = *seed;

@@ -68,7 +68,7 @@ void change_ball(SceneParts& parts, const scene_file::SceneEvent& event) {
   const scene_file::BallSpec next = changed(*parts.spec.ball, event);
   if (static_cast<const BallOptions&>(next) != *parts.spec.ball) {
     exchange_ball(parts, next, LevelStart::in_motion);
-    parts.remarks.warn(overlaps_of(*parts.ball, *parts.field, parts.moving_entities));
+    parts.diagnostics.warn(overlaps_of(*parts.ball, *parts.field, parts.moving_entities));
   }
   recolor_ball(parts, next.color);
   show_changes(parts);

@@ -34,7 +34,7 @@ Box read_box(const files::TomlTable& table) {
   return {0.5 * size};
 }
 
-/// Keys that belong to other shapes are mistakes.
+/// Keys that belong to other shapes are errors.
 void refuse_keys(const files::TomlTable& table, std::string_view shape, std::initializer_list<std::string_view> keys) {
   for (const std::string_view key : keys) {
     require(table.find(key) == nullptr, table, key, fmt::format("is nothing that a {} has", shape));

@@ -45,7 +45,7 @@ Camera::Camera(Setup& setup, const SensorSpec& spec, const SensorSurroundings& s
       frame_(write_frame(setup,
                          info_of(spec, eye_.spec(), mounting_, reading().info->period, surroundings.moving_entities))),
       on_the_way_(most_on_the_way()),
-      fold_remark_(shared_fold_remark(frame_.info->lens.spec())) {
+      fold_warning_(shared_fold_warning(frame_.info->lens.spec())) {
   read_motion_of_all(setup, surroundings);
   frame_.wanted = eye_.spec().always_on;
 }
@@ -65,7 +65,7 @@ void Camera::entity_taken_back(const Entity& entity) noexcept {
   frame_.info = std::move(info);
 }
 
-std::string Camera::remark(const LevelTraits&) const { return *fold_remark_; }
+std::string Camera::diagnostic(const LevelTraits&) const { return *fold_warning_; }
 
 void Camera::start() {
   frame_.time = Duration{};
@@ -87,9 +87,9 @@ void Camera::measure(std::span<double> values) noexcept {
 
 void Camera::taken(std::uint64_t sample) noexcept {
   if (!source_) return;
-  const Glance glance{mounting_.position(), mounting_.orientation(), mounting_.velocity(),
+  const CameraMotion motion{mounting_.position(), mounting_.orientation(), mounting_.velocity(),
                       mounting_.angular_velocity()};
-  eye_.take(*source_, glance, sample, on_the_way_[sample % on_the_way_.size()]);
+  eye_.take(*source_, motion, sample, on_the_way_[sample % on_the_way_.size()]);
 }
 
 /// Pictures on the way; all else is worked out for each of them.

@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/sensors/camera_eye.h"
+#include "murosimf/sensors/camera_model.h"
 #include "murosimf/sensors/camera_frame.h"
 #include "murosimf/sensors/mounting.h"
 #include "murosimf/sensors/sensor.h"
@@ -31,7 +31,7 @@ class Camera final : public Sensor {
   /// Throws SetupError that names the number that is impossible.
   Camera(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings);
 
-  [[nodiscard]] std::string remark(const LevelTraits& level) const override;
+  [[nodiscard]] std::string diagnostic(const LevelTraits& level) const override;
 
   void entity_added(Setup& setup) override;
   void entity_taken_back(const Entity& entity) noexcept override;
@@ -44,14 +44,14 @@ class Camera final : public Sensor {
   void taken(std::uint64_t sample) noexcept override;
   void arrived(std::uint64_t sample) noexcept override;
 
-  CameraEye eye_;
+  CameraModel eye_;
   Vec3d mounting_error_;
   Mounting mounting_;
   std::function<ViewSource*()> find_source_;
   CameraFrame& frame_;
   ViewSource* source_ = nullptr;  // none: it draws nothing
   std::vector<CameraPicture> on_the_way_;
-  std::shared_ptr<const std::string> fold_remark_;  // empty: the lens is fine
+  std::shared_ptr<const std::string> fold_warning_;  // empty: the lens is fine
   imaging::ColorImage colors_behind_;               // a mosaic's; memory that pictures take turns in
 };
 

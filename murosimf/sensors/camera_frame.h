@@ -32,7 +32,7 @@ struct CameraInfo {
   std::vector<std::string> labels{};  ///< names of what LabelImages show (view_source.h)
   bool has_color = true, has_depth = false, has_labels = false;
   std::string mosaic{};                      ///< Bayer pattern, "rggb"; empty: none
-  std::shared_ptr<const CameraSpec> spec{};  ///< all of it, for who makes its pictures beside it (camera_eye.h)
+  std::shared_ptr<const CameraSpec> spec{};  ///< all of it, for who makes its pictures beside it (camera_model.h)
 };
 
 /// Layers that the camera does not have are empty.

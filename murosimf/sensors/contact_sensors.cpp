@@ -86,7 +86,7 @@ ContactSensor::ContactSensor(Setup& setup, const SensorSpec& spec, const SensorS
       load_(setup, spec),
       threshold_(options_of(spec, contact_sensor_options()).threshold) {}
 
-std::string ContactSensor::remark(const LevelTraits& level) const {
+std::string ContactSensor::diagnostic(const LevelTraits& level) const {
   if (level.dynamic) return {};
   return "there are no contact forces: it reports the whole weight on the foot that stands";
 }

@@ -68,7 +68,7 @@ class ContactLoad {
 /// Common to all of this page.
 class ContactSensor : public Sensor {
  public:
-  [[nodiscard]] std::string remark(const LevelTraits& level) const override;
+  [[nodiscard]] std::string diagnostic(const LevelTraits& level) const override;
 
  protected:
   ContactSensor(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings,

@@ -68,7 +68,7 @@ void ServoSensor::convert(std::span<double> values, std::span<const double> colu
 JointTorque::JointTorque(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings)
     : ServoSensor(setup, spec, surroundings, {"torque", "N m", {}}), torque_(setup.observe(properties::joint_torque)) {}
 
-std::string JointTorque::remark(const LevelTraits& level) const {
+std::string JointTorque::diagnostic(const LevelTraits& level) const {
   if (level.joint_torque) return {};
   return "torques of joints are not known: it reports 0";
 }
@@ -88,7 +88,7 @@ void MotorCurrent::measure(std::span<double> values) noexcept {
   ServoSensor::convert(values, motor_known ? motor_torque_ : joint_torque_);
 }
 
-std::string MotorCurrent::remark(const LevelTraits& level) const {
+std::string MotorCurrent::diagnostic(const LevelTraits& level) const {
   if (level.joint_torque && !level.servos) {
     return "joints move without servos: it reports the current for the torque that that would take";
   }
@@ -113,7 +113,7 @@ MotorTemperature::MotorTemperature(Setup& setup, const SensorSpec& spec, const S
   }
 }
 
-std::string MotorTemperature::remark(const LevelTraits& level) const {
+std::string MotorTemperature::diagnostic(const LevelTraits& level) const {
   if (level.servos) return {};
   return "servos get warm only at a level that has them: it reports the temperature of the air";
 }

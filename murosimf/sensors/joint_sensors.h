@@ -61,7 +61,7 @@ class ServoSensor : public Sensor {
 class JointTorque final : public ServoSensor {
  public:
   JointTorque(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings);
-  [[nodiscard]] std::string remark(const LevelTraits& level) const override;
+  [[nodiscard]] std::string diagnostic(const LevelTraits& level) const override;
 
  private:
   void measure(std::span<double> values) noexcept override { ServoSensor::convert(values, torque_); }
@@ -72,7 +72,7 @@ class JointTorque final : public ServoSensor {
 class MotorCurrent final : public ServoSensor {
  public:
   MotorCurrent(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings);
-  [[nodiscard]] std::string remark(const LevelTraits& level) const override;
+  [[nodiscard]] std::string diagnostic(const LevelTraits& level) const override;
 
  private:
   void measure(std::span<double> values) noexcept override;
@@ -93,7 +93,7 @@ class MotorVoltage final : public ServoSensor {
 class MotorTemperature final : public ServoSensor {
  public:
   MotorTemperature(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings);
-  [[nodiscard]] std::string remark(const LevelTraits& level) const override;
+  [[nodiscard]] std::string diagnostic(const LevelTraits& level) const override;
 
  private:
   void measure(std::span<double> values) noexcept override { ServoSensor::convert(values, temperature_); }

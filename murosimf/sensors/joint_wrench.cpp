@@ -85,7 +85,7 @@ void JointWrench::find_parts(int cut) {
       model_.objects()[cut].name));
 }
 
-std::string JointWrench::remark(const LevelTraits& level) const {
+std::string JointWrench::diagnostic(const LevelTraits& level) const {
   if (level.dynamic) return {};
   return "there are no contact forces: it takes the whole weight to be on the foot that stands";
 }

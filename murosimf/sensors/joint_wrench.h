@@ -41,7 +41,7 @@ class JointWrench final : public Sensor {
   /// Throws SetupError: an unknown object, or nothing behind the cut.
   JointWrench(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings);
 
-  [[nodiscard]] std::string remark(const LevelTraits& level) const override;
+  [[nodiscard]] std::string diagnostic(const LevelTraits& level) const override;
 
  private:
   /// Something with mass behind the cut.

@@ -78,7 +78,7 @@ void Sensor::make_signals(const SensorSpec& spec, std::uint64_t seed, const std:
   }
 }
 
-std::string Sensor::remark(const LevelTraits&) const { return {}; }
+std::string Sensor::diagnostic(const LevelTraits&) const { return {}; }
 
 void Sensor::initialize() {
   reading_.time = Duration{};

@@ -36,7 +36,7 @@ class Sensor : public Algorithm {
   void reseed(std::uint64_t seed) final;
 
   /// What it reports at a level of detail that has nothing for it, and why: one sentence about "it"; empty if all is there.
-  [[nodiscard]] virtual std::string remark(const LevelTraits& level) const;
+  [[nodiscard]] virtual std::string diagnostic(const LevelTraits& level) const;
   [[nodiscard]] const Reading& reading() const { return reading_; }
 
  protected:

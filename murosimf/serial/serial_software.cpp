@@ -18,8 +18,8 @@ using dynamixel::ImuBoard;
 using dynamixel::Protocol;
 using dynamixel::ServoDevice;
 
-SerialSoftware::SerialSoftware(Setup& setup, RobotPort& port, SayLine say, std::vector<ServoPlace> layout,
-                               SerialOptions options, const std::filesystem::path& folder, const OutsideWorld& outside)
+SerialSoftware::SerialSoftware(Setup& setup, connect::RobotPort& port, connect::SayLine say, std::vector<ServoPlace> layout,
+                               SerialOptions options, const std::filesystem::path& folder, const ExternalInputOptions& outside)
     : say_(std::move(say)),
       options_(std::move(options)),
       period_(seconds(setup.period())),
@@ -77,7 +77,7 @@ void SerialSoftware::add_joint(const Model& model, const ServoPlace& place) {
   joints_.push_back(joint);
 }
 
-void SerialSoftware::find_imu(const Setup& setup, RobotPort& port) {
+void SerialSoftware::find_imu(const Setup& setup, connect::RobotPort& port) {
   const std::string name = options_.imu.empty() ? "imu" : options_.imu;
   const sensors::Reading* reading = sensors::find_reading(setup.entity(), name);
   if (options_.imu.empty() && (!reading || reading->info->type != "imu")) return;
@@ -120,7 +120,7 @@ void SerialSoftware::switch_on() {
   line_->set_rate(rate);
 }
 
-CallOutcome SerialSoftware::start() {
+connect::CallOutcome SerialSoftware::start() {
   switch_on();
   std::ranges::copy(rest_, target_->values);
   for (const Joint& joint : joints_) enabled_->values[joint.place.joint] = options_.torque ? 1 : 0;
@@ -129,12 +129,12 @@ CallOutcome SerialSoftware::start() {
   return {};
 }
 
-CallOutcome SerialSoftware::step(Duration now) noexcept {
+connect::CallOutcome SerialSoftware::step(Duration now) noexcept {
   if (terminal_ && !link_ && !remembers()) {  // who finds it is answered from now on
     try {
       link_.emplace(link_place_, terminal_->name());
     } catch (const SetupError& error) {
-      return {CallOutcome::threw, error.what()};
+      return {connect::CallOutcome::threw, error.what()};
     }
   }
   const double time = seconds(now);
@@ -188,7 +188,7 @@ SerialSoftware::Heard SerialSoftware::listen(double now) {
 namespace {
 
 /// [bit/s]
-double rate_of(const OutsideNote& note) {
+double rate_of(const ExternalInput& note) {
   double rate = 0;
   std::from_chars(note.bytes.data(), note.bytes.data() + note.bytes.size(), rate);
   return std::isfinite(rate) && rate > 0 ? rate : SerialOptions::usual_rate;
@@ -198,14 +198,14 @@ double rate_of(const OutsideNote& note) {
 
 SerialSoftware::Heard SerialSoftware::repeat(Duration now) {
   Heard heard;
-  for (; const OutsideNote* note = reader_.next(now); reader_.pass()) {
-    if (note->kind == OutsideNote::came || note->kind == OutsideNote::left) {
-      heard.client = note->kind == OutsideNote::came;
-    } else if (note->kind == OutsideNote::asked) {
+  for (; const ExternalInput* note = reader_.next(now); reader_.pass()) {
+    if (note->kind == ExternalInput::came || note->kind == ExternalInput::left) {
+      heard.client = note->kind == ExternalInput::came;
+    } else if (note->kind == ExternalInput::asked) {
       heard.rate = rate_of(*note);
-    } else if (note->time == now && note->kind == OutsideNote::sent) {
+    } else if (note->time == now && note->kind == ExternalInput::sent) {
       heard.bytes.insert(heard.bytes.end(), note->bytes.begin(), note->bytes.end());
-    } else if (note->time == now && note->kind == OutsideNote::fell_silent) {
+    } else if (note->time == now && note->kind == ExternalInput::fell_silent) {
       heard.fell_silent = true;
     }
   }
@@ -215,11 +215,11 @@ SerialSoftware::Heard SerialSoftware::repeat(Duration now) {
 
 SerialSoftware::Heard SerialSoftware::remember() {
   Heard heard;
-  for (; const OutsideNote* note = memory_->next(); memory_->pass()) {
-    if (note->kind == OutsideNote::sent) heard.bytes.insert(heard.bytes.end(), note->bytes.begin(), note->bytes.end());
-    if (note->kind == OutsideNote::asked) heard.rate = rate_of(*note);
-    if (note->kind == OutsideNote::fell_silent) heard.fell_silent = true;
-    if (note->kind == OutsideNote::left) line_->hang_up();  // the client that is there now is another matter
+  for (; const ExternalInput* note = memory_->next(); memory_->pass()) {
+    if (note->kind == ExternalInput::sent) heard.bytes.insert(heard.bytes.end(), note->bytes.begin(), note->bytes.end());
+    if (note->kind == ExternalInput::asked) heard.rate = rate_of(*note);
+    if (note->kind == ExternalInput::fell_silent) heard.fell_silent = true;
+    if (note->kind == ExternalInput::left) line_->hang_up();  // the client that is there now is another matter
   }
   return heard;
 }
@@ -234,14 +234,14 @@ SerialSoftware::Heard SerialSoftware::heard_at(Duration now) {
 }
 
 void SerialSoftware::write_down(const Heard& heard) {
-  const auto write = [&](OutsideNote::Kind kind, const std::string& bytes = {}) {
+  const auto write = [&](ExternalInput::Kind kind, const std::string& bytes = {}) {
     pen_.write(kind, bytes);
     if (memory_) memory_->write(kind, bytes);
   };
-  if (heard.rate) write(OutsideNote::asked, fmt::format("{:.0f}", *heard.rate));
-  if (!heard.bytes.empty()) write(OutsideNote::sent, std::string(heard.bytes.begin(), heard.bytes.end()));
-  if (heard.fell_silent) write(OutsideNote::fell_silent);
-  if (heard.client) write(*heard.client ? OutsideNote::came : OutsideNote::left);
+  if (heard.rate) write(ExternalInput::asked, fmt::format("{:.0f}", *heard.rate));
+  if (!heard.bytes.empty()) write(ExternalInput::sent, std::string(heard.bytes.begin(), heard.bytes.end()));
+  if (heard.fell_silent) write(ExternalInput::fell_silent);
+  if (heard.client) write(*heard.client ? ExternalInput::came : ExternalInput::left);
 }
 
 void SerialSoftware::exchange_bytes(Duration now) {

@@ -16,8 +16,8 @@
 #include "murosimf/serial/dynamixel/bus_line.h"
 #include "murosimf/serial/dynamixel/imu_board.h"
 #include "murosimf/serial/dynamixel/servo_device.h"
-#include "murosimf/runtime/outside_memory.h"
-#include "murosimf/runtime/outside_notes.h"
+#include "murosimf/runtime/external_input_history.h"
+#include "murosimf/runtime/external_input_log.h"
 #include "murosimf/serial/bus_layout.h"
 #include "murosimf/serial/pseudo_terminal.h"
 #include "murosimf/model/servo.h"
@@ -37,15 +37,15 @@ struct SerialOptions {
   [[nodiscard]] double first_rate() const { return baud_rate > 0 ? baud_rate : usual_rate; }
 };
 
-class SerialSoftware final : public ControlSoftware {
+class SerialSoftware final : public connect::ControlSoftware {
  public:
   /// `folder` is where the link to the terminal stands, named as the robot, from the first step on; empty, or if what comes is
   /// repeated: there is no terminal. Throws SetupError.
-  SerialSoftware(Setup& setup, RobotPort& port, SayLine say, std::vector<ServoPlace> layout, SerialOptions options,
-                 const std::filesystem::path& folder, const OutsideWorld& outside = {});
+  SerialSoftware(Setup& setup, connect::RobotPort& port, connect::SayLine say, std::vector<ServoPlace> layout, SerialOptions options,
+                 const std::filesystem::path& folder, const ExternalInputOptions& outside = {});
 
-  [[nodiscard]] CallOutcome start() override;
-  [[nodiscard]] CallOutcome step(Duration now) noexcept override;
+  [[nodiscard]] connect::CallOutcome start() override;
+  [[nodiscard]] connect::CallOutcome step(Duration now) noexcept override;
   void state(StateArchive& archive) override;
   [[nodiscard]] bool repeats_itself() const override { return true; }
 
@@ -67,7 +67,7 @@ class SerialSoftware final : public ControlSoftware {
     dynamixel::ServoDevice* servo = nullptr;  // on the bus
   };
   void add_joint(const Model& model, const ServoPlace& place);
-  void find_imu(const Setup& setup, RobotPort& port);
+  void find_imu(const Setup& setup, connect::RobotPort& port);
   void switch_on();
   void sense(double now);
   /// What has come in a step.
@@ -91,7 +91,7 @@ class SerialSoftware final : public ControlSoftware {
   void tune(const Joint& joint);
   [[nodiscard]] double angle_of(const Joint& joint, double q) const;
 
-  SayLine say_;
+  connect::SayLine say_;
   SerialOptions options_;
   double period_;  // [s]
   std::vector<Joint> joints_;
@@ -109,12 +109,12 @@ class SerialSoftware final : public ControlSoftware {
   bool client_ = false, told_of_loss_ = false;
   WallClock::time_point last_byte_;
   dynamixel::Bytes to_send_;
-  std::shared_ptr<OutsideNotes> notes_;  // the pen's
-  OutsidePen pen_;
-  std::shared_ptr<const OutsideNotes> repeated_;  // null: it is live
-  OutsideReader reader_;
-  std::shared_ptr<OutsideMemory> remembered_;  // the channel's
-  OutsideMemory::Channel* memory_ = nullptr;   // null: nobody goes back in time
+  std::shared_ptr<ExternalInputLog> notes_;  // the pen's
+  ExternalInputRecorder pen_;
+  std::shared_ptr<const ExternalInputLog> repeated_;  // null: it is live
+  ExternalInputReader reader_;
+  std::shared_ptr<ExternalInputHistory> remembered_;  // the channel's
+  ExternalInputHistory::Channel* memory_ = nullptr;   // null: nobody goes back in time
   bool jumped_ = false;                        // a state was loaded since the last step that was live
   Duration next_{-1};                          // of the step after that one
 };

@@ -8,7 +8,7 @@
 
 namespace murosimf::session {
 
-std::string own_state(const World& world, const OutsideMemory* memory) {
+std::string own_state(const World& world, const ExternalInputHistory* memory) {
   std::vector<std::string> robots, subjects;
   for (const auto& entity : world.entities()) {
     const connect::SoftwareReport* const software = connect::software_report(*entity);
@@ -21,7 +21,7 @@ std::string own_state(const World& world, const OutsideMemory* memory) {
   return fmt::format("{} {}", fmt::join(subjects, " and "), one ? "keeps its own state" : "keep their own state");
 }
 
-std::string own_state_from(const World& world, const OutsideMemory* memory, Duration time) {
+std::string own_state_from(const World& world, const ExternalInputHistory* memory, Duration time) {
   const std::string who = own_state(world, memory);
   if (who.empty()) return {};
   return fmt::format("{}: from {:g} s on this is not the run that was there before", who, seconds(time));

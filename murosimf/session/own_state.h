@@ -3,15 +3,15 @@
 
 #include <string>
 
-#include "murosimf/runtime/outside_memory.h"
+#include "murosimf/runtime/external_input_history.h"
 #include "murosimf/model/world.h"
 
 namespace murosimf::session {
 
 /// "software of blue1, blue2 and the GameController keep their own state"; empty: nobody does, or nobody is there.
-[[nodiscard]] std::string own_state(const World& world, const OutsideMemory* memory);
+[[nodiscard]] std::string own_state(const World& world, const ExternalInputHistory* memory);
 
 /// What follows of a run that goes on live at `time` where it had been before; empty: nothing.
-[[nodiscard]] std::string own_state_from(const World& world, const OutsideMemory* memory, Duration time);
+[[nodiscard]] std::string own_state_from(const World& world, const ExternalInputHistory* memory, Duration time);
 
 }  // namespace murosimf::session

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "murosimf/session/live_course.h"
+#include "murosimf/session/live_source.h"
 #include "murosimf/session/session_inside.h"
 
 namespace murosimf::session {
@@ -14,57 +14,57 @@ constexpr Duration never = Duration::max();
 }  // namespace
 
 Session::Session(scene::Scene& scene, const SessionOptions& options)
-    : Session(std::make_unique<LiveCourse>(scene, LiveOptions{.timeline = options.timeline,
+    : Session(std::make_unique<LiveSource>(scene, LiveOptions{.timeline = options.timeline,
                                                               .no_way_back = options.no_way_back}),
               options) {}
 
-Session::Session(std::unique_ptr<Course> course, const SessionOptions& options)
-    : inside_(std::make_unique<Inside>(std::move(course), options)) {
-  inside_->course->begin();
+Session::Session(std::unique_ptr<PlaybackSource> source, const SessionOptions& options)
+    : inside_(std::make_unique<Inside>(std::move(source), options)) {
+  inside_->source->begin();
   inside_->publish(options.paused);
 }
 
 Session::~Session() = default;
 
 void Session::pause() {
-  inside_->wish([](Inside::Wishes& wishes) { wishes.paused = true, wishes.steps = 0; });
+  inside_->request([](Inside::Requests& requests) { requests.paused = true, requests.steps = 0; });
 }
 
 void Session::go_on() {
   if (status().at_end) (void)reset();
   const Duration now = status().time;
-  inside_->wish([now](Inside::Wishes& wishes) {
-    wishes.paused = false, wishes.steps = 0;
-    if (wishes.end <= now) wishes.end = never;
+  inside_->request([now](Inside::Requests& requests) {
+    requests.paused = false, requests.steps = 0;
+    if (requests.end <= now) requests.end = never;
   });
 }
 
 void Session::go_on_until(Duration end) {
-  inside_->wish([end](Inside::Wishes& wishes) { wishes.paused = false, wishes.steps = 0, wishes.end = end; });
+  inside_->request([end](Inside::Requests& requests) { requests.paused = false, requests.steps = 0, requests.end = end; });
 }
 
 void Session::step(std::int64_t steps) {
-  inside_->wish(
-      [steps](Inside::Wishes& wishes) { wishes.paused = true, wishes.steps += std::max<std::int64_t>(0, steps); });
+  inside_->request(
+      [steps](Inside::Requests& requests) { requests.paused = true, requests.steps += std::max<std::int64_t>(0, steps); });
 }
 
 void Session::set_speed(std::optional<double> speed) {
   (void)Clock(speed);  // throws
-  inside_->wish([speed](Inside::Wishes& wishes) { wishes.speed = speed, wishes.new_speed = true; });
+  inside_->request([speed](Inside::Requests& requests) { requests.speed = speed, requests.new_speed = true; });
 }
 
 void Session::run_until(Duration end) {
-  inside_->wish([end](Inside::Wishes& wishes) { wishes.end = end; });
+  inside_->request([end](Inside::Requests& requests) { requests.end = end; });
 }
 
 void Session::finish() {
-  inside_->wish([](Inside::Wishes& wishes) { wishes.finished = true; });
+  inside_->request([](Inside::Requests& requests) { requests.finished = true; });
 }
 
 std::future<void> Session::change(std::string text) { return change(std::vector{std::move(text)}); }
 
 std::future<void> Session::change(std::vector<std::string> texts) {
-  return inside_->ask([inside = inside_.get(), texts = std::move(texts)] { inside->course->change(texts); });
+  return inside_->ask([inside = inside_.get(), texts = std::move(texts)] { inside->source->change(texts); });
 }
 
 std::future<void> Session::reset(std::optional<std::uint64_t> seed) {
@@ -90,7 +90,7 @@ std::future<void> Session::record(bool on) {
 
 scene::Scene& Session::scene() { return inside_->scene; }
 
-const std::vector<std::string>& Session::known_properties() const { return inside_->course->known_properties(); }
+const std::vector<std::string>& Session::known_properties() const { return inside_->source->known_properties(); }
 
 SessionStatus Session::status() const {
   const std::lock_guard lock(inside_->mutex);

@@ -11,7 +11,7 @@
 /// One thread runs the scene; what others ask it does between two steps, also while it is paused. Steering changes nothing of what
 /// is computed: the same scene, seed and changes give the same states, at any speed and with any pauses. Control software, referees and
 /// others outside are asked for no instant twice: until where the run goes on live they are answered for by what they had said. From there
-/// on they go on as they are, and SessionStatus::remark says so.
+/// on they go on as they are, and SessionStatus::diagnostic says so.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +25,7 @@
 
 #include "murosimf/runtime/clock.h"
 #include "murosimf/scene/scene.h"
-#include "murosimf/session/course.h"
+#include "murosimf/session/playback_source.h"
 #include "murosimf/session/timeline.h"
 
 namespace murosimf::session {
@@ -35,7 +35,7 @@ struct SessionOptions {
   bool paused = false;            ///< begins so
   bool stays = true;              ///< at its end: pauses there until finish(); false: run() returns
   TimelineOptions timeline{};     ///< what is kept for going back
-  std::function<void(const Overrun&)> tell_of_overruns{};  ///< called by the thread that runs it (Clock)
+  std::function<void(const Overrun&)> publish_overruns{};  ///< called by the thread that runs it (Clock)
   /// Has the run recorded, or no longer; called between two steps by the thread that runs it. None: nobody can ask for it.
   std::function<void(bool on)> record{};
   std::string no_way_back{};  ///< why it cannot be reset or go back in time ("it is recorded"); empty: it can
@@ -55,15 +55,15 @@ struct SessionStatus {
   std::size_t events = 0, warnings = 0;  ///< of the simulation, so far
   std::optional<bool> recorded;          ///< whether somebody asks for it; nothing: nobody can
   std::string
-      remark{};  ///< since the last jump: what will not go on as it was there before, and why; empty: everything will
+      diagnostic{};  ///< since the last jump: what will not go on as it was there before, and why; empty: everything will
 };
 
 class Session {
  public:
   /// The scene must outlive it. Initializes the scene. Throws SetupError for an impossible speed.
   explicit Session(scene::Scene& scene, const SessionOptions& options = {});
-  /// Of something else than a scene that is computed: a recording. `timeline` and `no_way_back` are the course's business.
-  explicit Session(std::unique_ptr<Course> course, const SessionOptions& options = {});
+  /// Of something else than a scene that is computed: a recording. `timeline` and `no_way_back` are the source's business.
+  explicit Session(std::unique_ptr<PlaybackSource> source, const SessionOptions& options = {});
   ~Session();
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
@@ -112,7 +112,7 @@ class Session {
 
   /// For what never changes while it runs; for everything else there is visit().
   [[nodiscard]] scene::Scene& scene();
-  /// Course::known_properties.
+  /// PlaybackSource::known_properties.
   [[nodiscard]] const std::vector<std::string>& known_properties() const;
   [[nodiscard]] SessionStatus status() const;
   /// A copy of the timeline.

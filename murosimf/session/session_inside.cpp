@@ -49,16 +49,16 @@ void Session::Inside::run(const std::function<void(Duration)>& progress) {
 /// Whether no step is to be made now.
 bool Session::Inside::stands() const {
   const std::lock_guard lock(mutex);
-  if (wishes.finished || course->at_end()) return true;
-  return wishes.paused ? wishes.steps == 0 : simulation.now() >= wishes.end;
+  if (requests.finished || source->at_end()) return true;
+  return requests.paused ? requests.steps == 0 : simulation.now() >= requests.end;
 }
 
 bool Session::Inside::ends() {
   if (simulation.stopped()) return true;
   const std::lock_guard lock(mutex);
-  if (wishes.finished) return true;
-  const bool done = simulation.now() >= wishes.end || course->at_end();
-  return !options.stays && !wishes.paused && done && jobs.empty();
+  if (requests.finished) return true;
+  const bool done = simulation.now() >= requests.end || source->at_end();
+  return !options.stays && !requests.paused && done && jobs.empty();
 }
 
 /// Until somebody wants something.
@@ -76,11 +76,11 @@ void Session::Inside::restart_clock() {
 }
 
 void Session::Inside::step() {
-  course->step();
+  source->step();
   speedometer.advance(simulation.now());
   {
     const std::lock_guard lock(mutex);
-    if (wishes.paused && wishes.steps > 0) --wishes.steps;
+    if (requests.paused && requests.steps > 0) --requests.steps;
   }
   publish(false);
   const auto wakes = [&] { return attention.load() || simulation.stopped(); };
@@ -98,15 +98,15 @@ void Session::Inside::attend() {
   {
     const std::lock_guard lock(mutex);
     all.swap(jobs);
-    if (std::exchange(wishes.new_speed, false)) {
+    if (std::exchange(requests.new_speed, false)) {
       const Lateness& late = clock.lateness();
       lateness_before.late_steps += late.late_steps;
       lateness_before.steps += late.steps;
       lateness_before.worst = std::max(lateness_before.worst, late.worst);
-      clock = Clock(wishes.speed);
-      clock.tell_of_overruns(options.tell_of_overruns);
+      clock = Clock(requests.speed);
+      clock.publish_overruns(options.publish_overruns);
       clock.start(simulation.now());
-      status.speed = wishes.speed;
+      status.speed = requests.speed;
     }
   }
   for (Job& job : all) {
@@ -124,22 +124,22 @@ void Session::Inside::attend() {
 void Session::Inside::publish(bool paused) {
   const Lateness& late = clock.lateness();
   const std::lock_guard lock(mutex);
-  const bool other = course->has_grown();
+  const bool other = source->has_grown();
   status.time = simulation.now();
-  status.end = wishes.end;
-  status.first = course->first();
-  status.last = course->last();
+  status.end = requests.end;
+  status.first = source->first();
+  status.last = source->last();
   status.paused = paused;
-  status.at_end = course->at_end();
-  status.speed = wishes.speed;
+  status.at_end = source->at_end();
+  status.speed = requests.speed;
   status.factor = paused ? 0 : speedometer.factor();
-  status.branch = course->branch();
-  status.remark = course->remark();
+  status.branch = source->branch();
+  status.diagnostic = source->diagnostic();
   status.events = simulation.events().size();
   status.warnings = simulation.warnings().size();
   lateness = {lateness_before.late_steps + late.late_steps, lateness_before.steps + late.steps,
               std::max(lateness_before.worst, late.worst)};
-  if (paused || other) branches = course->branches();
+  if (paused || other) branches = source->branches();
 }
 
 void Session::Inside::has_jumped() {
@@ -152,26 +152,26 @@ void Session::Inside::has_jumped() {
 }
 
 void Session::Inside::reset(std::optional<std::uint64_t> seed) {
-  course->reset(seed);
+  source->reset(seed);
   has_jumped();
 }
 
 void Session::Inside::seek(Duration time, std::optional<int> branch, std::uint64_t number) {
   if (number != seeks.load()) return;
-  course->seek(time, branch, [&] { return number != seeks.load() || simulation.stopped(); });
+  source->seek(time, branch, [&] { return number != seeks.load() || simulation.stopped(); });
   pause_here();
   has_jumped();
 }
 
 void Session::Inside::load(const std::function<void(scene::Scene&)>& load) {
-  course->load(load);
+  source->load(load);
   pause_here();
   has_jumped();
 }
 
 void Session::Inside::pause_here() {
   const std::lock_guard lock(mutex);
-  wishes.paused = true, wishes.steps = 0;
+  requests.paused = true, requests.steps = 0;
   status.paused = true;
 }
 

@@ -20,16 +20,16 @@ struct Session::Inside {
     std::promise<void> done;
   };
 
-  Inside(std::unique_ptr<Course> given_course, const SessionOptions& given)
-      : course(std::move(given_course)),
-        scene(course->scene()),
+  Inside(std::unique_ptr<PlaybackSource> given_course, const SessionOptions& given)
+      : source(std::move(given_course)),
+        scene(source->scene()),
         simulation(scene.simulation()),
         options(given),
         clock(given.speed) {
-    wishes.paused = given.paused;
+    requests.paused = given.paused;
     if (given.record) status.recorded = false;
-    wishes.speed = given.speed;
-    clock.tell_of_overruns(given.tell_of_overruns);
+    requests.speed = given.speed;
+    clock.publish_overruns(given.publish_overruns);
   }
 
   // ---- of the thread that runs it ----
@@ -54,9 +54,9 @@ struct Session::Inside {
 
   std::future<void> ask(std::function<void()> call);
   template <class Change>
-  void wish(const Change& change);
+  void request(const Change& change);
 
-  const std::unique_ptr<Course> course;
+  const std::unique_ptr<PlaybackSource> source;
   scene::Scene& scene;
   Simulation& simulation;
   const SessionOptions options;
@@ -66,12 +66,12 @@ struct Session::Inside {
 
   mutable std::mutex mutex;  // of what follows
   std::condition_variable changed;
-  struct Wishes {
+  struct Requests {
     bool paused = false, finished = false, new_speed = false;
     std::optional<double> speed;
     Duration end{};
     std::int64_t steps = 0;  // to be made although it is paused
-  } wishes;
+  } requests;
   bool closed = false;  // nobody runs it any more
   std::deque<Job> jobs;
   SessionStatus status;
@@ -84,9 +84,9 @@ struct Session::Inside {
 // ---- definitions ----
 
 template <class Change>
-void Session::Inside::wish(const Change& change) {
+void Session::Inside::request(const Change& change) {
   const std::lock_guard lock(mutex);
-  change(wishes);
+  change(requests);
   attention.store(true);
   changed.notify_all();
 }

@@ -52,7 +52,7 @@ void Timeline::settle() {
   if (now_ < here().end) return add_branch({present_, now_, now_, {}, {}});
   const auto comes_later = [&](const Command& command) { return command.time >= now_; };
   std::erase_if(here().commands, comes_later);
-  std::erase_if(here().remarks, comes_later);
+  std::erase_if(here().diagnostics, comes_later);
   auto& notes = here().notes;
   for (; !notes.empty() && notes.back().note.time >= now_; notes.pop_back()) note_bytes_ -= notes.back().size();
 }
@@ -75,23 +75,23 @@ void Timeline::note(std::span<const Command> commands) {
   here().commands.insert(here().commands.end(), commands.begin(), commands.end());
 }
 
-void Timeline::note(std::vector<RememberedNote> notes) {
+void Timeline::note(std::vector<RememberedInput> notes) {
   if (notes.empty()) return;
   settle();
-  for (RememberedNote& note : notes) {
+  for (RememberedInput& note : notes) {
     note_bytes_ += note.size();
     here().notes.push_back(std::move(note));
   }
   forget_oldest_notes();
 }
 
-void Timeline::remark(std::string text) {
+void Timeline::diagnostic(std::string text) {
   settle();
-  here().remarks.push_back({now_, std::move(text)});
+  here().diagnostics.push_back({now_, std::move(text)});
 }
 
 void Timeline::drop_notes(Branch& branch) {
-  for (const RememberedNote& note : branch.notes) note_bytes_ -= note.size();
+  for (const RememberedInput& note : branch.notes) note_bytes_ -= note.size();
   branch.notes.clear();
 }
 
@@ -144,7 +144,7 @@ void Timeline::collect(int number, Duration begin, Duration end, Way& way) const
     }
   };
   add(branch.commands, way.then);
-  add(branch.remarks, way.remarks);
+  add(branch.diagnostics, way.diagnostics);
   if (begin >= end) return;
   if (branch.notes_from > begin) {
     throw SetupError(
@@ -152,7 +152,7 @@ void Timeline::collect(int number, Duration begin, Duration end, Way& way) const
                     "that are kept ({:.3f} s)",
                     seconds(branch.notes_from), seconds(way.from)));
   }
-  const auto time_of = [](const RememberedNote& note) { return note.note.time; };
+  const auto time_of = [](const RememberedInput& note) { return note.note.time; };
   auto note = std::ranges::lower_bound(branch.notes, begin, {}, time_of);
   for (; note != branch.notes.end() && note->note.time < end; ++note) way.notes.push_back(*note);
 }

@@ -2,7 +2,7 @@
 ///
 /// States are bytes of Scene::save(). They are thinned with their age: of the last seconds many are kept, of what is long ago few, so
 /// that a whole run fits into a bounded memory. Between two states the run is repeated, with the commands that came then, and with what
-/// came from outside (runtime/outside_memory.h). Of these notes, too, only so many are kept: where the oldest have gone, one can go back to
+/// came from outside (runtime/external_input_history.h). Of these notes, too, only so many are kept: where the oldest have gone, one can go back to
 /// kept states alone.
 ///
 /// A run that goes on from an earlier instant is a branch; the rest of its parent stays. A state is that before the commands of its
@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/runtime/outside_memory.h"
+#include "murosimf/runtime/external_input_history.h"
 #include "murosimf/model/time.h"
 #include "murosimf/runtime/command_queue.h"
 
@@ -56,9 +56,9 @@ class Timeline {
   /// Commands that have been carried out since the last call, at the time of the present state.
   void note(std::span<const Command> commands);
   /// What has come from outside since the last call, in the step that led to the present state, or before the next one.
-  void note(std::vector<RememberedNote> notes);
+  void note(std::vector<RememberedInput> notes);
   /// What is to be said of the run from the present instant of the present branch on.
-  void remark(std::string text);
+  void diagnostic(std::string text);
 
   /// How to come to an instant.
   struct Way {
@@ -66,8 +66,8 @@ class Timeline {
     Duration from{};                             ///< of the state
     std::vector<Command> before;                 ///< that had led to it, from the start on
     std::vector<Command> then;                   ///< from there to the instant (excluded)
-    std::vector<RememberedNote> notes;  ///< likewise
-    std::vector<Command> remarks;                ///< likewise
+    std::vector<RememberedInput> notes;  ///< likewise
+    std::vector<Command> diagnostics;                ///< likewise
   };
   /// Throws SetupError for branches and times that there are not.
   [[nodiscard]] Way way_to(int branch, Duration time) const;
@@ -93,8 +93,8 @@ class Timeline {
     std::vector<Kept> states;       // by time
     std::vector<Command> commands;  // by time
     bool forgotten = false;
-    std::deque<RememberedNote> notes{};  // by time
-    std::vector<Command> remarks{};               // by time
+    std::deque<RememberedInput> notes{};  // by time
+    std::vector<Command> diagnostics{};               // by time
     Duration notes_from = Duration::min();        // the first instant of which all notes are there
   };
 
@@ -104,7 +104,7 @@ class Timeline {
   void add_branch(Branch branch);
   void settle();
   void thin_out();
-  /// Commands, notes and remarks of a branch and its ancestors with begin <= time < end. Throws SetupError if notes are gone.
+  /// Commands, notes and diagnostics of a branch and its ancestors with begin <= time < end. Throws SetupError if notes are gone.
   void collect(int branch, Duration begin, Duration end, Way& way) const;
   [[nodiscard]] std::vector<Command> commands_until(int branch, Duration end) const;
   void forget_oldest_notes();

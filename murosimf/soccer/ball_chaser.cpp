@@ -6,6 +6,7 @@
 
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/model/error.h"
+#include "murosimf/soccer/planar.h"
 
 namespace murosimf::soccer {
 
@@ -36,7 +37,6 @@ Vec3d unit(const Vec3d& v) {
   const double length = norm(v);
   return length > 1e-9 ? (1.0 / length) * v : Vec3d{1, 0, 0};
 }
-double wrapped(double angle) { return std::remainder(angle, 2 * pi); }
 
 Situation assess(const std::vector<Sighting>& sightings, const BallChaserOptions& options) {
   Situation s;

@@ -28,7 +28,7 @@ std::vector<ChosenResult> reported(const scene::Scene& scene) {
   return all;
 }
 
-/// What --log would mean by it; mistakes are those of another option here.
+/// What --log would mean by it; errors are those of another option here.
 std::vector<logging::LoggedNumber> logged(const World& world, const std::string& pattern) {
   try {
     return logging::find_logged(world, {pattern});

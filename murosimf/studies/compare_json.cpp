@@ -106,7 +106,7 @@ json recommendation_object(const Comparison& c, const Recommendation& r) {
                       {"contact", c.entries[i].contact},
                       {"adequate", r.verdicts[i].adequate},
                       {"reasons", r.verdicts[i].reasons},
-                      {"remarks", r.verdicts[i].remarks},
+                      {"diagnostics", r.verdicts[i].diagnostics},
                       {"adequate_sensors", r.of_sensors[i].adequate},
                       {"sensor_reasons", r.of_sensors[i].reasons}});
   }

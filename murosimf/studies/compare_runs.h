@@ -79,8 +79,8 @@ struct Comparison {
 /// "full_dynamics", or "full_dynamics with paper" if the level ran under several laws.
 [[nodiscard]] std::string label(const Comparison& comparison, const CompareEntry& entry);
 
-/// Throws SetupError for users' mistakes: unknown scene, entity, level or law (with the nearest name), an entity without levels,
-/// no level that can start. A level that the model or the scene cannot have is no mistake: its entry says why.
+/// Throws SetupError for users' errors: unknown scene, entity, level or law (with the nearest name), an entity without levels,
+/// no level that can start. A level that the model or the scene cannot have is no error: its entry says why.
 [[nodiscard]] Comparison compare(const CompareOptions& options);
 
 }  // namespace murosimf::studies

@@ -131,7 +131,7 @@ std::string deviated(const Comparison& c, Concern concern) {
 
 std::string judged(const CompareEntry& e, const LevelVerdict& verdict) {
   std::string text = verdict.adequate ? "adequate" : fmt::format("not adequate: {}", fmt::join(verdict.reasons, "; "));
-  for (const std::string& remark : verdict.remarks) text += fmt::format("; {}", remark);
+  for (const std::string& diagnostic : verdict.diagnostics) text += fmt::format("; {}", diagnostic);
   return fmt::format("{} {}\n", front(e), text);
 }
 

@@ -46,7 +46,7 @@ struct Thresholds {
   std::vector<double> values;  ///< as quantities(), in their units
   double fall_time = 0.25;     ///< [s] between the falls of two levels
   double contact_duty =
-      20;  ///< [%] of the time around touches in which servos ask for all that they have: more is a remark
+      20;  ///< [%] of the time around touches in which servos ask for all that they have: more is a diagnostic
 };
 
 }  // namespace murosimf::studies

@@ -86,7 +86,7 @@ LevelVerdict judge(const CompareEntry& entry, const CompareEntry& reference, con
   for (const NamedOutcome& outcome : outcomes) {
     add({outcome_off(outcome, entry, reference, thresholds).reason}, verdict.reasons);
   }
-  add({missing_servos(entry, reference, thresholds.contact_duty)}, verdict.remarks);
+  add({missing_servos(entry, reference, thresholds.contact_duty)}, verdict.diagnostics);
   verdict.adequate = verdict.reasons.empty();
   return verdict;
 }

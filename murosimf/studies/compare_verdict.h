@@ -15,7 +15,7 @@ inline constexpr double clearly_cheaper = 0.8;
 struct LevelVerdict {
   bool adequate = false;
   std::vector<std::string> reasons;  ///< why not
-  std::vector<std::string> remarks;  ///< what is worth knowing, and refuses nothing
+  std::vector<std::string> diagnostics;  ///< what is worth knowing, and refuses nothing
 };
 
 /// Adequate is what ran to its end, fell and got up when the reference did, touched and threw over whom the reference did, and deviates

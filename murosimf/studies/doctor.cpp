@@ -17,7 +17,7 @@
 namespace murosimf::studies {
 namespace {
 
-constexpr double cos_up = 0.5;             // [1] of the lean: 60 degrees, as falls are counted
+constexpr double cos_fallen = 0.5;             // [1] of the lean: 60 degrees, as falls are counted
 constexpr double far = 0.5, least = 0.25;  // [1] of the median way; [m]
 
 /// The axis of a robot's base that points up when it stands, found where its start says how it leans; world z of that axis later.
@@ -29,11 +29,11 @@ class Upright {
         rotation_z(spec.heading) * (rotation_y(spec.pitch) * (rotation_x(spec.roll) * Vec3d{0, 0, 1}));
     const Vec3d up = dynamic ? leaning : Vec3d{0, 0, 1};
     axis_ = transpose(robot.base().get(properties::orientation)) * up;
-    began_up_ = up.z > cos_up;
+    began_up_ = up.z > cos_fallen;
   }
   [[nodiscard]] const Entity& robot() const { return *robot_; }
   [[nodiscard]] Ending ending(int falls) const {
-    const bool up = (robot_->base().get(properties::orientation) * axis_).z > cos_up;
+    const bool up = (robot_->base().get(properties::orientation) * axis_).z > cos_fallen;
     if (!began_up_) return up ? Ending::stands : Ending::lies;
     if (falls == 0) return Ending::stands;
     return up ? Ending::got_up : Ending::fell;

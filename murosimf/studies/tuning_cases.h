@@ -42,7 +42,7 @@ struct TuningCase {
 /// One robot with its errors, and what scenes share of it. Any number of threads may ask at once.
 class VariedRobot {
  public:
-  /// `model` as in scenes. Throws SetupError: no such file, a mistake in it.
+  /// `model` as in scenes. Throws SetupError: no such file, an error in it.
   VariedRobot(const std::string& model, bool lenient);
 
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }

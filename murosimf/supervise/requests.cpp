@@ -86,17 +86,17 @@ void Requests::write_status(wire::Status& told) const {
   told.set_events(status.events);
   told.set_warnings(status.warnings);
   if (status.recorded) told.set_recorded(*status.recorded);
-  told.set_remark(status.remark);
+  told.set_diagnostic(status.diagnostic);
 }
 
 /// Of the session of that number, or a later one.
 void Requests::welcome(wire::ToSupervisor& answer, int session) {
   const SessionSlot::Lease lease(*slot_, session);
   session_ = &lease.session();
-  tell_scene(answer);
+  publish_scene(answer);
 }
 
-void Requests::tell_scene(wire::ToSupervisor& answer) {
+void Requests::publish_scene(wire::ToSupervisor& answer) {
   wire::SupervisorWelcome& welcome = *answer.mutable_welcome();
   visit([&](scene::Scene& scene) {
     welcome.set_scene(scene.spec().name);
@@ -121,12 +121,12 @@ void Requests::answer(const FromSupervisor& request, wire::ToSupervisor& answer)
 
 void Requests::exchange(const FromSupervisor& request) {
   if (!options_->exchange) throw SetupError("this run keeps its scene");
-  const wire::SceneWish& asked = request.load_scene();
-  const SceneWish wish{.scene = asked.scene(),
+  const wire::SceneRequest& asked = request.load_scene();
+  const SceneRequest request{.scene = asked.scene(),
                        .overrides = {asked.overrides().begin(), asked.overrides().end()},
                        .seed = asked.has_seed() ? std::optional(asked.seed()) : std::nullopt,
                        .paused = asked.paused()};
-  visit([&](scene::Scene&) { options_->exchange(wish); });
+  visit([&](scene::Scene&) { options_->exchange(request); });
   session_->finish();
 }
 
@@ -147,14 +147,14 @@ void Requests::answer_of_session(const FromSupervisor& request, wire::ToSupervis
     case FromSupervisor::kRead:
       return read({request.read().patterns().begin(), request.read().patterns().end()}, answer);
     case FromSupervisor::kDescribe: return describe(answer);
-    case FromSupervisor::kEvents: return tell_events(request.events().first(), answer);
+    case FromSupervisor::kEvents: return publish_events(request.events().first(), answer);
     case FromSupervisor::kReset:
       session_->reset(request.reset().has_seed() ? std::optional(request.reset().seed()) : std::nullopt).get();
       break;
     case FromSupervisor::kSeek: seek(request); break;
     case FromSupervisor::kLoad: load(request); break;
     case FromSupervisor::kRecord: session_->record(request.record().on()).get(); break;
-    case FromSupervisor::kBranches: return tell_branches(answer);
+    case FromSupervisor::kBranches: return publish_branches(answer);
     case FromSupervisor::kSave: return save(answer);
     case FromSupervisor::kFinish: session_->finish(); break;
     default: throw wire::WireError("sends what is no request of this protocol");
@@ -227,7 +227,7 @@ void Requests::describe(wire::ToSupervisor& answer) {
   });
 }
 
-void Requests::tell_events(std::uint64_t first, wire::ToSupervisor& answer) {
+void Requests::publish_events(std::uint64_t first, wire::ToSupervisor& answer) {
   wire::Events& told = *answer.mutable_events();
   visit([&](scene::Scene& scene) {
     const std::vector<Event>& events = scene.simulation().events();
@@ -241,7 +241,7 @@ void Requests::tell_events(std::uint64_t first, wire::ToSupervisor& answer) {
   });
 }
 
-void Requests::tell_branches(wire::ToSupervisor& answer) {
+void Requests::publish_branches(wire::ToSupervisor& answer) {
   visit([](scene::Scene&) {});
   for (const session::BranchView& branch : session_->branches()) {
     wire::BranchOfRun& told = *answer.mutable_branches()->add_branches();

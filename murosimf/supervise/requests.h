@@ -35,7 +35,7 @@ class Requests {
 
   void answer_of_session(const wire::FromSupervisor& request, wire::ToSupervisor& answer);
   void welcome(wire::ToSupervisor& answer, int session);
-  void tell_scene(wire::ToSupervisor& answer);
+  void publish_scene(wire::ToSupervisor& answer);
   void write_status(wire::Status& status) const;
   void exchange(const wire::FromSupervisor& request);
   void advance(Duration duration);
@@ -44,8 +44,8 @@ class Requests {
   void seek(const wire::FromSupervisor& request);
   void read(const Patterns& patterns, wire::ToSupervisor& answer);
   void describe(wire::ToSupervisor& answer);
-  void tell_events(std::uint64_t first, wire::ToSupervisor& answer);
-  void tell_branches(wire::ToSupervisor& answer);
+  void publish_events(std::uint64_t first, wire::ToSupervisor& answer);
+  void publish_branches(wire::ToSupervisor& answer);
   void save(wire::ToSupervisor& answer);
   void load(const wire::FromSupervisor& request);
   void visit(const std::function<void(scene::Scene&)>& look);

@@ -21,8 +21,8 @@
 namespace murosimf::supervise {
 
 /// Another scene that a supervisor wants in the place of the present one.
-struct SceneWish {
-  std::string scene;                   ///< a name or a file; not to be trusted (scene/outside_scene.h)
+struct SceneRequest {
+  std::string scene;                   ///< a name or a file; not to be trusted (scene/requested_scene.h)
   std::vector<std::string> overrides;  ///< PATH=VALUE, likewise
   std::optional<std::uint64_t> seed;   ///< instead of the scene's
   bool paused = false;                 ///< it begins so
@@ -39,7 +39,7 @@ struct SupervisionOptions {
       load{};  ///< puts a state into the scene, or throws SetupError and changes nothing; likewise; none: bytes of Scene::save
   /// Sees whether the run can be that of another scene, and remembers it, or throws SetupError; likewise. Then the session is finished, and
   /// whoever runs it begins the next one (Supervision::steer). None: the run keeps its scene.
-  std::function<void(const SceneWish&)> exchange{};
+  std::function<void(const SceneRequest&)> exchange{};
   double hello_limit = 5;  ///< [s] of wall time in which supervisors send the token
   double patience = 10;    ///< [s] of wall time in which they take an answer
 };

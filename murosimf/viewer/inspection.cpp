@@ -109,7 +109,7 @@ Inspection inspect(const scene::Scene& scene, const InspectionRequest& request) 
   seen.drawings = drawing::drawn_changes(world);
   if (seen.drawings != request.drawings_known) seen.drawn = drawing::drawn_by_robots(world);
   seen.first_event = copy_from(request.events_known, simulation.events(), seen.events);
-  std::vector<std::string> warnings = parts.remarks.warnings();
+  std::vector<std::string> warnings = parts.diagnostics.warnings();
   warnings.insert(warnings.end(), simulation.warnings().begin(), simulation.warnings().end());
   seen.first_warning = copy_from(request.warnings_known, warnings, seen.warnings);
   return seen;

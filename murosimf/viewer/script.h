@@ -51,7 +51,7 @@ struct ScriptStep {
 
 /// Throws SetupError with file and line.
 [[nodiscard]] std::vector<ScriptStep> read_script(const std::filesystem::path& file);
-/// The same of a text; `name` is what mistakes call it.
+/// The same of a text; `name` is what errors call it.
 [[nodiscard]] std::vector<ScriptStep> parse_script(std::string_view text, const std::string& name);
 
 }  // namespace murosimf::viewer

@@ -41,7 +41,7 @@ std::string to_json(Viewer& viewer, const WindowReport& shown, const std::option
     document["marks"].push_back({{"time_s", mark.time}, {"branch", mark.branch}, {"text", mark.text}});
   }
   for (const Message& message : viewer.messages()) {
-    document["messages"].push_back({{"text", message.text}, {"mistake", message.mistake}});
+    document["messages"].push_back({{"text", message.text}, {"error", message.error}});
   }
   for (const scene::EntityReport& entity : report.entities) {
     const Vec3d& r = entity.position;

@@ -66,9 +66,9 @@ void Viewer::begin() {
 }
 
 void Viewer::take_status() {
-  const bool is_known = !status_.remark.empty();  // it changes while somebody goes through time
+  const bool is_known = !status_.diagnostic.empty();  // it changes while somebody goes through time
   status_ = session().status();
-  if (!is_known && !status_.remark.empty()) tell(status_.remark, true);
+  if (!is_known && !status_.diagnostic.empty()) tell(status_.diagnostic, true);
 }
 
 void Viewer::refresh(double wall) {
@@ -136,14 +136,14 @@ void Viewer::ask_for_inspection() {
   for (const auto& [path, open] : open_objects) {
     if (open) request.objects.push_back(path);
   }
-  for (const PlotWish& wish : plots) {
-    if (!wish.sensor && std::ranges::find(request.objects, wish.path) == request.objects.end()) {
-      request.objects.push_back(wish.path);
+  for (const PlotRequest& request : plots) {
+    if (!request.sensor && std::ranges::find(request.objects, request.path) == request.objects.end()) {
+      request.objects.push_back(request.path);
     }
   }
   if (selected_ && !recorded()) request.sensors_of = selected_->entity;
-  for (const PlotWish& wish : plots) {
-    if (wish.sensor && !request.sensors_of) request.sensors_of = wish.path.entity;
+  for (const PlotRequest& request : plots) {
+    if (request.sensor && !request.sensors_of) request.sensors_of = request.path.entity;
   }
   request.pictures = wants_pictures;
   request.algorithms = wants_algorithms;
@@ -174,23 +174,23 @@ void Viewer::take_inspection() {
 }
 
 void Viewer::record_plots() {
-  for (PlotWish& wish : plots) {
-    if (!wish.sensor) {
-      const auto object = std::ranges::find(seen_.objects, wish.path, &ObjectValues::path);
+  for (PlotRequest& request : plots) {
+    if (!request.sensor) {
+      const auto object = std::ranges::find(seen_.objects, request.path, &ObjectValues::path);
       if (object == seen_.objects.end()) continue;
-      const auto value = std::ranges::find(object->properties, wish.property, &PropertyValue::name);
+      const auto value = std::ranges::find(object->properties, request.property, &PropertyValue::name);
       if (value == object->properties.end()) continue;
-      wish.plot.unit = value->unit;
-      wish.plot.add(seconds(seen_.time), value->numbers);
+      request.plot.unit = value->unit;
+      request.plot.add(seconds(seen_.time), value->numbers);
       continue;
     }
-    if (seen_.sensors_of != wish.path.entity) continue;
+    if (seen_.sensors_of != request.path.entity) continue;
     for (const SensorState& sensor : seen_.sensors) {
       std::size_t first = 0;
       for (const sensors::Output& output : sensor.info->outputs) {
-        if (sensor.samples > 0 && wish.property == sensor.info->name + "." + output.name) {
-          wish.plot.unit = output.unit;
-          wish.plot.add(sensor.time, {sensor.values.begin() + static_cast<std::ptrdiff_t>(first),
+        if (sensor.samples > 0 && request.property == sensor.info->name + "." + output.name) {
+          request.plot.unit = output.unit;
+          request.plot.add(sensor.time, {sensor.values.begin() + static_cast<std::ptrdiff_t>(first),
                                       sensor.values.begin() + static_cast<std::ptrdiff_t>(first + output.size())});
         }
         first += output.size();
@@ -200,8 +200,8 @@ void Viewer::record_plots() {
 }
 
 void Viewer::add_plot(const ObjectPath& path, const std::string& property, bool sensor) {
-  for (const PlotWish& wish : plots) {
-    if (wish.path == path && wish.property == property && wish.sensor == sensor) return;
+  for (const PlotRequest& request : plots) {
+    if (request.path == path && request.property == property && request.sensor == sensor) return;
   }
   const std::string whom = sensor ? outline_[static_cast<std::size_t>(path.entity)].name : path_text(path);
   plots.push_back({path, property, sensor, {whom + "." + property, {}, {}}});
@@ -230,8 +230,8 @@ void Viewer::collect_answers() {
   ask("move", session().change(fmt::format("{} = {}", path, value)), true);
 }
 
-void Viewer::tell(std::string text, bool mistake) {
-  messages_.push_back({std::move(text), mistake});
+void Viewer::tell(std::string text, bool error) {
+  messages_.push_back({std::move(text), error});
   if (messages_.size() > most_messages) messages_.pop_front();
 }
 

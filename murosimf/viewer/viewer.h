@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/drawing/drawing_board.h"
+#include "murosimf/drawing/debug_draw_source.h"
 #include "murosimf/render/seen_drawing.h"
 #include "murosimf/viewer/actions.h"
 #include "murosimf/viewer/camera_rig.h"
@@ -30,14 +30,14 @@ struct ViewerOptions {
   session::SessionOptions session{};
   Duration end = Duration::max();  ///< where it pauses by itself
   double inspections = 20;         ///< [Hz] of wall time
-  const drawing::DrawingBoard* others =
+  const drawing::DebugDrawSource* others =
       nullptr;  ///< what other programs draw; must outlive the viewer; null: they do not
 };
 
 /// What the viewer tells people.
 struct Message {
   std::string text;
-  bool mistake = false;
+  bool error = false;
   std::chrono::steady_clock::time_point when = std::chrono::steady_clock::now();
 };
 
@@ -48,7 +48,7 @@ struct MovableJoint {
   double lowest = 0, highest = 0, position = 0;  ///< [rad | m]
 };
 
-/// Parts of the window that can be switched off, and wishes that only the window fulfils.
+/// Parts of the window that can be switched off, and requests that only the window fulfils.
 struct WindowState {
   bool left_panel = true, right_panel = true, field_map = true, help = false;
   bool full_screen = false, wants_screenshot = false, wants_end = false;
@@ -126,7 +126,7 @@ class Viewer {
   void reset();
   void reload();
   void record();  ///< from now on, or no longer
-  void tell(std::string text, bool mistake = false);
+  void tell(std::string text, bool error = false);
 
   // ---- What panels set ----
   CameraRig rig;
@@ -137,13 +137,13 @@ class Viewer {
   std::optional<Vec3d> pointed_at;          ///< [m] on the ground, below the mouse
   std::map<ObjectPath, bool> open_objects;  ///< whose properties are looked at
   bool wants_sensors = false, wants_pictures = false, wants_algorithms = false;
-  struct PlotWish {
+  struct PlotRequest {
     ObjectPath path;       ///< of a property
     std::string property;  ///< or "imu.gyroscope" of a sensor
     bool sensor = false;
     Plot plot;
   };
-  std::vector<PlotWish> plots;
+  std::vector<PlotRequest> plots;
   void add_plot(const ObjectPath& path, const std::string& property, bool sensor);
 
  private:

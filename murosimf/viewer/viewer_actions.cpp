@@ -142,7 +142,7 @@ void Viewer::perform_window(Action action) {
 
 void Viewer::select(std::optional<ObjectPath> path) {
   if (selected_ && path && path->entity != selected_->entity)
-    std::erase_if(plots, [](const PlotWish& wish) { return wish.sensor; });
+    std::erase_if(plots, [](const PlotRequest& request) { return request.sensor; });
   selected_ = path;
 }
 

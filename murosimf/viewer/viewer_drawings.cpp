@@ -22,7 +22,7 @@ std::vector<drawing::Drawn> Viewer::all_drawn() const {
   if (!options_.others) return all;
   std::vector<std::string> teams;
   for (const EntityOutline& whom : outline_) teams.push_back(whom.team);
-  std::ranges::move(drawing::drawn_by_others(*options_.others->shown(), teams), std::back_inserter(all));
+  std::ranges::move(drawing::external_drawings(*options_.others->shown(), teams), std::back_inserter(all));
   return all;
 }
 

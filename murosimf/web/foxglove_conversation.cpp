@@ -307,7 +307,7 @@ void FoxgloveConversation::say(int level, const std::string& text) {
 }
 
 /// Each of them once.
-void FoxgloveConversation::tell_troubles() {
+void FoxgloveConversation::publish_troubles() {
   for (const auto& [channel, id] : subscriptions_) {
     const std::string trouble = live_.trouble_of(channel);
     if (!trouble.empty() && std::exchange(told_troubles_[channel], trouble) != trouble) say(error_level, trouble);
@@ -328,7 +328,7 @@ void FoxgloveConversation::look() {
   if (!introduced_) introduce();
   if (announced_ < live_.channels().size()) announce_channels();
   answer_jobs();
-  tell_troubles();
+  publish_troubles();
   for (const FoxgloveLive::Packet& packet : live_.news()) send_packet(packet);
   if (live_.news().empty()) return;
   std::string clock;

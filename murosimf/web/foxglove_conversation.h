@@ -45,7 +45,7 @@ class FoxgloveConversation final : public Conversation {
   void send_parameters(const std::set<std::string>& names, const std::string& id);
   void send_packet(const FoxgloveLive::Packet& packet);
   void send_playback(bool seeked, const std::string& id, std::optional<double> speed = {});
-  void tell_troubles();
+  void publish_troubles();
   void say(int level, const std::string& text);
   void answer_jobs();
 

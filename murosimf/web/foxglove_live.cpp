@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "murosimf/recording/recorded_others.h"
+#include "murosimf/recording/recorded_external_drawings.h"
 #include "murosimf/recording/recorded_picture.h"
 
 namespace murosimf::web {
@@ -92,9 +92,9 @@ struct FoxgloveLive::Visit {
   }
 };
 
-FoxgloveLive::FoxgloveLive(session::Session& session, const OnlookerCameras& cameras,
-                           const drawing::DrawingBoard* others)
-    : session_(session), onlooker_cameras_(cameras), others_(others) {}
+FoxgloveLive::FoxgloveLive(session::Session& session, const CameraSubscriptions& cameras,
+                           const drawing::DebugDrawSource* others)
+    : session_(session), camera_subscriptions_(cameras), others_(others) {}
 
 FoxgloveLive::~FoxgloveLive() = default;
 
@@ -118,7 +118,7 @@ std::set<std::string> FoxgloveLive::wanted_cameras() const {
 
 std::string FoxgloveLive::trouble_of(std::uint16_t channel) const {
   const std::string camera = camera_of(channels_[channel - 1U].topic);
-  const auto seen = camera.empty() ? std::nullopt : onlooker_cameras_.seen(camera);
+  const auto seen = camera.empty() ? std::nullopt : camera_subscriptions_.seen(camera);
   if (!camera.empty() && pictures_ && !pictures_->trouble().empty()) return pictures_->trouble();
   return seen ? seen->trouble : "";
 }
@@ -131,7 +131,7 @@ void FoxgloveLive::take_pictures() {
   for (const Packet& packet : pictures_->take(add)) {
     if (subscribers_.contains(packet.channel)) put(packet);
   }
-  pictures_->make(onlooker_cameras_, wanted_cameras());
+  pictures_->make(camera_subscriptions_, wanted_cameras());
 }
 
 std::uint16_t FoxgloveLive::add_schema(const std::string& name, const std::string&, std::string data) {

@@ -1,6 +1,6 @@
 /// foxglove_live.h - a running scene as messages for Foxglove and Lichtblick: those of recordings (recording/frame_writer.h), as they come.
 ///
-/// Pictures of cameras (foxglove_pictures.h) come while somebody has subscribed to them, of any camera (onlooker_cameras.h).
+/// Pictures of cameras (foxglove_pictures.h) come while somebody has subscribed to them, of any camera (camera_subscriptions.h).
 ///
 /// In the server's thread; pictures are encoded in another. As long as somebody is connected, the simulation's thread is visited up to 30 times per wall second, and copies
 /// what recordings would have of that instant.
@@ -16,12 +16,12 @@
 #include <utility>
 #include <vector>
 
-#include "murosimf/drawing/drawing_board.h"
+#include "murosimf/drawing/debug_draw_source.h"
 #include "murosimf/recording/frame_writer.h"
 #include "murosimf/recording/recorded_drawings.h"
 #include "murosimf/session/session.h"
 #include "murosimf/web/foxglove_pictures.h"
-#include "murosimf/web/onlooker_cameras.h"
+#include "murosimf/web/camera_subscriptions.h"
 
 namespace murosimf::web {
 
@@ -33,8 +33,8 @@ struct FoxgloveChannel {
 class FoxgloveLive final : private recording::MessageSink {
  public:
   /// `others`: null if no other program draws. All must outlive it.
-  FoxgloveLive(session::Session& session, const OnlookerCameras& cameras,
-               const drawing::DrawingBoard* others = nullptr);
+  FoxgloveLive(session::Session& session, const CameraSubscriptions& cameras,
+               const drawing::DebugDrawSource* others = nullptr);
   ~FoxgloveLive() override;
 
   using Packet = FoxglovePacket;
@@ -80,8 +80,8 @@ class FoxgloveLive final : private recording::MessageSink {
   void take_pictures();
 
   session::Session& session_;
-  const OnlookerCameras& onlooker_cameras_;
-  const drawing::DrawingBoard* others_;
+  const CameraSubscriptions& camera_subscriptions_;
+  const drawing::DebugDrawSource* others_;
   int clients_ = 0;
   std::string scene_name_;
   std::vector<std::pair<std::string, std::string>> schemas_;  // name, descriptors

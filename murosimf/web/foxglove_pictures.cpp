@@ -64,12 +64,12 @@ std::vector<FoxglovePacket> FoxglovePictures::take(const AddChannel& add) {
   return packets;
 }
 
-void FoxglovePictures::make(const OnlookerCameras& onlooker, const std::set<std::string>& wanted) {
+void FoxglovePictures::make(const CameraSubscriptions& subscriber, const std::set<std::string>& wanted) {
   if (!writer_ || !trouble_.empty()) return;
   recording::RecordedFrame frame;
   for (std::size_t i = 0; i < cameras_.size() && !wanted.empty(); ++i) {
     const std::string camera = camera_of(cameras_[i].topic + "/image");
-    const auto seen = wanted.contains(camera) ? onlooker.seen(camera) : std::nullopt;
+    const auto seen = wanted.contains(camera) ? subscriber.seen(camera) : std::nullopt;
     if (!seen || !seen->frame || std::exchange(told_[camera], seen->number) == seen->number) continue;
     frame.time = seen->frame->time;
     frame.pictures.push_back(

@@ -19,7 +19,7 @@
 #include "murosimf/recording/frame_writer.h"
 #include "murosimf/recording/recorded_picture.h"
 #include "murosimf/sensors/camera_frame.h"
-#include "murosimf/web/onlooker_cameras.h"
+#include "murosimf/web/camera_subscriptions.h"
 
 namespace murosimf::web {
 
@@ -49,7 +49,7 @@ class FoxglovePictures {
   /// What was made since the last time, for channels that were added. While it is free.
   [[nodiscard]] std::vector<FoxglovePacket> take(const AddChannel& add);
   /// Begins to make messages of what is new of these cameras. While it is free.
-  void make(const OnlookerCameras& onlooker, const std::set<std::string>& wanted);
+  void make(const CameraSubscriptions& subscriber, const std::set<std::string>& wanted);
   /// Nobody wants a camera any more: who comes later gets the picture that is there then.
   void forget(const std::string& camera) { told_.erase(camera); }
 

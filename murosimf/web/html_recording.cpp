@@ -89,7 +89,7 @@ void HtmlRecording::take_drawings() {
   if (drawn_ == now) return;
   drawn_ = now;
   std::vector<drawing::Drawn> all = drawing::drawn_by_robots(world);
-  if (others) std::ranges::move(drawing::drawn_by_others(*others, drawing::teams_of(world)), std::back_inserter(all));
+  if (others) std::ranges::move(drawing::external_drawings(*others, drawing::teams_of(world)), std::back_inserter(all));
   drawings_.take(times_.size() - 1, all);
 }
 

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "murosimf/drawing/drawing_board.h"
+#include "murosimf/drawing/debug_draw_source.h"
 #include "murosimf/runtime/pose_frame.h"
 #include "murosimf/scene/scene.h"
 #include "murosimf/web/drawing_tracks.h"
@@ -27,7 +27,7 @@ struct HtmlOptions {
   std::filesystem::path file;
   double rate = 25;      ///< [Hz] of frames; the page shows what is between them
   bool by_hand = false;  ///< frames are those of take_frame() alone: of a scene that makes no steps
-  const drawing::DrawingBoard* others =
+  const drawing::DebugDrawSource* others =
       nullptr;  ///< what other programs draw; must outlive the recording; null: they do not
 };
 

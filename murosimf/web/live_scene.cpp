@@ -35,7 +35,7 @@ json state_of(const session::SessionStatus& status, const json& entities, const 
             {"factor", status.factor},
             {"branch", status.branch},
             {"jumps", status.jumps},
-            {"remark", status.remark},
+            {"diagnostic", status.diagnostic},
             {"entities", entities},
             {"beliefs", beliefs},
             {"game", game}}}};
@@ -97,24 +97,24 @@ struct LiveScene::Visit {
 };
 
 /// While it runs at many times real time, frames for eyes are farther apart in simulated time.
-void LiveScene::subscribe(const Wishes& wishes) {
+void LiveScene::subscribe(const Requests& requests) {
   const double factor = std::max(1.0, session_.status().factor);
   const auto period = std::chrono::duration_cast<Duration>(0.9 * factor * frame_period);
   const bool fits = reader_ && period < 2 * request_.period && request_.period < 2 * period;
-  if (fits && request_.contacts == wishes.contacts) return;
-  request_ = {.period = period, .contacts = wishes.contacts};
+  if (fits && request_.contacts == requests.contacts) return;
+  request_ = {.period = period, .contacts = requests.contacts};
   reader_ = poses_.subscribe(request_);
   is_new_reader_ = true;
 }
 
-void LiveScene::read_poses(const Wishes& wishes) {
+void LiveScene::read_poses(const Requests& requests) {
   if (!reader_ || !scene_) return;
   const PoseFrame* frame = reader_->latest();
   if (!frame || frame->first.size() <= scene_->entities) return;  // of other entities than the document
   shown_ = frame->time;
   const std::uint64_t jumps = session_.status().jumps;
   news_.poses = last_.poses = binary_message(pose_message(*scene_, *frame, jumps, false));
-  if (wishes.contacts) news_.poses_with_contacts = binary_message(pose_message(*scene_, *frame, jumps, true));
+  if (requests.contacts) news_.poses_with_contacts = binary_message(pose_message(*scene_, *frame, jumps, true));
 }
 
 void LiveScene::take(const Visit& visit) {
@@ -137,13 +137,13 @@ void LiveScene::take(const Visit& visit) {
   take_drawings(visit);
 }
 
-void LiveScene::take_pictures(const Wishes& wishes) {
-  wanted_cameras_ = {wishes.cameras.begin(), wishes.cameras.end()};
+void LiveScene::take_pictures(const Requests& requests) {
+  wanted_cameras_ = {requests.cameras.begin(), requests.cameras.end()};
   const auto is_forgotten = [&](const auto& one) { return !wanted_cameras_.contains(one.first); };
   std::erase_if(last_.pictures, is_forgotten);
   std::erase_if(last_.camera_notes, is_forgotten);
   std::erase_if(told_pictures_, is_forgotten);
-  for (const std::string& camera : wishes.cameras) {
+  for (const std::string& camera : requests.cameras) {
     const std::optional<SeenPicture> seen = cameras_.seen(camera);
     if (!seen || std::exchange(told_pictures_[camera], seen->number) == seen->number) continue;
     const Message note = text_message(json_line(note_of(camera, *seen)));
@@ -164,13 +164,13 @@ void LiveScene::take_drawings(const Visit& visit) {
     teams_ = visit.teams;
   }
   std::vector<drawing::Drawn> all = drawn_;
-  if (others) std::ranges::move(drawing::drawn_by_others(*others, teams_), std::back_inserter(all));
+  if (others) std::ranges::move(drawing::external_drawings(*others, teams_), std::back_inserter(all));
   if (all.empty() && !is_drawn_) return;
   is_drawn_ = !all.empty();
   news_.drawings = last_.drawings = text_message(drawings_message(all));
 }
 
-void LiveScene::ask(const Wishes& wishes) {
+void LiveScene::ask(const Requests& requests) {
   if (!visit_) visit_ = std::make_shared<Visit>();
   Visit& visit = *visit_;
   visit.referee = game_;
@@ -179,36 +179,36 @@ void LiveScene::ask(const Wishes& wishes) {
   visit.publish = std::exchange(is_new_reader_, false) || (status.paused && status.time != shown_);
   visit.known_changes = changes_;
   visit.known_entities = scene_ ? scene_->entities : 0;
-  visit.paths = wishes.numbers;
+  visit.paths = requests.numbers;
   visit.document = nullptr;
   visited_ = session_.visit([visit = visit_](scene::Scene& scene) { visit->make(scene); });
 }
 
 void LiveScene::look() {
   news_ = {};
-  Wishes wishes;
-  for (const Onlooker* onlooker : onlookers_) onlooker->add(wishes);
-  take_pictures(wishes);
-  if (wishes.clients == 0) {
+  Requests requests;
+  for (const Subscriber* subscriber : subscribers_) subscriber->add(requests);
+  take_pictures(requests);
+  if (requests.clients == 0) {
     reader_ = nullptr;  // nothing is copied for nobody
     last_.poses = {};
     return;
   }
-  subscribe(wishes);
+  subscribe(requests);
   if (visited_.valid()) {
-    if (visited_.wait_for(0s) != std::future_status::ready) return read_poses(wishes);
+    if (visited_.wait_for(0s) != std::future_status::ready) return read_poses(requests);
     try {
       visited_.get();
       take(*visit_);
     } catch (const std::exception&) {  // the run has ended: what was there stays
     }
   }
-  read_poses(wishes);
+  read_poses(requests);
   const auto now = std::chrono::steady_clock::now();
   if (now < next_visit_) return;
-  const bool often = is_drawn_ || !wishes.numbers.empty();
+  const bool often = is_drawn_ || !requests.numbers.empty();
   next_visit_ = now + (often ? between_numbers : between_visits);
-  ask(wishes);
+  ask(requests);
 }
 
 }  // namespace murosimf::web

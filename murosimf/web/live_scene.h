@@ -15,11 +15,11 @@
 #include <string_view>
 #include <vector>
 
-#include "murosimf/drawing/drawing_board.h"
+#include "murosimf/drawing/debug_draw_source.h"
 #include "murosimf/drawing/drawn.h"
 #include "murosimf/runtime/pose_feed.h"
 #include "murosimf/session/session.h"
-#include "murosimf/web/onlooker_cameras.h"
+#include "murosimf/web/camera_subscriptions.h"
 #include "murosimf/web/outbox.h"
 #include "murosimf/web/scene_document.h"
 
@@ -30,7 +30,7 @@ class GameTask;
 namespace murosimf::web {
 
 /// What clients want besides poses and state. All of it is counted anew in every look.
-struct Wishes {
+struct Requests {
   int clients = 0;
   bool contacts = false;
   std::vector<std::string> numbers;  ///< paths as of logs, each means one (watched_numbers.h)
@@ -38,11 +38,11 @@ struct Wishes {
 };
 
 /// Somebody who looks on.
-class Onlooker {
+class Subscriber {
  public:
-  virtual ~Onlooker() = default;
+  virtual ~Subscriber() = default;
   /// Adds what this one wants.
-  virtual void add(Wishes& wishes) const = 0;
+  virtual void add(Requests& requests) const = 0;
 };
 
 /// Messages that were new in the last look. Null bytes: there was none.
@@ -56,12 +56,12 @@ struct News {
 class LiveScene {
  public:
   /// `poses`: of the scene's simulation; `game`: null if nobody referees; `others`: null if no other program draws. All must outlive it.
-  LiveScene(session::Session& session, PoseFeed& poses, const OnlookerCameras& cameras, const league::GameTask* game,
-            const drawing::DrawingBoard* others = nullptr)
+  LiveScene(session::Session& session, PoseFeed& poses, const CameraSubscriptions& cameras, const league::GameTask* game,
+            const drawing::DebugDrawSource* others = nullptr)
       : session_(session), poses_(poses), cameras_(cameras), game_(game), others_(others) {}
 
-  void join(const Onlooker& onlooker) { onlookers_.push_back(&onlooker); }
-  void leave(const Onlooker& onlooker) { std::erase(onlookers_, &onlooker); }
+  void join(const Subscriber& subscriber) { subscribers_.push_back(&subscriber); }
+  void leave(const Subscriber& subscriber) { std::erase(subscribers_, &subscriber); }
 
   /// Asks for what they want, and takes what has come.
   void look();
@@ -79,19 +79,19 @@ class LiveScene {
 
  private:
   struct Visit;
-  void read_poses(const Wishes& wishes);
+  void read_poses(const Requests& requests);
   void take(const Visit& visit);
   void take_drawings(const Visit& visit);
-  void take_pictures(const Wishes& wishes);
-  void ask(const Wishes& wishes);
-  void subscribe(const Wishes& wishes);
+  void take_pictures(const Requests& requests);
+  void ask(const Requests& requests);
+  void subscribe(const Requests& requests);
 
   session::Session& session_;
   PoseFeed& poses_;
-  const OnlookerCameras& cameras_;
+  const CameraSubscriptions& cameras_;
   const league::GameTask* game_;
-  const drawing::DrawingBoard* others_;
-  std::vector<const Onlooker*> onlookers_;
+  const drawing::DebugDrawSource* others_;
+  std::vector<const Subscriber*> subscribers_;
   News news_, last_;
   std::shared_ptr<const SceneDocument> scene_;
   Message document_message_;

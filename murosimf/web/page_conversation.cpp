@@ -180,14 +180,14 @@ void PageConversation::look() {
   if (seen != news.pictures.end()) outbox.show(picture, seen->second);
 }
 
-void PageConversation::add(Wishes& wishes) const {
-  ++wishes.clients;
-  wishes.contacts = wishes.contacts || contacts_;
+void PageConversation::add(Requests& requests) const {
+  ++requests.clients;
+  requests.contacts = requests.contacts || contacts_;
   for (const std::string& path : paths_) {
-    if (std::ranges::find(wishes.numbers, path) == wishes.numbers.end()) wishes.numbers.push_back(path);
+    if (std::ranges::find(requests.numbers, path) == requests.numbers.end()) requests.numbers.push_back(path);
   }
-  if (!camera_.empty() && std::ranges::find(wishes.cameras, camera_) == wishes.cameras.end()) {
-    wishes.cameras.push_back(camera_);
+  if (!camera_.empty() && std::ranges::find(requests.cameras, camera_) == requests.cameras.end()) {
+    requests.cameras.push_back(camera_);
   }
 }
 

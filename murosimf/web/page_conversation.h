@@ -16,7 +16,7 @@
 
 namespace murosimf::web {
 
-class PageConversation final : public Conversation, public Onlooker {
+class PageConversation final : public Conversation, public Subscriber {
  public:
   explicit PageConversation(LiveScene& live) : live_(live) { live_.join(*this); }
   ~PageConversation() override;
@@ -24,7 +24,7 @@ class PageConversation final : public Conversation, public Onlooker {
   void receive(std::string_view message, bool binary) override;
   void look() override;
 
-  void add(Wishes& wishes) const override;
+  void add(Requests& requests) const override;
 
  private:
   /// Something that the simulation's thread does for this client.

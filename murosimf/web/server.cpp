@@ -166,7 +166,7 @@ int Server::Inside::on_event(lws* wsi, lws_callback_reasons reason, void* user, 
   auto* self = static_cast<Inside*>(lws_context_user(lws_get_context(wsi)));
   try {
     return self->handle(wsi, reason, static_cast<Client*>(user), {static_cast<const char*>(in), in ? length : 0});
-  } catch (const std::exception&) {  // no memory for this client, or a mistake with it
+  } catch (const std::exception&) {  // no memory for this client, or an error with it
     return -1;
   }
 }

@@ -6,7 +6,7 @@
 
 #include "murosimf/web/entry.h"
 #include "murosimf/web/foxglove_conversation.h"
-#include "murosimf/web/onlooker_cameras.h"
+#include "murosimf/web/camera_subscriptions.h"
 #include "murosimf/web/page.h"
 #include "murosimf/web/page_conversation.h"
 #include "murosimf/web/server.h"
@@ -50,7 +50,7 @@ struct WebView::Inside {
             }};
   }
 
-  OnlookerCameras cameras;
+  CameraSubscriptions cameras;
   LiveScene live;         // of the server's thread
   FoxgloveLive foxglove;  // likewise
   const std::string token;

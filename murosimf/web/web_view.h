@@ -11,7 +11,7 @@
 #include <memory>
 #include <string>
 
-#include "murosimf/drawing/drawing_board.h"
+#include "murosimf/drawing/debug_draw_source.h"
 #include "murosimf/session/session.h"
 #include "murosimf/wire/socket.h"
 
@@ -24,7 +24,7 @@ namespace murosimf::web {
 struct WebOptions {
   wire::Address address;
   const league::GameTask* game = nullptr;         ///< whose score is shown; must outlive the view
-  const drawing::DrawingBoard* others = nullptr;  ///< whose drawings are shown; must outlive the view
+  const drawing::DebugDrawSource* others = nullptr;  ///< whose drawings are shown; must outlive the view
 };
 
 class WebView {

@@ -10,7 +10,7 @@
 
 #include "murosimf/wire/connection.h"
 
-namespace murosimf::wire {
+namespace murosimf::client {
 namespace {
 
 constexpr unsigned protocol_version = 1;
@@ -216,4 +216,4 @@ void RobotClient::take_pictures(const wire::Cycle& cycle) {
   }
 }
 
-}  // namespace murosimf::wire
+}  // namespace murosimf::client

@@ -1,6 +1,6 @@
 /// robot_client.h - control software of a simulated robot, in a program of its own: it sees and sets rows of numbers by name.
 ///
-///     murosimf::wire::RobotClient robot({.robot = "striker", .port = 5000});
+///     murosimf::client::RobotClient robot({.robot = "striker", .port = 5000});
 ///     const auto& ball = robot.signal("ground_truth.ball_position");
 ///     auto& velocity = robot.command("walk.velocity");
 ///     while (robot.next()) velocity.values[0] = ball.samples > 0 ? 0.2 : 0;
@@ -30,7 +30,7 @@ class FromClient;
 class ToClient;
 }  // namespace murosimf::wire
 
-namespace murosimf::wire {
+namespace murosimf::client {
 
 /// Nobody listens, there is nothing of a name, or the simulator has ended the connection for what this program did. One line.
 class ClientError : public std::runtime_error {
@@ -164,4 +164,4 @@ class RobotClient {
   bool ready_ = false, starts_ = false, owes_answer_ = false;
 };
 
-}  // namespace murosimf::wire
+}  // namespace murosimf::client

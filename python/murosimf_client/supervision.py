@@ -85,7 +85,7 @@ class Status:
     events: int = 0  # so far
     warnings: int = 0  # so far
     recorded: bool | None = None  # whether somebody asks for it; None: nobody can
-    remark: str = ""  # since the last jump: what will not go on as it was there before, and why; empty: everything will
+    diagnostic: str = ""  # since the last jump: what will not go on as it was there before, and why; empty: everything will
 
 
 @dataclass
@@ -167,7 +167,7 @@ class Goodbye:
 _STATUS = (Status, {1: ("time", signed), 2: ("end", signed), 3: ("paused", bool), 4: ("speed", float),
                     5: ("factor", float), 6: ("jumps", int), 7: ("branch", signed), 8: ("first", signed),
                     9: ("last", signed), 10: ("events", int), 11: ("warnings", int), 12: ("recorded", bool),
-                    13: ("remark", text)})
+                    13: ("diagnostic", text)})
 _entity = message_reader(Entity, {1: ("name", text), 2: ("model", text), 3: ("level", text), 4: ("contact", text),
                                   5: ("controller", text), 6: ("team", text), 7: ("present", bool),
                                   8: ("objects", text, EACH)})

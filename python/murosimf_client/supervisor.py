@@ -96,7 +96,7 @@ class Supervisor:
 
     def seek(self, time, branch=None):
         """Back, or on, to an instant that was there before, and pauses there. What goes on from there is a new branch.
-        `remark` of the answer says who outside has not gone back with it, "" if nobody."""
+        `diagnostic` of the answer says who outside has not gone back with it, "" if nobody."""
         return self._status_after(supervision.seek(_ns(time), branch))
 
     def branches(self):

@@ -107,7 +107,7 @@ class Encoding(unittest.TestCase):
 
         status = supervision.Status(1, 2, True, 0.5, 0.25, 3, 4, 5, 6, 7, 8, False, "so")
         text = ("time: 1 end: 2 paused: true speed: 0.5 factor: 0.25 jumps: 3 branch: 4 first: 5 last: 6 events: 7 warnings: 8 "
-                'recorded: false remark: "so"')
+                'recorded: false diagnostic: "so"')
         self.assertEqual(read(f"status {{ {text} }}"), status)
         self.assertEqual(read(f'welcome {{ scene: "s" seed: 1 tick: 2 status {{ {text} }} }}'),
                          supervision.Welcome("s", 1, 2, status))

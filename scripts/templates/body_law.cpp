@@ -5,7 +5,7 @@
 namespace murosimf::collision {
 
 // Both bodies feel the same force at the same point: nothing is won or lost of momentum and its moment.
-void NewName::push(std::vector<MovingEntity>& entities, PairSet& set, double dt, Helpers&) noexcept {
+void NewName::push(std::vector<MovingEntity>& entities, PairSet& set, double dt, ParallelFor&) noexcept {
   for (PairContact& c : set.points) {
     c.force = spring_force(set.parameters[c.surface], c.depth, dot(c.velocity, c.normal)) * c.normal;
     entities[c.a].push(c.object, c.point, c.force, dt);

@@ -13,7 +13,7 @@ namespace murosimf::collision {
 
 class NewName final : public BodyContactLaw {
  public:
-  void push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt, Helpers& helpers) noexcept override;
+  void push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt, ParallelFor& parallel_for) noexcept override;
 };
 
 }  // namespace murosimf::collision

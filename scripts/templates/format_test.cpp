@@ -1,4 +1,4 @@
-// The format new_name: what is read of it, and what is said of mistakes.
+// The format new_name: what is read of it, and what is said of errors.
 #include "murosimf/formats/new_name/new_name_reader.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ std::filesystem::path written(const std::string& text) {
   return file;
 }
 
-std::string mistake(const std::string& text) {
+std::string error(const std::string& text) {
   return fixtures::error_of([&] { (void)read(written(text)); });
 }
 
@@ -30,9 +30,9 @@ TEST(NewNameReader, ReadsARobotAsAnyOther) {
 }
 
 TEST(NewNameReader, MistakesAreOneLineThatSaysWhere) {
-  EXPECT_TRUE(fixtures::says(mistake(""), {".new_name", "the file is empty"}));
-  EXPECT_TRUE(fixtures::says(mistake("0.2\n"), {".new_name:1", "mass"}));
-  EXPECT_TRUE(fixtures::says(mistake("0.2 -1\n"), {".new_name:1", "above 0"}));
+  EXPECT_TRUE(fixtures::says(error(""), {".new_name", "the file is empty"}));
+  EXPECT_TRUE(fixtures::says(error("0.2\n"), {".new_name:1", "mass"}));
+  EXPECT_TRUE(fixtures::says(error("0.2 -1\n"), {".new_name:1", "above 0"}));
 }
 
 }  // namespace

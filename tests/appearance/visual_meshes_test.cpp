@@ -1,4 +1,4 @@
-// Meshes for the eye: where they stand in a model, and what is drawn of it.
+// Visual meshes: where they stand in a model, and what is drawn of it.
 #include "murosimf/appearance/visual_meshes.h"
 
 #include <fmt/format.h>
@@ -28,7 +28,7 @@ robot::RobotFile read_arm(const std::string& assets, const std::string& geoms) {
 
 const std::string silent = " type='mesh' contype='0' conaffinity='0' ";
 
-/// The only mesh for the eye of a robot, as triangles.
+/// The only visual mesh of a robot, as triangles.
 geometry::TriangleMesh only_mesh(const robot::RobotFile& robot, const std::string& object) {
   const Model& model = *robot.model;
   EXPECT_EQ(model.having(properties::visuals), std::vector<int>{model.object_index(object)});

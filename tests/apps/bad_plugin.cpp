@@ -1,4 +1,4 @@
-// Plug-ins with one mistake each, chosen by a definition of the build.
+// Plug-ins with one error each, chosen by a definition of the build.
 #include <cfenv>
 #include <cstdlib>
 #include <stdexcept>
@@ -27,7 +27,7 @@ namespace {
 
 [[maybe_unused]] volatile int* volatile nothing = nullptr;
 
-/// Makes its mistake after a second.
+/// Makes its error after a second.
 class Bad final : public murosimf::Algorithm {
  public:
   explicit Bad(murosimf::Setup& setup) : command_(setup.write(murosimf::properties::walk_command)[0]) {}

@@ -1,4 +1,4 @@
-// The program as a user meets it: exit codes, one clear line for every mistake, JSON, pictures.
+// The program as a user meets it: exit codes, one clear line for every error, JSON, pictures.
 #include <chrono>
 
 #include "tests/apps/program.h"

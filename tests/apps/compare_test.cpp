@@ -1,4 +1,4 @@
-// `murosimf compare` as a user meets it: tables, JSON, plots, one clear line for every mistake.
+// `murosimf compare` as a user meets it: tables, JSON, plots, one clear line for every error.
 #include <sstream>
 
 #include "tests/apps/program.h"

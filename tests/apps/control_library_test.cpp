@@ -32,7 +32,7 @@ TEST(ControlLibrary, ThatCrashesEndsTheRunWithItsReports) {
   const fs::path log = scratch("log.csv"), json = scratch("report.json");
   const Result result =
       murosimf("run walk --duration 5 --log walker.joint_target --out " + log.string() + " --json " + json.string() +
-               " " + walker_with_library + " --set walker.options.mistake=segv --set walker.options.at=1.5");
+               " " + walker_with_library + " --set walker.options.error=segv --set walker.options.at=1.5");
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_EQ(result.errors, crash_line("SIGSEGV"));
   const nlohmann::json report = nlohmann::json::parse(read_file(json));
@@ -46,7 +46,7 @@ TEST(ControlLibrary, ThatCrashesEndsTheRunWithItsReports) {
 
 TEST(ControlLibrary, ThatCrashesEndsOtherCommandsToo) {
   const Result result = murosimf("render walk --time 1 --out " + scratch("picture.png").string() + " " +
-                                 walker_with_library + " --set walker.options.mistake=abort");
+                                 walker_with_library + " --set walker.options.error=abort");
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_TRUE(result.errors.ends_with(crash_line("SIGABRT"))) << result.errors;
 }

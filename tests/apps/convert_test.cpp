@@ -28,21 +28,21 @@ TEST(Convert, BringsTheFilesThatTheTableNames) {
   fs::create_directories(from / "motions/kicks");
   fs::create_directories(to);
   fs::copy(source / "models/kid21.xml", from / "robot.xml");
-  fs::copy(source / "models/kid21_steps.csv", from / "own_steps.csv");
+  fs::copy(source / "models/kid21_steps.csv", from / "step_multiple.csv");
   fs::copy(source / "motions/kick_right.toml", from / "motions/kicks/right.toml");
   fs::copy(source / "servos/mx28.toml", from / "neck.toml");
   fs::copy(source / "parts/mpu6050.toml", from / "inertial.toml");
   fs::copy(source / "motions/dive_left.toml", scratch("dive.toml"));
   std::ofstream(from / "left.toml") << "mirror_of = \"kicks/right\"\n";
   std::ofstream(from / "robot.toml")
-      << "[soles]\nleft = 'l_sole'\nright = 'r_sole'\n[balance]\nsteps = 'own_steps.csv'\n"
+      << "[soles]\nleft = 'l_sole'\nright = 'r_sole'\n[balance]\nsteps = 'step_multiple.csv'\n"
          "[motions]\nkick_left = 'left.toml'\nget_up_front = 'get_up_front'\ndive_left = '../"
       << scratch("dive.toml").filename().string()
       << "'\n[servos.neck]\ntype = 'neck.toml'\njoints = ['j_neck']\n[sensors.imu]\ntype = 'imu'\npart = "
          "'inertial.toml'\n";
   const Result result = murosimf("convert " + (from / "robot.xml").string() + " --out " + out.string());
   EXPECT_EQ(result.exit_code, 0) << result.errors;
-  for (const char* file : {"own_steps.csv", "left.toml", "motions/kicks/right.toml", "neck.toml", "inertial.toml"}) {
+  for (const char* file : {"step_multiple.csv", "left.toml", "motions/kicks/right.toml", "neck.toml", "inertial.toml"}) {
     EXPECT_EQ(read_file(to / file), read_file(from / file)) << file;
     EXPECT_NE(result.output.find((to / file).string() + ": copied"), std::string::npos) << result.output;
   }

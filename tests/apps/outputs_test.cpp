@@ -128,11 +128,11 @@ TEST_F(Outputs, OfARunThatDoesNotStartAreAsTheyWere) {
   const std::string outputs = in_folder(
       " --record @a.mcap --json @a.json --log walker.* --out @a.csv --html @a.html --picture @a.png --save-state "
       "@a.state");
-  for (const char* mistake :
+  for (const char* error :
        {"--from @missing.state", "--set walker.model=nothing", "--web", "--supervise", "--listen", "--duration -1",
         "--record-rate 5000", "--log nobody.x", "--game-repeat @missing.log", "--record-what poses,nothing",
         "--game-log @no/such", "--set walker.nothing=1", "--push nobody=[1,0,0]%0..1"}) {
-    std::string words = in_folder(mistake);
+    std::string words = in_folder(error);
     std::ranges::replace(words, '%', '@');
     if (words.find(' ') == std::string::npos) words += " " + taken.number();
     EXPECT_EQ(murosimf("run walk --duration 1 " + words + outputs).exit_code, 2) << words;

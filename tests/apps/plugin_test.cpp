@@ -10,7 +10,7 @@ using namespace nlohmann::literals;
 
 const std::string own_plugin = std::string(" --plugin ") + MUROSIMF_OWN_PLUGIN;
 
-std::string bad_plugin(const std::string& mistake) { return std::string(MUROSIMF_BAD_PLUGINS) + "/" + mistake + ".so"; }
+std::string bad_plugin(const std::string& error) { return std::string(MUROSIMF_BAD_PLUGINS) + "/" + error + ".so"; }
 
 /// The walker's place [m] after 10 s with these options.
 std::vector<double> place_with(const std::string& options) {

@@ -431,12 +431,12 @@ TEST_F(Calibration, ThatIsWrongIsNamedWithItsLine) {
 }
 
 TEST_F(Calibration, ThatFoldsOverIsNotedWithTheAngle) {
-  const std::string remark = "the distortion folds over at 39.2 deg, inside the picture";
+  const std::string diagnostic = "the distortion folds over at 39.2 deg, inside the picture";
   const fs::path fold = write("fold.yaml", calibration("40", "-0.5"));
   const Result run = murosimf("run " + with(fold) + "--duration 0.1");
   EXPECT_EQ(run.exit_code, 0) << run.errors;
-  EXPECT_EQ(count(run.output, remark), 1) << run.output;
-  EXPECT_NE(murosimf("lens " + fold.string()).output.find(remark), std::string::npos);
+  EXPECT_EQ(count(run.output, diagnostic), 1) << run.output;
+  EXPECT_NE(murosimf("lens " + fold.string()).output.find(diagnostic), std::string::npos);
   const Result good = murosimf("run " + with(write("good.yaml", calibration("40", "-0.1"))) + "--duration 0.1");
   EXPECT_EQ(count(good.output, "folds over"), 0) << good.output;
 }

@@ -43,10 +43,10 @@ def main():
             DOORS[name](program, World(folder), book, given.rounds, traced).run()
         print(f"{name}: {time.monotonic() - begin:.1f} s")
     print(book.table(given.all))
-    for mistake in book.mistakes:
-        print(f"WRONG: {mistake}")
-    print(f"{len(book.rows)} tries, {len(book.mistakes)} of them did what they must not")
-    sys.exit(1 if book.mistakes else 0)
+    for error in book.errors:
+        print(f"WRONG: {error}")
+    print(f"{len(book.rows)} tries, {len(book.errors)} of them did what they must not")
+    sys.exit(1 if book.errors else 0)
 
 
 if __name__ == "__main__":

@@ -4,14 +4,14 @@ from collections import Counter, defaultdict
 
 class Book:
     def __init__(self):
-        self.rows, self.mistakes = [], []
+        self.rows, self.errors = [], []
 
     def add(self, door, kind, tried, outcome):
         self.rows.append((door, kind, str(tried), outcome))
 
     def wrong(self, door, kind, tried, what):
         self.rows.append((door, kind, str(tried), "WRONG: " + what))
-        self.mistakes.append(f"{door}, {kind}, {str(tried)[:120]!r}: {what}")
+        self.errors.append(f"{door}, {kind}, {str(tried)[:120]!r}: {what}")
 
     def table(self, everything):
         """Each try, or how many of a kind ended how."""

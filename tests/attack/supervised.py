@@ -41,7 +41,7 @@ class Attack(Attacker):
         return status.time, status.branch, supervisor.read("robot.torso.*").values, supervisor.entities()
 
     def _refused(self, supervisor, kind, tried, ask):
-        """What is told; a mistake if it was done, changes the run, or tells what stands in files."""
+        """What is told; an error if it was done, changes the run, or tells what stands in files."""
         try:
             ask()
         except RequestRefused as refusal:

@@ -56,7 +56,7 @@ TEST(AlgorithmCatalog, OptionsAreToldAndTheirDefaultsAllowed) {
   EXPECT_GT(expect_options_told(components::sensor_types()), 60);
 }
 
-// What only another law has is no mistake of this one: a scene changes its laws and keeps their options.
+// What only another law has is no error of this one: a scene changes its laws and keeps their options.
 TEST(AlgorithmCatalog, LawsTakeTheirOwnOptions) {
   EXPECT_EQ(fixtures::error_of([] { (void)make_contact_law("implicit_stick", {{"rebound", 0.5}}); }), "no error");
   EXPECT_EQ(fixtures::error_of([] {

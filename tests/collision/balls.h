@@ -38,7 +38,7 @@ struct Balls {
       answers.emplace_back();
       answers[i].mass = static_cast<double>(i + 1);
       answers[i].force = column_of(i, properties::external_force);
-      seam(i).response = &answers[i];
+      interface(i).response = &answers[i];
     }
     contact->initialize();
   }
@@ -50,14 +50,14 @@ struct Balls {
   T& column(std::size_t i, const Property<T>& property) {
     return column_of(i, property)[0];
   }
-  ContactSeam& seam(std::size_t i) { return column(i, contact_seam); }
+  ContactInterface& interface(std::size_t i) { return column(i, contact_interface); }
   PairSet& set() { return world.common().column(pair_contacts).values[0]; }
   void step() { contact->step({{}, from_seconds(dt)}); }
   void launch(std::size_t i, const Vec3d& v) { column(i, properties::linear_velocity) = answers[i].now = v; }
   /// A ground contact of ball i as ground_contact leaves it, with `law`, below the ball, pressed by 1 mm.
   void stand(std::size_t i, const ContactLaw& law) {
-    seam(i).law = &law;
-    seam(i).terms.parameters = {ground()};
+    interface(i).law = &law;
+    interface(i).terms.parameters = {ground()};
     ContactPoint point;
     point.normal = {0, 0, 1};
     point.point = column(i, properties::position) - Vec3d{0, 0, 0.099};
@@ -68,7 +68,7 @@ struct Balls {
     ContactSet& set = column(i, contacts);
     set.points = {point};
     set.loaded = {0};
-    law.prepare(set.points, seam(i).terms);
+    law.prepare(set.points, interface(i).terms);
     const std::vector<Vec3d> r{column(i, properties::position)};
     write_loads(set, r, column_of(i, properties::external_force), column_of(i, properties::external_damping));
   }

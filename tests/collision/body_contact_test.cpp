@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/collision/body_carry_law.h"
+#include "murosimf/collision/deferred_impulse_law.h"
 #include "murosimf/collision/contact_parameters.h"
 #include "tests/collision/balls.h"
 #include "tests/collision/meeting.h"
@@ -17,7 +17,7 @@ using fixtures::difference;
 constexpr double dt = Balls::dt;
 
 TEST(BodyContact, BeginsWithNothing) {
-  Balls balls({{0, 0, 1}, {2, 0, 1}}, std::make_unique<BodyCarryLaw>());
+  Balls balls({{0, 0, 1}, {2, 0, 1}}, std::make_unique<DeferredImpulseLaw>());
   EXPECT_EQ(balls.set().entities, (std::vector<int>{1, 2}));
   EXPECT_FALSE(balls.set().parameters.empty());
   for (const std::size_t i : {0U, 1U}) {
@@ -26,11 +26,11 @@ TEST(BodyContact, BeginsWithNothing) {
       EXPECT_EQ(norm(balls.column(i, property).f) + norm(balls.column(i, property).n), 0);
     EXPECT_EQ(balls.column(i, properties::external_damping).M.xx, 0);
     EXPECT_EQ(norm(balls.column(i, properties::separation)), 0);
-    EXPECT_EQ(balls.seam(i).terms.dt, 1e-3);
-    EXPECT_TRUE(balls.seam(i).damped_by_others);
+    EXPECT_EQ(balls.interface(i).terms.dt, 1e-3);
+    EXPECT_TRUE(balls.interface(i).damped_by_others);
   }
   Balls others({{0, 0, 1}});
-  EXPECT_FALSE(others.seam(0).damped_by_others);
+  EXPECT_FALSE(others.interface(0).damped_by_others);
 }
 
 // What cannot be pushed is the end of an island: it has the impulse in its ledger.

@@ -119,7 +119,7 @@ TEST(BodyIslandLaw, FreePassKnowsRollingResistance) {
   Witness witness;
   witness.force = balls.column_of(0, properties::external_force);
   witness.damping = balls.column_of(0, properties::external_damping);
-  balls.seam(0).response = &witness;
+  balls.interface(0).response = &witness;
   balls.column(0, contacts).rest_force[0] = {{0, 0, 0.5}, {0, 3, 0}};
   balls.stand(0, law);
   const ContactPoint before = balls.column(0, contacts).points[0];
@@ -154,7 +154,7 @@ TEST(BodyIslandLaw, ExplicitLawKeepsItsForceAndMemory) {
 // A level that cannot answer is pushed by an explicit force, and so is what it touches.
 TEST(BodyIslandLaw, WhoCannotAnswerIsPushedExplicitly) {
   Balls balls({{0, 0, 1}, {0.199, 0, 1}});
-  balls.seam(0).response = balls.seam(1).response = nullptr;
+  balls.interface(0).response = balls.interface(1).response = nullptr;
   for (ContactParameters& p : balls.set().parameters) p.mass = 0.1;
   balls.launch(0, {0.3, 0, 0});
   balls.step();

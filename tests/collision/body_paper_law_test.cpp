@@ -120,7 +120,7 @@ TEST(BodyPaperLaw, BoundedFrictionNeverAddsEnergy) {
     by_the_letter = std::max(by_the_letter, given_by_friction(hard_literal, dice));
   }
   expect_law(level, "five points that rub hard, 200 cases: most energy that friction gives in a step",
-             "bounded: none (yielding_parts.h)", given, 1e-12, "J");
+             "bounded: none (effective_mass.h)", given, 1e-12, "J");
   EXPECT_GT(by_the_letter, 100) << "by the letter it explodes";
 }
 

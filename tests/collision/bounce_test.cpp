@@ -1,5 +1,5 @@
 #include "murosimf/collision/bounce.h"
-#include "murosimf/collision/soft_start.h"
+#include "murosimf/collision/depenetration.h"
 
 #include <gtest/gtest.h>
 
@@ -78,7 +78,7 @@ TEST(Bounce, WhatIsSlowOrWasPutThereOrIsNotRoundDoesNotBounce) {
   EXPECT_LT(bounce(falling(0, -2), round_thing(0.6)), 0) << "it leaves";
   EXPECT_LT(bounce(falling(0, 2), parameters()), 0);
   ContactPoint deep = falling(0, 2);
-  deep.lift = lift_speed;
+  deep.lift = depenetration_speed;
   EXPECT_LT(bounce(deep, round_thing(0.6)), 0);
   EXPECT_DOUBLE_EQ(bounce(falling(0, 2), round_thing(0)), 0.01) << "a dead ball comes out of a wall all the same";
 }

@@ -62,7 +62,7 @@ struct Standing {
   std::vector<Wrenchd>& force() { return entity->column(properties::external_force).values; }
   std::vector<Sym6d>& damping() { return entity->column(properties::external_damping).values; }
   ContactSet& set() { return entity->column(contacts).values[0]; }
-  ContactSeam& seam() { return entity->column(contact_seam).values[0]; }
+  ContactInterface& interface() { return entity->column(contact_interface).values[0]; }
   [[nodiscard]] int body(const char* name) const { return entity->model().object_index(name); }
 
   /// The plates' lower sides at height z [m], rolled by `roll` [rad].
@@ -87,8 +87,8 @@ TEST(GroundContact, BeginsWithNothing) {
   Standing standing;
   EXPECT_EQ(standing.set().environment, 0);
   EXPECT_EQ(standing.set().rest_force.size(), standing.rows());
-  EXPECT_EQ(standing.seam().terms.dt, 1e-3);
-  EXPECT_NE(standing.seam().law, nullptr);
+  EXPECT_EQ(standing.interface().terms.dt, 1e-3);
+  EXPECT_NE(standing.interface().law, nullptr);
   for (const Wrenchd& force : standing.force()) EXPECT_EQ(norm(force.f) + norm(force.n), 0);
   for (const Sym6d& damping : standing.damping()) EXPECT_EQ(damping.J.xx, 0);
 }
@@ -96,7 +96,7 @@ TEST(GroundContact, BeginsWithNothing) {
 // Constants and bodies of the environment, by surface: first the plane's, then the step's. Both plates have the same.
 TEST(GroundContact, KnowsEveryPairOfSurfaces) {
   Standing standing(std::make_shared<ImplicitStick>(), 0.25);
-  const auto& parameters = standing.seam().terms.parameters;
+  const auto& parameters = standing.interface().terms.parameters;
   ASSERT_EQ(parameters.size(), 2U);
   EXPECT_EQ(standing.set().environment_objects, (std::vector<int>{0, standing.field->model().object_index("step")}));
   EXPECT_EQ(parameters[0].friction, 0.6);
@@ -150,7 +150,7 @@ TEST(GroundContact, PushesOfUsersAreTheRest) {
   standing.step();
   EXPECT_EQ(difference(standing.set().rest_force[left].f, {4, 5, 6}), 0);
   EXPECT_EQ(difference(standing.force()[0].f, {2, 0, 0}), 0);
-  const ContactParameters& p = standing.seam().terms.parameters[0];
+  const ContactParameters& p = standing.interface().terms.parameters[0];
   EXPECT_NEAR(standing.force()[left].f.z, 6 + 4 * p.stiffness * 1e-3, 1e-9);
   EXPECT_NEAR(standing.force()[right].f.z, 4 * p.stiffness * 1e-3, 1e-9);
   standing.push()[left] = {};
@@ -258,7 +258,7 @@ TEST(GroundContact, LawsAreExchanged) {
   standing.lift(-1e-3);
   standing.step();
   standing.contact->exchange_law(law);
-  EXPECT_EQ(standing.seam().law, law.get());
+  EXPECT_EQ(standing.interface().law, law.get());
   EXPECT_TRUE(standing.set().points.empty()) << "another memory";
   standing.step();
   EXPECT_EQ(standing.set().points.size(), 8U);

@@ -79,9 +79,9 @@ TEST(IslandNumbers, WhoCannotBePushedJoinsNobody) {
 
 TEST(IslandNumbers, SoDoesALevelThatCannotAnswer) {
   Seven balls;
-  balls.all[1].seam.response = nullptr;
+  balls.all[1].interface.response = nullptr;
   EXPECT_EQ(balls.find({{0, 1}, {1, 2}}), (Numbers{0, -1, 1, -1, -1, -1, -1}));
-  balls.all[0].seam.response = nullptr;
+  balls.all[0].interface.response = nullptr;
   EXPECT_EQ(balls.find({{0, 1}}), (Numbers{-1, -1, -1, -1, -1, -1, -1}));
   EXPECT_EQ(balls.islands.of(joint_of(0, 1)), -1);
 }
@@ -95,10 +95,10 @@ TEST(IslandNumbers, ContactWithItselfIsAnIsland) {
 // Rule: a law may want an island for an entity that touches none; not for one that is frozen or stands.
 TEST(IslandNumbers, OfLawsThatWantThem) {
   Seven balls;
-  const Wish always(IslandUse::always), when_touching(IslandUse::when_touching), never(IslandUse::never);
-  balls.all[0].seam.law = &never;
-  balls.all[1].seam.law = &when_touching;
-  for (const int i : {2, 3, 4, 5}) balls.all[static_cast<std::size_t>(i)].seam.law = &always;
+  const Request always(IslandUse::always), when_touching(IslandUse::when_touching), never(IslandUse::never);
+  balls.all[0].interface.law = &never;
+  balls.all[1].interface.law = &when_touching;
+  for (const int i : {2, 3, 4, 5}) balls.all[static_cast<std::size_t>(i)].interface.law = &always;
   Movers::stand_fast(balls.all[3]);
   balls.all[4].entity->freeze("test");
   EXPECT_EQ(balls.find({}), (Numbers{-1, -1, 0, -1, -1, 1, -1}));

@@ -83,7 +83,7 @@ struct Parts {
   }
 };
 
-/// What the seam says (contact.h): the force on A if the velocity after the step is `next`.
+/// What the interface says (contact.h): the force on A if the velocity after the step is `next`.
 inline Vec3d force_after(const ContactPoint& c, const Vec3d& next) {
   const Parts change(c, next - c.velocity);
   return c.force - c.normal_damping * change.normal - c.tangent_damping * change.across;

@@ -13,7 +13,7 @@
 #include "murosimf/collision/contact_properties.h"
 #include "murosimf/collision/impulse_response.h"
 #include "murosimf/collision/moving_entity.h"
-#include "murosimf/model/helpers.h"
+#include "murosimf/model/parallel_for.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/multibody/kinematics.h"
 #include "tests/fixtures.h"
@@ -56,8 +56,8 @@ struct PointMass final : ImpulseResponse {
 };
 
 /// A law that only says whether it wants an island.
-struct Wish final : ContactLaw {
-  explicit Wish(IslandUse its_use) : use(its_use) {}
+struct Request final : ContactLaw {
+  explicit Request(IslandUse its_use) : use(its_use) {}
   [[nodiscard]] IslandUse island_use() const noexcept override { return use; }
   void prepare(std::vector<ContactPoint>&, const ContactTerms&) const noexcept override {}
   bool accept(std::span<ContactPoint>, const ContactTerms&, std::span<const Vec3d>) const noexcept override {
@@ -75,7 +75,7 @@ struct Movers {
     MovingEntity& mover = all.emplace_back(Setup(world, entity, access));
     rest(entity, mover);
     place(mover, at);
-    mover.seam.response = &answers.emplace_back();
+    mover.interface.response = &answers.emplace_back();
     return mover;
   }
   /// With all joints at zero.
@@ -95,7 +95,7 @@ struct Movers {
     }
   }
   static void stand_fast(MovingEntity& mover) { mover.entity->column(properties::dynamic).values[0] = 0; }
-  NoHelpers nobody;
+  SerialFor nobody;
   void start_step() {
     for (MovingEntity& mover : all) mover.start_step();
   }

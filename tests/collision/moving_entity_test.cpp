@@ -51,8 +51,8 @@ TEST(MovingEntity, APushLastsForOneStep) {
   for (const bool on_ground : {false, true}) {
     Movers movers;
     MovingEntity& robot = movers.add("robot", std::make_shared<const Model>(fixtures::two_legged()), {0.5, -0.3, 1});
-    const Wish law(IslandUse::never);
-    if (on_ground) robot.seam.law = &law;
+    const Request law(IslandUse::never);
+    if (on_ground) robot.interface.law = &law;
     const int foot = robot.model().object_index("left_foot"), knee = robot.model().object_index("left_knee");
     robot.external_force[knee] = {{1, 2, 3}, {4, 5, 6}};
     const Vec3d arm{0.1, 0.2, 0.3}, force{3, -1, 2};

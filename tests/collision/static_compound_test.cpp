@@ -11,7 +11,7 @@ namespace {
 using fixtures::difference;
 using fixtures::placed;
 
-/// A plane, a box on a post that is turned about z, a ball beside it, and a sign for the eye only.
+/// A plane, a box on a post that is turned about z, a ball beside it, and a sign visual only.
 const Entity& field() {
   PlacedShape sign = placed(Sphere{9});
   sign.collides = false;

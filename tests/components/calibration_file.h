@@ -1,4 +1,4 @@
-/// calibration_file.h - a good calibration file, and the same with mistakes in it.
+/// calibration_file.h - a good calibration file, and the same with errors in it.
 #pragma once
 
 #include <filesystem>

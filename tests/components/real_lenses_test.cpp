@@ -47,7 +47,7 @@ TEST_P(RealLens, ComesBackToTheRayOfEveryPixel) {
                      .level = fmt::format("{}, {}", GetParam(), spec->model),
                      .source = "the inverse of the inverse"},
                     worst, 1e-6, "rad");
-  EXPECT_EQ(lens.fold_remark(), "");
+  EXPECT_EQ(lens.fold_warning(), "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Lenses, RealLens,

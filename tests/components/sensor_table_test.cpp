@@ -1,4 +1,4 @@
-/// sensor_table_test - sensors from the TOML file beside a robot and from parts; mistakes are named with their place.
+/// sensor_table_test - sensors from the TOML file beside a robot and from parts; errors are named with their place.
 #include "murosimf/components/sensor_table.h"
 
 #include <cmath>
@@ -125,37 +125,37 @@ TEST(SensorParts, DensitiesAreTwoSided) {
   EXPECT_NEAR(rms, 0.05 * pi / 180, 0.001 * rms);
 }
 
-struct Mistake {
+struct Error {
   const char* name;
   std::string text;
   int line;          ///< of the TOML file, that the message names
   const char* says;  ///< part of the message
 };
 
-void PrintTo(const Mistake& mistake, std::ostream* stream) { *stream << mistake.name; }
+void PrintTo(const Error& error, std::ostream* stream) { *stream << error.name; }
 
-class SensorMistake : public testing::TestWithParam<Mistake> {};
+class SensorMistake : public testing::TestWithParam<Error> {};
 
 TEST_P(SensorMistake, IsOneLineThatSaysWhere) {
-  const Mistake& mistake = GetParam();
+  const Error& error = GetParam();
   write("bad.toml", "type = 'imu'\nrays = 3\n");
   std::string what = "no error";
   try {
-    const robot::RobotFile robot = read_with(mistake.text);
+    const robot::RobotFile robot = read_with(error.text);
     for (const robot::Finding& finding : robot::examine_sensors(robot))
       what = finding.where + ": " + finding.what + "; " + finding.advice;
   } catch (const SetupError& error) {
     what = error.what();
   }
-  EXPECT_TRUE(contains(what, ".toml:" + std::to_string(mistake.line) + ":")) << what;
-  EXPECT_TRUE(contains(what, mistake.says)) << what;
+  EXPECT_TRUE(contains(what, ".toml:" + std::to_string(error.line) + ":")) << what;
+  EXPECT_TRUE(contains(what, error.says)) << what;
   EXPECT_FALSE(contains(what, "\n")) << what;
 }
 
 std::string imu(const std::string& lines) { return "[sensors.imu]\ntype = 'imu'\n" + lines; }
 std::string gyro(const std::string& lines) { return "[sensors.imu]\ntype = 'imu'\n[sensors.imu.gyroscope]\n" + lines; }
 
-std::vector<Mistake> mistakes() {
+std::vector<Error> errors() {
   return {
       {"UnknownTable", "[sensor.imu]\ntype = 'imu'\n", 1, "did you mean 'sensors'?"},
       {"NoTable", "[sensors]\nimu = 3\n", 2, "sensor 'imu' must be a table"},
@@ -215,7 +215,7 @@ std::vector<Mistake> mistakes() {
   };
 }
 
-INSTANTIATE_TEST_SUITE_P(Toml, SensorMistake, testing::ValuesIn(mistakes()),
+INSTANTIATE_TEST_SUITE_P(Toml, SensorMistake, testing::ValuesIn(errors()),
                          [](const auto& m) { return m.param.name; });
 
 }  // namespace

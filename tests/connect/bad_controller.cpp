@@ -1,4 +1,4 @@
-// Control software that is refused before it runs: one mistake each, chosen by a definition of the build.
+// Control software that is refused before it runs: one error each, chosen by a definition of the build.
 #include "murosimf/connect/murosimf_controller.h"
 
 namespace {
@@ -12,7 +12,7 @@ void destroy(void*) {}
 #ifdef MISTAKE_other_abi
 constexpr uint32_t abi = 7;
 #elif defined(MISTAKE_version_1)
-constexpr uint32_t abi = 1;  // no mistake: as compiled with the first header
+constexpr uint32_t abi = 1;  // no error: as compiled with the first header
 #else
 constexpr uint32_t abi = MUROSIMF_CONTROLLER_ABI;
 #endif

@@ -1,4 +1,4 @@
-// Control software for tests: nods, and makes the mistake that its options ask for, at the time that they name.
+// Control software for tests: nods, and makes the error that its options ask for, at the time that they name.
 //
 // It has a global variable that all instances use, so what it does depends on the order in which they are called; and a version, that
 // tests of exchanged libraries see.
@@ -21,7 +21,7 @@ struct Instance {
   const murosimf_signal *position = nullptr, *gyroscope = nullptr;
   murosimf_command* target = nullptr;
   size_t head = 0;
-  std::string mistake;
+  std::string error;
   double at = 0;     // [s]
   double seen = 0;   // sum of what the signals showed
   double steps = 0;  // state, besides `seen`
@@ -36,21 +36,21 @@ __attribute__((noinline)) int deeper(volatile char* above) {
   return nothing != 0 ? 0 : deeper(here) + here[0];
 }
 
-void make(const std::string& mistake, Instance& self) {
+void make(const std::string& error, Instance& self) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  if (mistake == "no_number") self.target->values[self.head] = nan;
-  if (mistake == "infinite") self.target->values[self.head] = 1 / zero;
-  if (mistake == "far") self.target->values[self.head] = 1e4;
-  if (mistake == "throw") throw std::runtime_error("no such state");
-  if (mistake == "throw_number") throw 42;
-  if (mistake == "abort") std::abort();
-  if (mistake == "segv") *static_cast<volatile int*>(nullptr) = 1;
-  if (mistake == "fpe") (void)std::raise(SIGFPE);
-  if (mistake == "overflow") {
+  if (error == "no_number") self.target->values[self.head] = nan;
+  if (error == "infinite") self.target->values[self.head] = 1 / zero;
+  if (error == "far") self.target->values[self.head] = 1e4;
+  if (error == "throw") throw std::runtime_error("no such state");
+  if (error == "throw_number") throw 42;
+  if (error == "abort") std::abort();
+  if (error == "segv") *static_cast<volatile int*>(nullptr) = 1;
+  if (error == "fpe") (void)std::raise(SIGFPE);
+  if (error == "overflow") {
     volatile char first[1] = {0};
     nothing = deeper(first);
   }
-  while (mistake == "loop") nothing = nothing + 1;
+  while (error == "loop") nothing = nothing + 1;
 }
 
 void* create(const murosimf_robot* robot, char* error, size_t size) {
@@ -62,14 +62,14 @@ void* create(const murosimf_robot* robot, char* error, size_t size) {
   double refuse = 0;
   robot->number_option(robot, "refuse", &refuse);
   robot->number_option(robot, "at", &self->at);
-  if (const char* mistake = robot->text_option(robot, "mistake")) self->mistake = mistake;
+  if (const char* error = robot->text_option(robot, "error")) self->error = error;
   const char* wanted = robot->text_option(robot, "signal");
   if (refuse != 0) std::strncpy(error, "it is Monday", size);
   if ((wanted && !robot->signal(robot, wanted)) || refuse != 0 || !self->target) {
     delete self;
     return nullptr;
   }
-  if (self->mistake == "create") {
+  if (self->error == "create") {
     delete self;
     throw std::runtime_error("no memory");
   }
@@ -89,8 +89,8 @@ void start(void* instance) {
 
 void step(void* instance, int64_t now) {
   auto& self = *static_cast<Instance*>(instance);
-  if (!self.mistake.empty() && static_cast<double>(now) * 1e-9 >= self.at) make(self.mistake, self);
-  if (self.mistake == "no_number" || self.mistake == "infinite" || self.mistake == "far") return;
+  if (!self.error.empty() && static_cast<double>(now) * 1e-9 >= self.at) make(self.error, self);
+  if (self.error == "no_number" || self.error == "infinite" || self.error == "far") return;
   for (size_t i = 0; i < self.position->count; ++i) self.seen += self.position->values[i];
   for (size_t i = 0; i < self.gyroscope->count; ++i) self.seen += 0.1 * self.gyroscope->values[i];
   everybody += 1;

@@ -22,7 +22,7 @@ using namespace std::chrono_literals;
 
 const std::string controllers = MUROSIMF_CONTROLLERS "/";
 
-/// The walker with a library; options as "options.mistake=far".
+/// The walker with a library; options as "options.error=far".
 std::vector<std::string> walker_with(const std::string& library, const std::vector<std::string>& options = {}) {
   std::vector<std::string> overrides{"walker.controller=library", "walker.library=" + library};
   for (const std::string& option : options) overrides.push_back("walker." + option);
@@ -130,13 +130,13 @@ TEST(LibrarySoftware, GoesOnFromASavedState) {
 }
 
 TEST(LibrarySoftware, HasWrongNumbersRefusedAndCounted) {
-  for (const std::string mistake : {"no_number", "infinite", "far"}) {
+  for (const std::string error : {"no_number", "infinite", "far"}) {
     scene::Scene scene("walk", with(walker_with(controllers + "controller_2.so",
-                                                {"options.mistake=" + mistake, "options.at=0.5"})));
+                                                {"options.error=" + error, "options.at=0.5"})));
     scene.simulation().run(500ms);
     EXPECT_EQ(software(scene).refused, 0U);
     scene.simulation().run(500ms);
-    EXPECT_EQ(software(scene).refused, 25U) << mistake;
+    EXPECT_EQ(software(scene).refused, 25U) << error;
     EXPECT_EQ(head_target(scene), 0.05) << "what held before still holds";
     EXPECT_TRUE(fixtures::says(software(scene).first_refusal, {"at 0.500 s: joint.target of j_head is", "not in"}));
     ASSERT_FALSE(report_of(scene).warnings.empty());
@@ -146,7 +146,7 @@ TEST(LibrarySoftware, HasWrongNumbersRefusedAndCounted) {
 TEST(LibrarySoftware, EndsAloneIfItThrows) {
   scene::Scene scene("three_on_three",
                      with({"blue1.controller=library", "blue1.library=" + controllers + "controller_1.so",
-                           "blue1.options.mistake=throw", "blue1.options.at=0.5"}));
+                           "blue1.options.error=throw", "blue1.options.at=0.5"}));
   scene.simulation().run(1s);
   EXPECT_EQ(software(scene, "blue1").calls, 26);
   EXPECT_TRUE(fixtures::says(software(scene, "blue1").ended,
@@ -162,14 +162,14 @@ TEST(LibrarySoftware, EndsAloneIfItThrows) {
 }
 
 TEST(LibrarySoftware, EndsAloneIfItThrowsANumber) {
-  scene::Scene scene("walk", with(walker_with(controllers + "controller_1.so", {"options.mistake=throw_number"})));
+  scene::Scene scene("walk", with(walker_with(controllers + "controller_1.so", {"options.error=throw_number"})));
   scene.simulation().run(100ms);
   EXPECT_TRUE(fixtures::says(software(scene).ended, {"its step threw something that is no std::exception"}));
 }
 
 TEST(LibrarySoftware, EndsAloneIfItDoesNotComeBack) {
   scene::Scene scene("walk", with(walker_with(controllers + "controller_1.so",
-                                              {"options.mistake=loop", "options.at=0.1", "call_budget=0.001"})));
+                                              {"options.error=loop", "options.at=0.1", "call_budget=0.001"})));
   scene.simulation().run(1s);
   EXPECT_TRUE(
       fixtures::says(software(scene).ended, {"at 0.100 s: library '", "its step did not come back within 1 s"}));
@@ -183,10 +183,10 @@ class CrashingLibrary : public testing::TestWithParam<std::pair<const char*, con
 // In a process of its own: what a crash leaves of this one is unknown.
 TEST_P(CrashingLibrary, EndsTheRunAndIsTold) {
   testing::GTEST_FLAG(death_test_style) = "threadsafe";
-  const auto [mistake, signal] = GetParam();
+  const auto [error, signal] = GetParam();
   const auto run = [&] {
     scene::Scene scene("walk", with(walker_with(controllers + "controller_1.so",
-                                                {std::string("options.mistake=") + mistake, "options.at=0.5"})));
+                                                {std::string("options.error=") + error, "options.at=0.5"})));
     try {
       scene.simulation().run(2s);
     } catch (const SoftwareCrash& crash) {
@@ -226,9 +226,9 @@ TEST(LibrarySoftware, MayRefuseItsRobot) {
   EXPECT_TRUE(fixtures::says(refusal("controller_1.so", {"options.refuse=1"}), {"of walker: it is Monday"}));
   EXPECT_TRUE(fixtures::says(refusal("controller_1.so", {"options.signal=imu.gyroscop"}),
                              {"unknown signal 'imu.gyroscop'; did you mean 'imu.gyroscope'?"}));
-  EXPECT_TRUE(fixtures::says(refusal("controller_1.so", {"options.mistake=create"}), {"its create threw: no memory"}));
+  EXPECT_TRUE(fixtures::says(refusal("controller_1.so", {"options.error=create"}), {"its create threw: no memory"}));
   EXPECT_TRUE(fixtures::says(refusal("controller_1.so", {"options.mistak=far"}),
-                             {"unknown option of library '", "'mistak'; did you mean 'mistake'?"}));
+                             {"unknown option of library '", "'mistak'; did you mean 'error'?"}));
   EXPECT_TRUE(fixtures::says(refusal("controller_1.so", {"options.at=early"}),
                              {"the option 'at' is a text; it must be a number"}));
 }
@@ -240,9 +240,9 @@ TEST(LibrarySoftware, LeavesNoFileOpen) {
          {"nosuch.so", "controller_other_abi.so", "controller_no_entry.so", "controller_unknown_symbol.so"}) {
       (void)refusal(name);
     }
-    for (const std::string mistake : {"create", "throw", "far"}) {
+    for (const std::string error : {"create", "throw", "far"}) {
       try {
-        scene::Scene scene("walk", with(walker_with(controllers + "controller_1.so", {"options.mistake=" + mistake})));
+        scene::Scene scene("walk", with(walker_with(controllers + "controller_1.so", {"options.error=" + error})));
         scene.simulation().run(40ms);
       } catch (const SetupError&) {
       }

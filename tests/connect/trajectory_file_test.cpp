@@ -1,4 +1,4 @@
-// Tables of joint angles: what is read, and one clear line, with its place, for every mistake.
+// Tables of joint angles: what is read, and one clear line, with its place, for every error.
 #include "murosimf/connect/trajectory_file.h"
 
 #include <gtest/gtest.h>

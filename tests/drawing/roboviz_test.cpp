@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/drawing/drawn.h"
-#include "murosimf/drawing/roboviz_door.h"
+#include "murosimf/drawing/roboviz_server.h"
 
 namespace murosimf::connect {
 namespace {
@@ -39,7 +39,7 @@ TEST(drawing::RobovizDrawings, NothingIsShownBeforeTheSwap) {
   EXPECT_TRUE(drawings.take(circle("blue.1.ball")));
   EXPECT_TRUE(drawings.shown().groups.empty());
   EXPECT_TRUE(drawings.take(swap("blue.1")));
-  const drawing::DrawnByOthers shown = drawings.shown();
+  const drawing::ExternalDrawings shown = drawings.shown();
   ASSERT_EQ(shown.groups.size(), 1U);
   EXPECT_EQ(shown.groups[0].name, "blue.1.ball");
   EXPECT_FALSE(shown.groups[0].of_robot);
@@ -59,7 +59,7 @@ TEST(drawing::RobovizDrawings, ASwapTakesAllSetsOfThatBeginningAndBeginsThemAnew
   EXPECT_TRUE(drawings.take(circle("blue.1") + circle("blue.2") + circle("red.1") + swap("blue")));
   EXPECT_EQ(drawings.shown().groups.size(), 2U);
   EXPECT_TRUE(drawings.take(circle("blue.1", 0.25) + swap("blue")));
-  const drawing::DrawnByOthers next = drawings.shown();
+  const drawing::ExternalDrawings next = drawings.shown();
   ASSERT_EQ(next.groups.size(), 1U) << "blue.2 was not drawn again";
   EXPECT_EQ(next.groups[0].shapes[0].size, 0.25);
   EXPECT_TRUE(drawings.take(swap("")));
@@ -77,7 +77,7 @@ TEST(drawing::RobovizDrawings, AllKindsOfShapes) {
   EXPECT_TRUE(drawings.take(polygon));
   EXPECT_TRUE(drawings.take("\2\0"s + numbers({1, 2, 3}) + orange + words("hello") + words("a")));
   EXPECT_TRUE(drawings.take(swap("a")));
-  const drawing::DrawnByOthers shown = drawings.shown();
+  const drawing::ExternalDrawings shown = drawings.shown();
   ASSERT_EQ(shown.groups.size(), 1U);
   const auto& shapes = shown.groups[0].shapes;
   ASSERT_EQ(shapes.size(), 5U);
@@ -99,7 +99,7 @@ TEST(drawing::RobovizDrawings, TextsAtRobots) {
   EXPECT_TRUE(drawings.take("\2\1"s + '\1' + orange + words("striker")));
   EXPECT_TRUE(drawings.take("\2\1"s + '\x80' + orange + words("keeper")));
   const std::vector<std::string> teams{"", "blue", "blue", "", "red"};
-  const auto drawn = drawing::drawn_by_others(drawings.shown(), teams);
+  const auto drawn = drawing::external_drawings(drawings.shown(), teams);
   ASSERT_EQ(drawn.size(), 2U);
   EXPECT_EQ(drawn[0].entity, 2);
   EXPECT_EQ(drawn[0].groups[0].shapes[0].words, "striker");
@@ -177,8 +177,8 @@ void send(std::uint16_t port, const std::string& packet) {
   ::close(socket);
 }
 
-TEST(drawing::RobovizDoor, TakesPacketsAndCountsNonsense) {
-  drawing::RobovizDoor door({"127.0.0.1", 0});
+TEST(drawing::RobovizServer, TakesPacketsAndCountsNonsense) {
+  drawing::RobovizServer door({"127.0.0.1", 0});
   ASSERT_NE(door.address().port, 0);
   send(door.address().port, "nonsense");
   send(door.address().port, "");
@@ -188,7 +188,7 @@ TEST(drawing::RobovizDoor, TakesPacketsAndCountsNonsense) {
   EXPECT_EQ(door.ignored(), 2U);
   ASSERT_EQ(door.shown()->groups.size(), 1U);
   EXPECT_EQ(door.shown(), door.shown()) << "nothing new: the same";
-  EXPECT_THROW(drawing::RobovizDoor({"127.0.0.1", door.address().port}), wire::WireError);
+  EXPECT_THROW(drawing::RobovizServer({"127.0.0.1", door.address().port}), wire::WireError);
 }
 
 }  // namespace

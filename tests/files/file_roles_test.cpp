@@ -54,7 +54,7 @@ TEST_F(FileRolesTest, OutputsAreNotReadLater) {
   claim_output("--csv", at("soft.csv"));
   EXPECT_TRUE(fixtures::says(error_of([&] { (void)read_input_file(file, 100); }), {"--csv", "soft.csv", is_read}));
   EXPECT_TRUE(fixtures::says(error_of([&] { write_file(at("soft.csv"), "new"); }), {"cannot write", is_read}))
-      << "also if the first mistake was not heeded";
+      << "also if the first error was not heeded";
 }
 
 TEST_F(FileRolesTest, TwoResultsNeedTwoFiles) {

@@ -6,7 +6,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace murosimf;
   const auto read = [](const auto& file) {
     const components::CameraCalibration info = components::read_calibration(file);
-    (void)imaging::Lens(info.lens).fold_remark();
+    (void)imaging::Lens(info.lens).fold_warning();
     (void)components::camera_info_yaml(info);
   };
   const bool matlab = size > 0 && data[0] == '%';

@@ -1,4 +1,4 @@
-"""mutated_cases.py - calls of the program with mistakes in a file or in the options (for mutations.py).
+"""mutated_cases.py - calls of the program with errors in a file or in the options (for mutations.py).
 
 A case is a list of arguments and the files that it needs, in a folder of its own that is the working directory.
 """

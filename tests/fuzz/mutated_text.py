@@ -1,4 +1,4 @@
-"""mutated_text.py - a text with a few mistakes in it, as hands and programs make them (for mutations.py)."""
+"""mutated_text.py - a text with a few errors in it, as hands and programs make them (for mutations.py)."""
 
 import re
 
@@ -114,7 +114,7 @@ MUTATORS = [(swap_number, 12), (scale_numbers, 8), (swap_quoted, 8), (swap_word,
 
 
 def mutated(rng, text):
-    """`text` with one to five mistakes; mostly one, because the first one hides those behind it."""
+    """`text` with one to five errors; mostly one, because the first one hides those behind it."""
     kinds, weights = zip(*MUTATORS, strict=True)
     for kind in rng.choices(kinds, weights, k=rng.choice([1, 1, 1, 1, 2, 2, 3, 5])):
         text = kind(rng, text)

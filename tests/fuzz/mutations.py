@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Runs the program on thousands of inputs with mistakes in them: it may refuse them, in one line, and nothing else.
+"""Runs the program on thousands of inputs with errors in them: it may refuse them, in one line, and nothing else.
 
     tests/fuzz/mutations.py --program build/release/murosimf                 1,000 cases
     tests/fuzz/mutations.py --program build/release/murosimf --cases 50000   some twenty minutes
     tests/fuzz/mutations.py --program build/release/murosimf --only 4711 --keep found   one of them again, and its files
 
-Mistakes are made in scenes, robots, their tables, motions, parts, servos, lenses, recordings, meshes, tables of numbers
+Errors are made in scenes, robots, their tables, motions, parts, servos, lenses, recordings, meshes, tables of numbers
 and options. A case fails if the program ends by a signal, takes longer than 20 s, ends with a code that is none of its
 own, says something else than one line when it refuses (and lines 'warning: ...'), or leaves a '.part' file behind. The
 same seed and number make the same case.

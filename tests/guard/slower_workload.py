@@ -42,13 +42,13 @@ def main():
         return guard.count(program, True, ["run", "walk", "--duration", str(steps * (1 + more) / 1000)])
 
     known = {"walk": count(0)}
-    mistakes = []
+    errors = []
 
     def expect(name, found, code, words=""):
         with contextlib.redirect_stdout(io.StringIO()) as said:
             exit_code = guard.compare(found, known, "here")
         if exit_code != code or words not in said.getvalue():
-            mistakes.append(f"{name}: exit code {exit_code}, not {code}, saying '{said.getvalue().strip()}'")
+            errors.append(f"{name}: exit code {exit_code}, not {code}, saying '{said.getvalue().strip()}'")
 
     expect("the same", {"walk": count(0)}, 0, "1 workloads within 3 % of the table")
     expect("2 % more steps", {"walk": count(0.02)}, 0)
@@ -58,12 +58,12 @@ def main():
     expect("a workload that does not run", {"walk": None}, 1)
     with contextlib.suppress(RuntimeError):
         guard.count(program, True, ["run", "no_such_scene"])
-        mistakes.append("a scene that is not there was counted")
+        errors.append("a scene that is not there was counted")
     with contextlib.suppress(RuntimeError):
         guard.count(program, True, ["list", "scenes"])
-        mistakes.append("what never steps was counted")
-    print("\n".join(mistakes) or "a workload that became 5 % slower is noticed")
-    return 1 if mistakes else 0
+        errors.append("what never steps was counted")
+    print("\n".join(errors) or "a workload that became 5 % slower is noticed")
+    return 1 if errors else 0
 
 
 if __name__ == "__main__":

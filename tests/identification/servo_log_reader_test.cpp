@@ -1,4 +1,4 @@
-// Recordings of servos: what is in them arrives, and every mistake is one line that names file and place.
+// Recordings of servos: what is in them arrives, and every error is one line that names file and place.
 #include "murosimf/identification/servo_log_reader.h"
 
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ class ServoLogFile : public testing::Test {
     return folder_ / name;
   }
   /// What the reader says: one line that begins with the file.
-  [[nodiscard]] std::string mistake(const std::string& text) const {
+  [[nodiscard]] std::string error(const std::string& text) const {
     const fs::path file = write(text);
     try {
       (void)read_servo_log(file);
@@ -90,51 +90,51 @@ TEST_F(ServoLogFile, TheArmMayHaveAMass) {
 TEST_F(ServoLogFile, AMissingFieldIsNamed) {
   const std::string good = log_with(first + "," + second);
   for (const std::string field : {"mass", "length", "kp", "entries"}) {
-    EXPECT_EQ(mistake(replaced(good, "\"" + field, "\"no_" + field)), "field '" + field + "' is missing");
+    EXPECT_EQ(error(replaced(good, "\"" + field, "\"no_" + field)), "field '" + field + "' is missing");
   }
   for (const std::string field : {"timestamp", "position", "speed", "input_volts", "goal_position", "torque_enable"}) {
-    EXPECT_EQ(mistake(log_with(first + "," + replaced(second, "\"" + field, "\"no_" + field))),
+    EXPECT_EQ(error(log_with(first + "," + replaced(second, "\"" + field, "\"no_" + field))),
               "entry 2: field '" + field + "' is missing");
   }
 }
 
 TEST_F(ServoLogFile, TimeMustGrow) {
-  EXPECT_EQ(mistake(log_with(second + "," + first)), "entry 2: timestamp 2 is not after 2.007 of the entry before");
-  EXPECT_EQ(mistake(log_with(first + "," + first)), "entry 2: timestamp 2 is not after 2 of the entry before");
-  EXPECT_EQ(mistake(log_with(first + "," + replaced(second, "2.007", "9000"))),
+  EXPECT_EQ(error(log_with(second + "," + first)), "entry 2: timestamp 2 is not after 2.007 of the entry before");
+  EXPECT_EQ(error(log_with(first + "," + first)), "entry 2: timestamp 2 is not after 2 of the entry before");
+  EXPECT_EQ(error(log_with(first + "," + replaced(second, "2.007", "9000"))),
             "it lasts 8998 s; 'timestamp' is in seconds");
 }
 
 TEST_F(ServoLogFile, NumbersMustBeNumbers) {
   for (const std::string value : {"null", "\"0.2\"", "true", "[]"}) {
-    EXPECT_EQ(mistake(log_with(first + "," + replaced(second, "0.2", value))),
+    EXPECT_EQ(error(log_with(first + "," + replaced(second, "0.2", value))),
               "entry 2: 'position' must be a finite number")
         << value;
   }
   for (const std::string value : {"NaN", "Infinity", "-Infinity"}) {
-    EXPECT_EQ(mistake(log_with(first + "," + replaced(second, "0.2", value))),
+    EXPECT_EQ(error(log_with(first + "," + replaced(second, "0.2", value))),
               "line 2: a value is NaN or infinite; leave that entry out")
         << value;
   }
-  EXPECT_EQ(mistake(log_with(first + "," + replaced(second, "0.2", "1e999"))), "a number in it is too large");
-  EXPECT_EQ(mistake(log_with(first + "," + replaced(second, "false", "1"))),
+  EXPECT_EQ(error(log_with(first + "," + replaced(second, "0.2", "1e999"))), "a number in it is too large");
+  EXPECT_EQ(error(log_with(first + "," + replaced(second, "false", "1"))),
             "entry 2: 'torque_enable' must be true or false");
-  EXPECT_EQ(mistake(log_with(first + "," + replaced(second, "7.1", "0"))), "entry 2: 'input_volts' must be above 0");
-  EXPECT_EQ(mistake(replaced(log_with(first + "," + second), "0.49", "-1")), "'mass' must be above 0");
-  EXPECT_EQ(mistake(replaced(log_with(first + "," + second), "400", "-1")), "'kp' must be at least 0");
+  EXPECT_EQ(error(log_with(first + "," + replaced(second, "7.1", "0"))), "entry 2: 'input_volts' must be above 0");
+  EXPECT_EQ(error(replaced(log_with(first + "," + second), "0.49", "-1")), "'mass' must be above 0");
+  EXPECT_EQ(error(replaced(log_with(first + "," + second), "400", "-1")), "'kp' must be at least 0");
 }
 
 TEST_F(ServoLogFile, ListsMustBeLists) {
-  EXPECT_EQ(mistake(log_with("")), "'entries' has 0 entries; at least 2");
-  EXPECT_EQ(mistake(log_with(first)), "'entries' has 1 entries; at least 2");
-  EXPECT_EQ(mistake(log_with("1, 2")), "entry 1: this is no object with fields in braces");
-  EXPECT_EQ(mistake("[]"), "this is no object with fields in braces");
-  EXPECT_EQ(mistake(R"({"mass": 1, "length": 1, "kp": 1, "entries": 3})"), "'entries' must be a list");
+  EXPECT_EQ(error(log_with("")), "'entries' has 0 entries; at least 2");
+  EXPECT_EQ(error(log_with(first)), "'entries' has 1 entries; at least 2");
+  EXPECT_EQ(error(log_with("1, 2")), "entry 1: this is no object with fields in braces");
+  EXPECT_EQ(error("[]"), "this is no object with fields in braces");
+  EXPECT_EQ(error(R"({"mass": 1, "length": 1, "kp": 1, "entries": 3})"), "'entries' must be a list");
 }
 
 TEST_F(ServoLogFile, OtherFilesAreNoJson) {
-  EXPECT_EQ(mistake(""), "line 1: this is no JSON");
-  EXPECT_EQ(mistake("{\n\"mass\": 0.49,\n"), "line 3: this is no JSON");
+  EXPECT_EQ(error(""), "line 1: this is no JSON");
+  EXPECT_EQ(error("{\n\"mass\": 0.49,\n"), "line 3: this is no JSON");
 }
 
 TEST_F(ServoLogFile, AFolderMeansAllLogsInIt) {

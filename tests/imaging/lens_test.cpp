@@ -167,8 +167,8 @@ TEST(Lens, SeesNothingBeyondItsFold) {
   EXPECT_TRUE(lens.ray({325 + 420 * 0.666, 236}));
   EXPECT_FALSE(lens.ray({325 + 420 * 0.667, 236}));
   EXPECT_DOUBLE_EQ(lens.corner_angle(), lens.widest_angle());
-  EXPECT_NE(lens.fold_remark().find("folds over at 45.0 deg, inside the picture: "), std::string::npos)
-      << lens.fold_remark();
+  EXPECT_NE(lens.fold_warning().find("folds over at 45.0 deg, inside the picture: "), std::string::npos)
+      << lens.fold_warning();
 
   const Lens bent(spec_of("equidistant", {-1.0 / 3}));  // t - t^3 / 3 turns at 1 rad
   EXPECT_NEAR(bent.widest_angle(), 1, 1e-8);
@@ -255,7 +255,7 @@ TEST(Lens, KnowsHowFarItsPictureReaches) {
   EXPECT_NEAR(fov.vertical, 2 * std::atan(0.5), 1e-12);
   EXPECT_NEAR(fov.diagonal, 2 * std::atan(std::sqrt(1.25)), 1e-12);
   EXPECT_NEAR(Lens(spec).corner_angle(), std::atan(std::sqrt(1.25)), 1e-12);
-  EXPECT_EQ(Lens(spec).fold_remark(), "");
+  EXPECT_EQ(Lens(spec).fold_warning(), "");
 }
 
 TEST(Lens, RefusesNumbersThatAreNoLens) {

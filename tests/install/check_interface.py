@@ -84,11 +84,11 @@ def main():
     include = prefix / "include"
     library = next(prefix.glob("lib*/**/libmurosimf.so"))
     version = "".join(re.findall(r"MUROSIMF_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)", (include / "murosimf/version.h").read_text()))
-    mistakes = [*check_headers(include), *check_program(include, program, compiler), *check_symbols(library),
+    errors = [*check_headers(include), *check_program(include, program, compiler), *check_symbols(library),
                 *check_soname(library, ".".join(version))]
-    for mistake in mistakes:
-        print(mistake, file=sys.stderr)
-    sys.exit(1 if mistakes else 0)
+    for error in errors:
+        print(error, file=sys.stderr)
+    sys.exit(1 if errors else 0)
 
 
 if __name__ == "__main__":

@@ -18,7 +18,7 @@
 #include "murosimf/model/properties.h"
 #include "murosimf/scene/scene_report.h"
 #include "murosimf/scene_file/scene_spec.h"
-#include "murosimf/session/live_course.h"
+#include "murosimf/session/live_source.h"
 #include "tests/fixtures.h"
 #include "tests/league/until.h"
 #include "tests/recording/repeatable_run.h"
@@ -119,7 +119,7 @@ TEST(League, IsRepeatedFromARecording) {
   fixtures::RepeatableRun run{.scene = scene.string(),
                               .time = 7s,
                               .how = {.cameras = false,
-                                      .outside = {.notes = std::make_shared<OutsideNotes>()}}};
+                                      .outside = {.notes = std::make_shared<ExternalInputLog>()}}};
   run.options.state_period = 2s;
   std::optional<League> game;
   run.when_built = [&](scene::Scene& scene) {
@@ -289,7 +289,7 @@ TEST(League, GoingBackInTimeAnswersFromWhatHadCome) {
   UdpPort answers({});
   Game game(three_on_three({answer_port_of(answers)}), {.game_controller = UdpAddress{}});
   Controller controller(game);
-  session::LiveCourse course(game.scene);
+  session::LiveSource course(game.scene);
   course.begin();
   const auto go_on_until = [&](Duration time) {
     while (game.scene.simulation().now() < time) course.step();
@@ -319,9 +319,9 @@ TEST(League, GoingBackInTimeAnswersFromWhatHadCome) {
     EXPECT_EQ(game.game.game()->words(), time == first ? words - 1 : words);
   }
   EXPECT_EQ(answers.take({}), Texts{}) << "nobody is answered twice";
-  EXPECT_EQ(course.remark(), "");
+  EXPECT_EQ(course.diagnostic(), "");
   course.seek(first, {}, [] { return false; });
-  EXPECT_TRUE(fixtures::says(course.remark(), {"software of ", "and the GameController keep their own state: from "}));
+  EXPECT_TRUE(fixtures::says(course.diagnostic(), {"software of ", "and the GameController keep their own state: from "}));
 }
 
 TEST(League, TellsOnceWhatItCannotUse) {

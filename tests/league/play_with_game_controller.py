@@ -67,18 +67,18 @@ def main():
         again = json.loads(subprocess.run(
             [given.program, "run", given.scene, "--duration", "5", "--json", "-", "--no-cameras", "--threads", "2",
              "--game-repeat", record], stdout=subprocess.PIPE, check=True, text=True).stdout)
-    mistakes = []
+    errors = []
     if answers != {(team, player, 2) for team in (1, 2) for player in (1, 2, 3)}:
-        mistakes.append(f"answers: {sorted(answers)}")
+        errors.append(f"answers: {sorted(answers)}")
     events = [event["text"] for event in report["events"] if event["text"].startswith("game")]
     expected = ["game: the referee is there", "game: playing", "game: blue 3, red 0",
                 "game: blue1: penalty, ball manipulation"]
     if events != expected:
-        mistakes.append(f"events: {events}")
+        errors.append(f"events: {events}")
     if again["state_hash"] != report["state_hash"]:
-        mistakes.append(f"repeated: {again['state_hash']} is not {report['state_hash']}")
-    print("\n".join(mistakes) or "the robots have answered, and the run can be repeated")
-    sys.exit(1 if mistakes else 0)
+        errors.append(f"repeated: {again['state_hash']} is not {report['state_hash']}")
+    print("\n".join(errors) or "the robots have answered, and the run can be repeated")
+    sys.exit(1 if errors else 0)
 
 
 if __name__ == "__main__":

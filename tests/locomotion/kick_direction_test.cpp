@@ -99,7 +99,7 @@ TEST(KickDirection, EventsAskForIt) {
   scene::Scene scene("kick", options);
   scene.simulation().run(5s);
   EXPECT_GT(scene.simulation().world().entity("ball").base().get(properties::position).x, 1);
-  const auto mistake = [](const std::string& event, const char* model = "kid21", const char* controller = "motions") {
+  const auto error = [](const std::string& event, const char* model = "kid21", const char* controller = "motions") {
     return fixtures::error_of([&] {
       scene::SceneOptions options = Kicker::options("kinematic_walking", {1, 0, 0}, {}, model);
       options.overrides.push_back(std::string("robot.controller=") + controller);
@@ -107,11 +107,11 @@ TEST(KickDirection, EventsAskForIt) {
       const scene::Scene scene("kick", options);
     });
   };
-  EXPECT_TRUE(fixtures::says(mistake("1:robot.kick=4"), {"--at", "write DIRECTION"}));
-  EXPECT_TRUE(fixtures::says(mistake("1:robot.kick=[0,1,2]"), {"write DIRECTION"}));
-  EXPECT_TRUE(fixtures::says(mistake("1:robot.kick=left"), {"must be a number"}));
-  EXPECT_TRUE(fixtures::says(mistake("1:robot.kick=0", "kid21", "walk"), {"has no motion engine that could kick"}));
-  EXPECT_TRUE(fixtures::says(mistake("1:robot.kick=0", "spark_nao3"), {"no motion of its file says where"}));
+  EXPECT_TRUE(fixtures::says(error("1:robot.kick=4"), {"--at", "write DIRECTION"}));
+  EXPECT_TRUE(fixtures::says(error("1:robot.kick=[0,1,2]"), {"write DIRECTION"}));
+  EXPECT_TRUE(fixtures::says(error("1:robot.kick=left"), {"must be a number"}));
+  EXPECT_TRUE(fixtures::says(error("1:robot.kick=0", "kid21", "walk"), {"has no motion engine that could kick"}));
+  EXPECT_TRUE(fixtures::says(error("1:robot.kick=0", "spark_nao3"), {"no motion of its file says where"}));
 }
 
 }  // namespace

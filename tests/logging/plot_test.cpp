@@ -1,4 +1,4 @@
-// Plots: pictures of the right size, gnuplot takes any text as text, mistakes are one line.
+// Plots: pictures of the right size, gnuplot takes any text as text, errors are one line.
 #include "murosimf/logging/plot.h"
 
 #include <gtest/gtest.h>

@@ -102,7 +102,7 @@ TEST(Option, TextsAreOneOfTheChoices) {
   EXPECT_EQ(refusal_of({{"color", "ambre"}}), "unknown color 'ambre'; did you mean 'amber'?");
 }
 
-// Where the default is infinite, infinite is a value; elsewhere it is a mistake.
+// Where the default is infinite, infinite is a value; elsewhere it is an error.
 TEST(Option, InfiniteOnlyWhereTheDefaultIs) {
   EXPECT_EQ(refusal_of({{"life", any_number}}), "no error");
   EXPECT_NE(refusal_of({{"height", any_number}}), "no error");

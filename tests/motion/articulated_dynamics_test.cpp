@@ -1,6 +1,6 @@
 // Levels as island solvers see them: what impulses at a body do, against the same impulses as forces; explicit friction.
 #include "murosimf/motion/articulated_dynamics.h"
-#include "murosimf/collision/contact_seam.h"
+#include "murosimf/collision/contact_interface.h"
 
 #include <gtest/gtest.h>
 
@@ -48,7 +48,7 @@ struct Flying {
     }
     // so that all columns are those of this pose
     rig.simulation.step();
-    response = robot->find(collision::contact_seam)->values[0].response;
+    response = robot->find(collision::contact_interface)->values[0].response;
   }
   [[nodiscard]] int object(const Place& place) const { return robot->model().object_index(place.object); }
   [[nodiscard]] Vec3d point(const Place& place) {

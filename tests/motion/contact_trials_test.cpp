@@ -46,10 +46,10 @@ struct Trials : test::Alone<ContactTrials> {
     set().points[0].normal = {0, 0, 1};
     set().rest_force = {{{}, {7, 0, 0}}};
     set().loaded = {0};
-    seam().law = &law;
+    interface().law = &law;
   }
   collision::ContactSet& set() { return entity.column(collision::contacts).values[0]; }
-  collision::ContactSeam& seam() { return entity.column(collision::contact_seam).values[0]; }
+  collision::ContactInterface& interface() { return entity.column(collision::contact_interface).values[0]; }
   [[nodiscard]] const Wrenchd& load() { return entity.column(properties::external_force).values[0]; }
   /// How many trials there were; `wanted` of them are not satisfied with themselves.
   int settle(int wanted = 0) {
@@ -87,7 +87,7 @@ TEST(ContactTrials, GoOnWhileTheMotionWantsMore) {
   Trials trials;
   EXPECT_EQ(trials.settle(3), 4);
   Trials without;
-  without.seam().law = nullptr;
+  without.interface().law = nullptr;
   EXPECT_EQ(without.settle(2), 3);
   EXPECT_EQ(without.law.asked, 0);
 }
@@ -120,7 +120,7 @@ TEST(ContactTrials, WhatIsSolvedStaysAsItIs) {
   EXPECT_EQ(norm(trials.load().f), 0);
   trials.part->renew();
   EXPECT_FALSE(trials.part->solved());
-  trials.seam().law = nullptr;
+  trials.interface().law = nullptr;
   trials.part->commit();
   EXPECT_EQ(norm(trials.load().f), 0);
 }

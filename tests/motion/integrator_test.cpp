@@ -12,7 +12,7 @@
 namespace murosimf::motion {
 namespace {
 
-using collision::ContactSeam;
+using collision::ContactInterface;
 using Numbers = std::vector<double>;
 
 TEST(Integrators, HaveNames) {
@@ -67,18 +67,18 @@ TEST(RungeKutta4, IsOfFourthOrder) {
   EXPECT_NEAR(std::log2(error(20) / error(40)), 4, 0.1);
 }
 
-std::string error(Integrator integrator, const ContactSeam& seam, double period = 1e-3) {
-  return fixtures::error_of([&] { check_contacts(integrator, seam, period); });
+std::string error(Integrator integrator, const ContactInterface& interface, double period = 1e-3) {
+  return fixtures::error_of([&] { check_contacts(integrator, interface, period); });
 }
 
 TEST(CheckContacts, WantsOnePeriod) {
-  ContactSeam seam;
+  ContactInterface interface;
   for (const Integrator integrator : {Integrator::semi_implicit_euler, Integrator::rk4}) {
-    seam.terms.dt = 0;
-    EXPECT_EQ(error(integrator, seam, 2e-3), "no error") << "there is no contact";
-    seam.terms.dt = 2e-3;
-    EXPECT_EQ(error(integrator, seam, 2e-3), "no error");
-    EXPECT_TRUE(fixtures::says(error(integrator, seam, 1e-3), {"steps of 1 ms", "contact of 2 ms"}));
+    interface.terms.dt = 0;
+    EXPECT_EQ(error(integrator, interface, 2e-3), "no error") << "there is no contact";
+    interface.terms.dt = 2e-3;
+    EXPECT_EQ(error(integrator, interface, 2e-3), "no error");
+    EXPECT_TRUE(fixtures::says(error(integrator, interface, 1e-3), {"steps of 1 ms", "contact of 2 ms"}));
   }
 }
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/collision/contact.h"
-#include "murosimf/collision/contact_seam.h"
+#include "murosimf/collision/contact_interface.h"
 #include "murosimf/collision/impulse_response.h"
 #include "murosimf/motion/motion_properties.h"
 #include "tests/physics/rig.h"
@@ -128,7 +128,7 @@ TEST(JointLoad, IsThatOfTheColumnInsideAnIsland) {
   const auto rate_after = [](double load) {
     Braked braked;
     braked.hinge.set(properties::joint_load, load);
-    auto* response = braked.robot->find(collision::contact_seam)->values[0].response;
+    auto* response = braked.robot->find(collision::contact_interface)->values[0].response;
     EXPECT_TRUE(response->free_pass(h));
     const Vec3d now{0, 0, -2 * l};
     return -response->free_velocity(braked.robot->model().object_index("hinge"), {l, 0, 0}, now).z / l;

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/collision/contact_properties.h"
-#include "murosimf/collision/contact_seam.h"
+#include "murosimf/collision/contact_interface.h"
 #include "murosimf/collision/impulse_response.h"
 #include "murosimf/math/quaternion.h"
 #include "murosimf/motion/motion_properties.h"
@@ -161,7 +161,7 @@ struct Falling {
     rig.simulation.initialize();
     robot->object("crank").set(properties::joint_target, 0.7);
     rig.run(0.05);
-    response = robot->find(collision::contact_seam)->values[0].response;
+    response = robot->find(collision::contact_interface)->values[0].response;
   }
   [[nodiscard]] int object(const char* name) const { return robot->model().object_index(name); }
   [[nodiscard]] Vec3d point(const char* name) { return place(*robot, name); }

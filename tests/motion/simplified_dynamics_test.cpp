@@ -174,18 +174,18 @@ TEST(SimplifiedDynamics, TakesOverWhatUsersChange) {
 TEST(SimplifiedDynamics, AnswersToImpulses) {
   Flying flying({}, {0, 0, -9.81});
   Rig::launch(*flying.robot, v0, w0);
-  auto& seam = flying.robot->column(collision::contact_seam).values[0];
-  ASSERT_NE(seam.response, nullptr);
-  ASSERT_EQ(seam.response->coordinates(), 6U);
+  auto& interface = flying.robot->column(collision::contact_interface).values[0];
+  ASSERT_NE(interface.response, nullptr);
+  ASSERT_EQ(interface.response->coordinates(), 6U);
   const Vec3d c = flying.center(), point = flying.at("slider", properties::position) + Vec3d{0.02, 0.03, -0.04};
   const SymMat3d I = flying.inertia();
-  ASSERT_TRUE(seam.response->free_pass(dt));
+  ASSERT_TRUE(interface.response->free_pass(dt));
   const Vec3d arm = point - c, w_free = w0 - dt * (inverse(I) * cross(w0, I * w0));
   const Vec3d free = Vec3d{1, 2, 3} + dt * Vec3d{0, 0, -9.81} + cross(w_free - w0, arm);
-  EXPECT_LT(difference(seam.response->free_velocity(0, point, {1, 2, 3}), free), 1e-12);
+  EXPECT_LT(difference(interface.response->free_velocity(0, point, {1, 2, 3}), free), 1e-12);
   const Mat3d directions = rotation_z(0.4) * rotation_x(0.9);
   collision::ResponseRows y;
-  seam.response->respond(flying.robot->model().object_index("slider"), point, directions, y);
+  interface.response->respond(flying.robot->model().object_index("slider"), point, directions, y);
   SymMat3d W;
   for (const Vec3d& row : y.value) W += outer(row);
   const auto effect = [&](const Vec3d& f) { return (1 / 3.1) * f + cross(inverse(I) * cross(arm, f), arm); };
@@ -195,7 +195,7 @@ TEST(SimplifiedDynamics, AnswersToImpulses) {
   const Vec3d lambda{0.02, -0.03, 0.05};
   std::vector<double> z(6);
   for (std::size_t k = 0; k < y.index.size(); ++k) z[static_cast<std::size_t>(y.index[k])] += dot(y.value[k], lambda);
-  seam.response->apply(z);
+  interface.response->apply(z);
   flying.robot->column(collision::contacts).values[0].solved = true;
   flying.step();
   const Vec3d impulse = directions * lambda;
@@ -206,7 +206,7 @@ TEST(SimplifiedDynamics, AnswersToImpulses) {
 
 TEST(SimplifiedDynamics, AFreePassOfBadNumbersIsRefused) {
   Flying flying;
-  auto* response = flying.robot->column(collision::contact_seam).values[0].response;
+  auto* response = flying.robot->column(collision::contact_interface).values[0].response;
   flying.at("trunk", properties::external_force) = {{}, {1e7, 0, 0}};
   EXPECT_FALSE(response->free_pass(dt));
   flying.at("trunk", properties::external_force) = {};
@@ -234,7 +234,7 @@ TEST(SimplifiedDynamics, TakesOverTheMomentum) {
   EXPECT_LT(difference(test::momentum(robot).f, momentum.f), 1e-9) << "bodies move with it";
   EXPECT_EQ(difference(Rig::place(robot), place), 0);
   EXPECT_EQ(robot.base().get(properties::dynamic), 1);
-  EXPECT_NE(robot.find(collision::contact_seam)->values[0].response, nullptr);
+  EXPECT_NE(robot.find(collision::contact_interface)->values[0].response, nullptr);
   const Vec3d L = I * robot.base().get(properties::angular_velocity);
   rig.exchange(robot, "full_dynamics");
   EXPECT_LT(difference(test::momentum(robot).n, L), 1e-6) << "and back, that of a rigid body";

@@ -12,7 +12,7 @@ from pathlib import Path
 
 try:
     import numpy as np
-    from mistakes import check, end
+    from errors import check, end
 except ImportError as missing:
     print(f"skipped: {missing}; pip install numpy")
     sys.exit(77)

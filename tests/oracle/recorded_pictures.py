@@ -21,7 +21,7 @@ try:
     import numpy as np
     from mcap.reader import make_reader
     from mcap_protobuf.decoder import DecoderFactory
-    from mistakes import check, end
+    from errors import check, end
     from recording_against_official import check_schemas, positions, rotation
 except ImportError as missing:
     print(f"skipped: {missing}; pip install mcap mcap-protobuf-support foxglove-schemas-protobuf opencv-python-headless")

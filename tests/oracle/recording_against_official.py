@@ -22,7 +22,7 @@ try:
     from google.protobuf import descriptor_pb2
     from mcap.reader import make_reader
     from mcap_protobuf.decoder import DecoderFactory
-    from mistakes import check, end
+    from errors import check, end
 except ImportError as missing:
     print(f"skipped: {missing}; pip install mcap mcap-protobuf-support foxglove-schemas-protobuf")
     sys.exit(77)

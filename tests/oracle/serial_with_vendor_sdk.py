@@ -28,7 +28,7 @@ if not os.path.exists("/dev/ptmx"):
     print("skipped: there are no pseudo terminals here")
     sys.exit(77)
 
-from mistakes import end, mistakes
+from errors import end, errors
 
 sdk.port_handler.LATENCY_TIMER = 200  # [ms] of its time-outs: machines that test are busy
 SERVOS = list(range(1, 22))  # of kid21
@@ -42,7 +42,7 @@ X = {**V2, "models": {1020}}
 
 def expect(what, got, wanted):
     if got != wanted:
-        mistakes.append(f"{what}: {got}, not {wanted}")
+        errors.append(f"{what}: {got}, not {wanted}")
 
 
 class Robot:
@@ -124,7 +124,7 @@ def reach(robot, goals):
         if all(abs(positions[servo] - goal) <= 2 for servo, goal in goals.items()):
             return
         time.sleep(0.05)
-    mistakes.append(f"the goals {goals} are not reached: {positions}")
+    errors.append(f"the goals {goals} are not reached: {positions}")
 
 
 def check_bus(robot):
@@ -181,7 +181,7 @@ def check_protocol_2(robot):
         if abs(felt - 981) < 40:
             break
     if not abs(felt - 981) < 40:
-        mistakes.append(f"the IMU feels {felt}, not 981 cm/s^2")
+        errors.append(f"the IMU feels {felt}, not 981 cm/s^2")
     expect("clear", robot.packets.clearMultiTurn(robot.port, 1), (sdk.COMM_SUCCESS, 0))
     check_fast_reads(robot)
     check_indirect_addresses(robot)
@@ -219,7 +219,7 @@ def check_indirect_addresses(robot):
     present = robot.read(5, 132, 4)
     through = robot.read(5, 224, 4)
     if not abs(present - through) <= 30:  # it may move
-        mistakes.append(f"through indirect addresses the position is {through}, not {present}")
+        errors.append(f"through indirect addresses the position is {through}, not {present}")
     expect("indirect data", robot.packets.write1ByteTxRx(robot.port, 5, 228, 1), (sdk.COMM_SUCCESS, 0))
     expect("LED", robot.read(5, 65, 1), 1)
 
@@ -268,7 +268,7 @@ def check_walk(program, folder):
             robot.positions()
         robot.process.wait()
         if not walked(robot.report) > 0.5 * walked(report):
-            mistakes.append(f"it walks {walked(robot.report)} m over the line, {walked(report)} m without")
+            errors.append(f"it walks {walked(robot.report)} m over the line, {walked(report)} m without")
         print(f"walked {walked(robot.report):.2f} m over the line, {walked(report):.2f} m without")
 
 

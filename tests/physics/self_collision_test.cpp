@@ -149,7 +149,7 @@ TEST(SelfCollision, RestsWithoutDrift) {
   EXPECT_NEAR(bender.elbow(), angle, 1e-6);
 }
 
-// Mistakes in an entity's options name it, and what could have been meant.
+// Errors in an entity's options name it, and what could have been meant.
 TEST(CollisionOptions, MistakesAreNamed) {
   const auto error = [](const CollisionOptions& options) {
     return fixtures::error_of([&] { Bender bender(options); });

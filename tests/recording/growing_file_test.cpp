@@ -93,7 +93,7 @@ TEST_F(GrowingFiles, WithoutEndStayWhereTheyAre) {
   }
   EXPECT_EQ(text("game.mcap"), "old");
   EXPECT_EQ(text("game.mcap.part"), "cut off");
-  EXPECT_TRUE(fixtures::says(remark_on_part(file()), {"game.mcap.part", "did not come to its end"}));
+  EXPECT_TRUE(fixtures::says(part_diagnostic(file()), {"game.mcap.part", "did not come to its end"}));
 }
 
 TEST_F(GrowingFiles, BelongToOneRun) {
@@ -114,7 +114,7 @@ TEST_F(GrowingFiles, BelongToOneRun) {
     const std::string holder = "process " + std::to_string(child);
     EXPECT_EQ(error_of([&] { GrowingFile{file()}; }),
               "cannot write '" + file().string() + "': it is being written by " + holder);
-    EXPECT_TRUE(fixtures::says(remark_on_part(file()), {holder}));
+    EXPECT_TRUE(fixtures::says(part_diagnostic(file()), {holder}));
     ::kill(child, SIGKILL);
     ::waitpid(child, nullptr, 0);
     EXPECT_EQ(text("game.mcap"), old ? "old" : "first");
@@ -156,7 +156,7 @@ TEST_F(GrowingFiles, EmptyPartsAreNothing) {
     const GrowingFile growing(file());
     ::kill(::getpid(), SIGKILL);
   });
-  EXPECT_EQ(remark_on_part(file()), "");
+  EXPECT_EQ(part_diagnostic(file()), "");
   GrowingFile growing(file());
   growing.append("all");
   growing.finish();

@@ -36,7 +36,7 @@ Numbers numbers_of(const std::string& attributes) {
   return read("<camera name='eye' " + attributes + "/>").description.sensors.at(0).numbers;
 }
 
-std::string mistake(const std::string& attributes) {
+std::string error(const std::string& attributes) {
   return error_of([&] { (void)numbers_of(attributes); });
 }
 
@@ -75,13 +75,13 @@ TEST(MjcfCameras, TakeSettingsOfTheirClass) {
 }
 
 TEST(MjcfCameras, ImpossibleOnesAreRefused) {
-  EXPECT_TRUE(says(mistake("fovy='180'"), {"robot.xml:2", "fovy 180"}));
-  EXPECT_TRUE(says(mistake("resolution='0 480'"), {"robot.xml:2", "resolution '0 480'"}));
-  EXPECT_TRUE(says(mistake("resolution='64.5 48'"), {"robot.xml:2", "whole numbers"}));
-  EXPECT_TRUE(says(mistake("resolution='200000 48'"), {"robot.xml:2", "up to 100000"}));
-  EXPECT_TRUE(says(mistake("sensorsize='0.01 0.01'"), {"robot.xml:2", "focal"}));
-  EXPECT_TRUE(says(mistake("focal='0.01 0.01'"), {"robot.xml:2", "sensorsize"}));
-  EXPECT_TRUE(says(mistake("mode='follow'"), {"robot.xml:2", "mode of camera"}));
+  EXPECT_TRUE(says(error("fovy='180'"), {"robot.xml:2", "fovy 180"}));
+  EXPECT_TRUE(says(error("resolution='0 480'"), {"robot.xml:2", "resolution '0 480'"}));
+  EXPECT_TRUE(says(error("resolution='64.5 48'"), {"robot.xml:2", "whole numbers"}));
+  EXPECT_TRUE(says(error("resolution='200000 48'"), {"robot.xml:2", "up to 100000"}));
+  EXPECT_TRUE(says(error("sensorsize='0.01 0.01'"), {"robot.xml:2", "focal"}));
+  EXPECT_TRUE(says(error("focal='0.01 0.01'"), {"robot.xml:2", "sensorsize"}));
+  EXPECT_TRUE(says(error("mode='follow'"), {"robot.xml:2", "mode of camera"}));
 }
 
 /// Direction in the base's frame in which the description's sensor `number` has its axes.

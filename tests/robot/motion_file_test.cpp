@@ -1,4 +1,4 @@
-// Files of key-frame motions: those that come with the program, and one clear line for every mistake.
+// Files of key-frame motions: those that come with the program, and one clear line for every error.
 #include "murosimf/robot/motion_file.h"
 
 #include <gtest/gtest.h>

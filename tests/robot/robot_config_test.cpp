@@ -1,4 +1,4 @@
-/// robot_config_test - servos, surfaces and soles from TOML; mistakes are named with file, line and column.
+/// robot_config_test - servos, surfaces and soles from TOML; errors are named with file, line and column.
 #include "murosimf/robot/robot_config.h"
 
 #include <fstream>

@@ -78,7 +78,7 @@ TEST(Clock, LongDelaysMoveTheScheduleInsteadOfRacing) {
 TEST(Clock, TellsOfOverrunsWhileItRunsMoreAndMoreRarely) {
   Paced p(1.0);
   std::vector<Overrun> told;
-  p.clock.tell_of_overruns([&](const Overrun& overrun) { told.push_back(overrun); });
+  p.clock.publish_overruns([&](const Overrun& overrun) { told.push_back(overrun); });
   for (int i = 1; i <= 10000; ++i) {
     if (i % 10 == 0) p.wall += 4ms;
     p.clock.wait_until(i * 1ms);
@@ -100,7 +100,7 @@ TEST(Clock, TellsOfOverrunsWhileItRunsMoreAndMoreRarely) {
 TEST(Clock, SaysNothingWhileNobodyIsLate) {
   Paced p(1.0);
   bool told = false;
-  p.clock.tell_of_overruns([&](const Overrun&) { told = true; });
+  p.clock.publish_overruns([&](const Overrun&) { told = true; });
   for (int i = 1; i <= 5000; ++i) p.clock.wait_until(i * 1ms);
   EXPECT_FALSE(told);
 }

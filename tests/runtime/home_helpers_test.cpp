@@ -19,16 +19,16 @@ TEST(HomeHelpers, EveryEntityIsDoneOnce) {
   for (int i = 0; i < 9; ++i) all.push_back(&entities.emplace_back("robot", model));
   for (const int threads : {1, 2, 4}) {
     ThreadPool pool(threads, Sharing::always);
-    HomeHelpers helpers(pool);
+    HomeHelpers parallel_for(pool);
     for (const bool at_home : {false, true}) {
       if (at_home) {
-        Homes homes(static_cast<std::size_t>(threads));
-        homes.share_out(all);
-        helpers.use(homes);
+        ThreadAffinity thread_affinity(static_cast<std::size_t>(threads));
+        thread_affinity.share_out(all);
+        parallel_for.use(thread_affinity);
       }
       for (const std::size_t count : {0U, 1U, 2U, 9U}) {
         std::vector<int> runs(9, 0);  // plain ints: two threads on one item are a race that TSan sees
-        helpers.for_each(std::span(all).first(count), [&](std::size_t i) { ++runs[i]; });
+        parallel_for.for_each(std::span(all).first(count), [&](std::size_t i) { ++runs[i]; });
         for (std::size_t i = 0; i < runs.size(); ++i) EXPECT_EQ(runs[i], i < count ? 1 : 0);
       }
     }
@@ -41,13 +41,13 @@ TEST(HomeHelpers, EntitiesAreDoneWhereTheyAreAtHome) {
   const Entity first("first", model), second("second", model);
   const std::vector<const Entity*> all{&first, &second};
   ThreadPool pool(2, Sharing::always);
-  HomeHelpers helpers(pool);
-  Homes homes(2);
-  homes.share_out(all);
-  helpers.use(homes);
+  HomeHelpers parallel_for(pool);
+  ThreadAffinity thread_affinity(2);
+  thread_affinity.share_out(all);
+  parallel_for.use(thread_affinity);
   std::atomic<int> here = 0;
   std::array<std::thread::id, 2> threads;
-  helpers.for_each(all, [&](std::size_t i) {
+  parallel_for.for_each(all, [&](std::size_t i) {
     threads[i] = std::this_thread::get_id();
     ++here;
     for (int wait = 0; here < 2 && wait < 10'000; ++wait) std::this_thread::sleep_for(std::chrono::milliseconds(1));

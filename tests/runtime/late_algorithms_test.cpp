@@ -14,7 +14,7 @@ using fixtures::says;
 
 constexpr Property<double> counter{{"counter", "1", "-", "calls so far", Scope::base}};
 constexpr Property<double> doubled{{"doubled", "1", "-", "twice the calls", Scope::base}};
-constexpr Property<double> wish{{"wish", "1", "-", "what somebody wants", Scope::base}};
+constexpr Property<double> request{{"request", "1", "-", "what somebody wants", Scope::base}};
 
 class Count final : public Algorithm {
  public:
@@ -31,7 +31,7 @@ class Count final : public Algorithm {
 class Twice final : public Algorithm {
  public:
   explicit Twice(Setup& setup)
-      : counter_(setup.read(counter)[0]), wish_(setup.input(wish, 5)[0]), doubled_(setup.write(doubled)[0]) {}
+      : counter_(setup.read(counter)[0]), wish_(setup.input(request, 5)[0]), doubled_(setup.write(doubled)[0]) {}
   [[nodiscard]] Phase phase() const noexcept override { return Phase::observe; }
   void initialize() override { doubled_ = -1; }
   void step(const Instant&) noexcept override { doubled_ = 2 * counter_ + 0 * wish_; }
@@ -47,7 +47,7 @@ class CannotStart final : public Algorithm {
  public:
   explicit CannotStart(Setup& setup) : doubled_(setup.write(doubled)[0]) {}
   [[nodiscard]] Phase phase() const noexcept override { return Phase::control; }
-  void initialize() override { throw SetupError("no wish to start"); }
+  void initialize() override { throw SetupError("no request to start"); }
   void step(const Instant&) noexcept override { doubled_ = 0; }
 
  private:
@@ -66,7 +66,7 @@ TEST_F(LateAlgorithms, AreInitializedAtOnceAndStepFromTheNextStepOn) {
   simulation.run(10ms);
   simulation.attach<Twice>("twice", dot, 1000);
   EXPECT_EQ(dot.base().get(doubled), -1);
-  EXPECT_EQ(dot.base().get(wish), 5);
+  EXPECT_EQ(dot.base().get(request), 5);
   EXPECT_EQ(dot.base().get(counter), 10) << "others do not notice";
   simulation.step();
   EXPECT_EQ(dot.base().get(doubled), 22);
@@ -92,10 +92,10 @@ TEST_F(LateAlgorithms, MayChangeTheTick) {
 TEST_F(LateAlgorithms, KeepWhatStandsInTheirInputs) {
   simulation.attach<Twice>("twice", dot, 1000);
   simulation.run(5ms);
-  dot.base().set(wish, 8);
+  dot.base().set(request, 8);
   class Other final : public Algorithm {
    public:
-    explicit Other(murosimf::Setup& setup) : counter_(setup.input(counter, 99)[0]), wish_(setup.input(wish, 7)[0]) {}
+    explicit Other(murosimf::Setup& setup) : counter_(setup.input(counter, 99)[0]), wish_(setup.input(request, 7)[0]) {}
     [[nodiscard]] Phase phase() const noexcept override { return Phase::observe; }
     void step(const Instant&) noexcept override { sum = counter_ + wish_; }
     double sum = 0;
@@ -105,7 +105,7 @@ TEST_F(LateAlgorithms, KeepWhatStandsInTheirInputs) {
   };
   const Other& other = simulation.attach<Other>("other", dot, 1000);
   EXPECT_EQ(dot.base().get(counter), 5) << "written by somebody";
-  EXPECT_EQ(dot.base().get(wish), 8) << "set by somebody";
+  EXPECT_EQ(dot.base().get(request), 8) << "set by somebody";
   simulation.step();
   EXPECT_EQ(other.sum, 14);
 }
@@ -113,7 +113,7 @@ TEST_F(LateAlgorithms, KeepWhatStandsInTheirInputs) {
 TEST_F(LateAlgorithms, WhoIsRefusedLeavesNothingBehind) {
   simulation.run(3ms);
   const auto hash = simulation.state_hash();
-  EXPECT_TRUE(says(error_of([&] { simulation.attach<CannotStart>("lazy", dot, 1000); }), {"lazy", "no wish"}));
+  EXPECT_TRUE(says(error_of([&] { simulation.attach<CannotStart>("lazy", dot, 1000); }), {"lazy", "no request"}));
   EXPECT_TRUE(says(error_of([&] { simulation.attach<Twice>("twice", dot, 1e9); }), {"twice", "rate"}));
   EXPECT_TRUE(says(error_of([&] { simulation.attach<Twice>("twice", dot, 333.331); }), {"does not fit"}));
   EXPECT_EQ(simulation.state_hash(), hash);
@@ -136,10 +136,10 @@ TEST_F(LateAlgorithms, AreAsNewAfterAReset) {
   auto& twice = simulation.attach<Twice>("twice", dot, 1000);
   simulation.run(10ms);
   twice.memory = 4;
-  dot.base().set(wish, 8);
+  dot.base().set(request, 8);
   simulation.reset();
   EXPECT_EQ(twice.memory, 3);
-  EXPECT_EQ(dot.base().get(wish), 5);
+  EXPECT_EQ(dot.base().get(request), 5);
   EXPECT_EQ(dot.base().get(doubled), -1);
   EXPECT_EQ(dot.base().get(counter), 0);
 }
@@ -150,7 +150,7 @@ TEST_F(LateAlgorithms, WhoGoesTakesItsColumnsAlong) {
   const ConstColumnView view = std::as_const(dot).view("doubled");
   simulation.detach(twice);
   EXPECT_EQ(dot.find(doubled), nullptr);
-  EXPECT_EQ(dot.find(wish), nullptr);
+  EXPECT_EQ(dot.find(request), nullptr);
   EXPECT_EQ(view(0, 0), 20) << "a view keeps what was there";
   simulation.run(5ms);
   EXPECT_EQ(dot.base().get(counter), 15);

@@ -67,7 +67,7 @@ class CannotStart final : public Algorithm {
  public:
   explicit CannotStart(Setup& setup) : ticks_(setup.write(ticks)[0]) {}
   [[nodiscard]] Phase phase() const noexcept override { return Phase::control; }
-  void initialize() override { throw SetupError("no wish to start"); }
+  void initialize() override { throw SetupError("no request to start"); }
   void step(const Instant&) noexcept override { ticks_ = 0; }
 
  private:
@@ -218,7 +218,7 @@ TEST_F(Presence, OfSomebodyRefusedLeavesNoTrace) {
                            }),
                    {"reads of five", "nobodys"}));
   EXPECT_TRUE(says(refused("six", [&](Entity& e) { simulation.attach<CannotStart>("idler", e, 1000); }),
-                   {"idler of six", "no wish to start"}));
+                   {"idler of six", "no request to start"}));
   EXPECT_EQ(simulation.world().entities().size(), 2u);
   EXPECT_EQ(simulation.save(), bytes);
   simulation.run(1ms);

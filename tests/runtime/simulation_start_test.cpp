@@ -10,13 +10,13 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Property<double> sum{{"sum", "1", "-", "of wishes", Scope::base}};
-constexpr Property<double> wish{{"wish", "1", "-", "what somebody wants", Scope::base}};
+constexpr Property<double> sum{{"sum", "1", "-", "of requests", Scope::base}};
+constexpr Property<double> request{{"request", "1", "-", "what somebody wants", Scope::base}};
 
-/// Adds the wish and a random number in every step; remembers in a member how often.
+/// Adds the request and a random number in every step; remembers in a member how often.
 class Add final : public Algorithm {
  public:
-  explicit Add(Setup& setup) : sum_(setup.write(sum)[0]), wish_(setup.input(wish, 2)[0]), random_(1, "add") {}
+  explicit Add(Setup& setup) : sum_(setup.write(sum)[0]), wish_(setup.input(request, 2)[0]), random_(1, "add") {}
   [[nodiscard]] Phase phase() const noexcept override { return Phase::control; }
   void initialize() override { sum_ = 10 + wish_; }
   void step(const Instant&) noexcept override { sum_ += wish_ + random_.uniform(steps++); }
@@ -54,20 +54,20 @@ TEST_F(Started, AResetIsTheFirstStartAgain) {
 
 TEST_F(Started, WhatWasSetInARunIsGone) {
   simulation.run(5ms);
-  dot.base().set(wish, 7);
+  dot.base().set(request, 7);
   simulation.record("a note");
   simulation.reset();
-  EXPECT_EQ(dot.base().get(wish), 2);
+  EXPECT_EQ(dot.base().get(request), 2);
   EXPECT_TRUE(simulation.events().empty());
 }
 
 TEST_F(Started, WhatWasSetBeforeTheFirstStartIsThereAgain) {
-  dot.base().set(wish, 3);
+  dot.base().set(request, 3);
   simulation.record("built");
   simulation.run(5ms);
-  dot.base().set(wish, 7);
+  dot.base().set(request, 7);
   simulation.reset();
-  EXPECT_EQ(dot.base().get(wish), 3);
+  EXPECT_EQ(dot.base().get(request), 3);
   EXPECT_EQ(value(), 13);
   ASSERT_EQ(simulation.events().size(), 1u);
 }
@@ -75,7 +75,7 @@ TEST_F(Started, WhatWasSetBeforeTheFirstStartIsThereAgain) {
 TEST_F(Started, CallsOfTheStartComeBeforeAndAfterFirstValues) {
   std::string calls;
   simulation.before_start([&] {
-    dot.base().set(wish, 4);
+    dot.base().set(request, 4);
     calls += "b";
   });
   simulation.after_start([&] {

@@ -105,14 +105,14 @@ TEST_P(AdditionAtLevel, InARunningSceneIsPartOfItFromThenOn) {
   Scene scene(scene_with(""));
   scene.simulation().run(500ms);
   const auto before = scene.save();
-  const auto warnings = scene.parts().remarks.warnings();
+  const auto warnings = scene.parts().diagnostics.warnings();
   Entity& red = scene.add(robot);
   Scene twin(scene_with(""), {.threads = 2});
   twin.simulation().run(500ms);
   (void)twin.add(robot);
   EXPECT_EQ(difference(go_on(scene, 2s), go_on(twin, 2s)), "") << "the same whenever it is done";
   EXPECT_GT(norm(red.base().get(properties::position) - robot.position), 0.05) << "it walks";
-  EXPECT_EQ(scene.parts().remarks.warnings(), warnings);
+  EXPECT_EQ(scene.parts().diagnostics.warnings(), warnings);
   // states are of the scene as it is
   const auto bytes = scene.save();
   const auto expected = go_on(scene, 300ms);

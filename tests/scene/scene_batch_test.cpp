@@ -69,14 +69,14 @@ TEST(SceneBatch, AWrongOneUndoesThoseBeforeIt) {
   Game game;
   Game untouched;
   const auto before = game.scene.save();
-  const auto remarks = game.scene.parts().remarks.warnings();
+  const auto diagnostics = game.scene.parts().diagnostics.warnings();
   for (const std::string& bad : wrong) {
     std::vector<std::string> all = good;
     all.push_back(bad);
     EXPECT_NE(error_of([&] { game.scene.change(all); }), "no error") << bad;
     EXPECT_TRUE(game.scene.save() == before) << bad;
     EXPECT_EQ(game.scene.simulation().commands().size(), 0U) << bad;
-    EXPECT_EQ(game.scene.parts().remarks.warnings(), remarks) << bad;
+    EXPECT_EQ(game.scene.parts().diagnostics.warnings(), diagnostics) << bad;
     for (const std::string& one : good) {
       EXPECT_NE(error_of([&] { game.scene.change({one, bad}); }), "no error") << one << ", " << bad;
       EXPECT_TRUE(game.scene.save() == before) << one << ", " << bad;

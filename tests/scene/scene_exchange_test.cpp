@@ -1,4 +1,4 @@
-// A scene that changes while it runs: its timeline, --at, refusals, and one clear line for every mistake.
+// A scene that changes while it runs: its timeline, --at, refusals, and one clear line for every error.
 #include <gtest/gtest.h>
 
 #include "murosimf/collision/contact_properties.h"
@@ -97,21 +97,21 @@ TEST(Timeline, HasRobotsPlayMotions) {
 }
 
 TEST(Timeline, RefusesMistakesBeforeTheRun) {
-  const auto mistake = [](const std::string& option) {
+  const auto error = [](const std::string& option) {
     return error_of([&] { Scene scene(fixtures::write_scene(game), {.events = {option}}); });
   };
-  EXPECT_TRUE(says(mistake("1:blu1.level=full_dynamics"), {"--at", "unknown entity 'blu1'", "'blue1'"}));
-  EXPECT_TRUE(says(mistake("1:blue1.level=full"), {"unknown level 'full'", "full_dynamics"}));
-  EXPECT_TRUE(says(mistake("1:blue1.contact=stick"), {"unknown contact law 'stick'"}));
-  EXPECT_TRUE(says(mistake("1:blue1.servo_law=dc"), {"unknown servo law 'dc'"}));
-  EXPECT_TRUE(says(mistake("1:blue1.model=car"), {"unknown setting 'model'", "known: level, contact"}));
-  EXPECT_TRUE(says(mistake("1:blue1"), {"write PATH=VALUE"}));
-  EXPECT_TRUE(says(mistake("blue1.level=full_dynamics"), {"write TIME:PATH=VALUE"}));
-  EXPECT_TRUE(says(mistake("nan:blue1.level=full_dynamics"), {"the time must be"}));
-  EXPECT_TRUE(says(mistake("-1:blue1.level=full_dynamics"), {"the time must be"}));
-  EXPECT_TRUE(says(mistake("1:blue1.pelvs.applied_force=[0,0,1,0,0,0]"), {"unknown object 'pelvs'", "pelvis"}));
-  EXPECT_TRUE(says(mistake("1:blue1.command=fast"), {"must be a number"}));
-  EXPECT_TRUE(says(mistake("1:blue1.play=kick_left"), {"'blue1' has no motion engine", "\"motions\""}));
+  EXPECT_TRUE(says(error("1:blu1.level=full_dynamics"), {"--at", "unknown entity 'blu1'", "'blue1'"}));
+  EXPECT_TRUE(says(error("1:blue1.level=full"), {"unknown level 'full'", "full_dynamics"}));
+  EXPECT_TRUE(says(error("1:blue1.contact=stick"), {"unknown contact law 'stick'"}));
+  EXPECT_TRUE(says(error("1:blue1.servo_law=dc"), {"unknown servo law 'dc'"}));
+  EXPECT_TRUE(says(error("1:blue1.model=car"), {"unknown setting 'model'", "known: level, contact"}));
+  EXPECT_TRUE(says(error("1:blue1"), {"write PATH=VALUE"}));
+  EXPECT_TRUE(says(error("blue1.level=full_dynamics"), {"write TIME:PATH=VALUE"}));
+  EXPECT_TRUE(says(error("nan:blue1.level=full_dynamics"), {"the time must be"}));
+  EXPECT_TRUE(says(error("-1:blue1.level=full_dynamics"), {"the time must be"}));
+  EXPECT_TRUE(says(error("1:blue1.pelvs.applied_force=[0,0,1,0,0,0]"), {"unknown object 'pelvs'", "pelvis"}));
+  EXPECT_TRUE(says(error("1:blue1.command=fast"), {"must be a number"}));
+  EXPECT_TRUE(says(error("1:blue1.play=kick_left"), {"'blue1' has no motion engine", "\"motions\""}));
 
   const auto event = [](const std::string& text) {
     return error_of([&] { Scene scene(fixtures::write_scene(game + "[[events]]\n" + text)); });

@@ -368,10 +368,10 @@ TEST(ScenePresence, ATakenPlaceIsAWarning) {
   scene.leave("red1");
   scene.simulation().world().entity("blue1").base().set(properties::position, {0.7, 0.05, place_of(scene, "blue1").z});
   scene.simulation().step();
-  EXPECT_TRUE(scene.parts().remarks.warnings().empty());
+  EXPECT_TRUE(scene.parts().diagnostics.warnings().empty());
   scene.enter("red1");
-  ASSERT_EQ(scene.parts().remarks.warnings().size(), 1u);
-  EXPECT_TRUE(says(scene.parts().remarks.warnings()[0], {"blue1", "red1", "overlap"}));
+  ASSERT_EQ(scene.parts().diagnostics.warnings().size(), 1u);
+  EXPECT_TRUE(says(scene.parts().diagnostics.warnings()[0], {"blue1", "red1", "overlap"}));
 }
 
 TEST(ScenePresence, OfTheStartComesBackWithAReset) {

@@ -1,4 +1,4 @@
-// A scene that is reset is as a new one: the same bits in all columns, readings and pictures, the same events and remarks.
+// A scene that is reset is as a new one: the same bits in all columns, readings and pictures, the same events and diagnostics.
 #include "murosimf/scene/scene_start.h"
 
 #include <gtest/gtest.h>
@@ -31,8 +31,8 @@ void expect_equal(Scene& scene, Scene& fresh, Duration duration) {
   EXPECT_EQ(scene.simulation().now(), Duration{});
   fresh.simulation().initialize();
   EXPECT_EQ(difference(go_on(scene, duration), go_on(fresh, duration)), "");
-  EXPECT_EQ(scene.parts().remarks.notes(), fresh.parts().remarks.notes());
-  EXPECT_EQ(scene.parts().remarks.warnings(), fresh.parts().remarks.warnings());
+  EXPECT_EQ(scene.parts().diagnostics.notes(), fresh.parts().diagnostics.notes());
+  EXPECT_EQ(scene.parts().diagnostics.warnings(), fresh.parts().diagnostics.warnings());
   EXPECT_EQ(scene.simulation().warnings(), fresh.simulation().warnings());
   EXPECT_EQ(events_of(scene), events_of(fresh));
   for (const auto& entity : fresh.simulation().world().entities()) {

@@ -202,16 +202,16 @@ TEST(SceneSensors, OfARobotFileFollowLongSteps) {
   EXPECT_EQ(reading(scene, "one", "encoders").samples, 10u);
 }
 
-struct Mistake {
+struct Error {
   const char* name;
   std::string text;  ///< behind the start of the scene
   std::vector<std::string> overrides;
   std::vector<std::string_view> parts;  ///< of the message
 };
 
-void PrintTo(const Mistake& mistake, std::ostream* stream) { *stream << mistake.name; }
+void PrintTo(const Error& error, std::ostream* stream) { *stream << error.name; }
 
-class SceneSensorMistake : public testing::TestWithParam<Mistake> {};
+class SceneSensorMistake : public testing::TestWithParam<Error> {};
 
 TEST_P(SceneSensorMistake, IsOneLine) {
   const std::string file = fixtures::temp_folder().string() + "/" + "scene_sensor_mistake_" + GetParam().name + ".toml";
@@ -226,32 +226,32 @@ std::string one(const std::string& lines) { return "[[robots]]\nname = 'one'\n" 
 INSTANTIATE_TEST_SUITE_P(
     Scenes, SceneSensorMistake,
     testing::Values(
-        Mistake{"ANumber", one("sensors = 3\n"), {}, {".toml:7:11: 'sensors' must be false (none), true"}},
-        Mistake{
+        Error{"ANumber", one("sensors = 3\n"), {}, {".toml:7:11: 'sensors' must be false (none), true"}},
+        Error{
             "UnknownSensor", one("[robots.sensors]\nimo = false\n"), {}, {".toml:8:7: unknown sensor 'imo'", "'imu'"}},
-        Mistake{"NoType",
+        Error{"NoType",
                 one("[robots.sensors.x]\nrate = 5\n"),
                 {},
                 {".toml:7:", "sensor 'x' needs type", "(robot 'one')"}},
-        Mistake{"UnknownFrame",
+        Error{"UnknownFrame",
                 one("[robots.sensors.imu]\nframe = 'torsa'\n"),
                 {},
                 {".toml:7:", "'torso'", "(robot 'one')"}},
-        Mistake{"RateAboveTheStepsInTheFile", one("[robots.sensors.imu]\nrate = 3000\n"), {}, {".toml:7:", "3000 Hz"}},
-        Mistake{"RateAboveTheSteps",
+        Error{"RateAboveTheStepsInTheFile", one("[robots.sensors.imu]\nrate = 3000\n"), {}, {".toml:7:", "3000 Hz"}},
+        Error{"RateAboveTheSteps",
                 one(""),
                 {"one.sensors.imu.rate=2000"},
                 {"--set 'one.sensors.imu.rate=2000'", "faster than"}},
-        Mistake{"UnknownKeyOfSet",
+        Error{"UnknownKeyOfSet",
                 one(""),
                 {"one.sensors.imu.rat=5"},
                 {"--set 'one.sensors.imu.rat=5'", "did you mean 'rate'?"}},
-        Mistake{"UnknownSensorOfSet",
+        Error{"UnknownSensorOfSet",
                 one(""),
                 {"one.sensors.imo.rate=5"},
                 {"--set 'one.sensors.imo.rate=5'", "'imo' needs type"}},
-        Mistake{"TooDeep", one(""), {"one.sensors.imu.a.b.c=5"}, {"--set", "write sensors.NAME.KEY"}},
-        Mistake{"InsideNothing",
+        Error{"TooDeep", one(""), {"one.sensors.imu.a.b.c=5"}, {"--set", "write sensors.NAME.KEY"}},
+        Error{"InsideNothing",
                 one("sensors = false\n"),
                 {"one.sensors.imu.rate=5"},
                 {"--set", "'sensors' is no table there"}}),

@@ -1,4 +1,4 @@
-// Scene files: what they mean, what --set changes, and one clear line for every mistake.
+// Scene files: what they mean, what --set changes, and one clear line for every error.
 #include "murosimf/scene/scene.h"
 #include "murosimf/scene/scene_report.h"
 
@@ -45,7 +45,7 @@ scene_file::SceneSpec spec_of(const std::string& text, const std::vector<std::st
 }
 
 /// The message of the SetupError that reading and building the scene throws; empty if it throws none.
-std::string mistake(const std::string& text, const std::vector<std::string>& overrides = {}) {
+std::string error(const std::string& text, const std::vector<std::string>& overrides = {}) {
   try {
     Scene scene(fixtures::write_scene(text), {.overrides = overrides});
     scene.simulation().initialize();
@@ -154,27 +154,27 @@ TEST(Scene, ReportNamesEverybodyAndEveryAlgorithm) {
 }
 
 TEST(SceneMistakes, AreNamedWithTheirPlace) {
-  expect_mistake(mistake(""), {"the file is empty"});
-  expect_mistake(mistake("duration = \n"), {".toml:1:"});
-  expect_mistake(mistake(with("level = \"simplified_dynamics\"", "level = \"simplified\"")),
+  expect_mistake(error(""), {"the file is empty"});
+  expect_mistake(error("duration = \n"), {".toml:1:"});
+  expect_mistake(error(with("level = \"simplified_dynamics\"", "level = \"simplified\"")),
                  {".toml:20:9", "unknown level 'simplified'; did you mean 'simplified_dynamics'?"});
-  expect_mistake(mistake(with("controller = \"walk\"", "controler = \"walk\"")),
+  expect_mistake(error(with("controller = \"walk\"", "controler = \"walk\"")),
                  {".toml:11:", "unknown key 'controler'; did you mean 'controller'?"});
-  expect_mistake(mistake(with("model = \"kid21\"", "model = \"kid22\"")), {".toml:", "no file 'kid22'"});
-  expect_mistake(mistake(with("name = \"red1\"", "name = \"blue1\"")),
+  expect_mistake(error(with("model = \"kid21\"", "model = \"kid22\"")), {".toml:", "no file 'kid22'"});
+  expect_mistake(error(with("name = \"red1\"", "name = \"blue1\"")),
                  {".toml:22:", "two entities are called 'blue1'"});
-  expect_mistake(mistake(with("name = \"red1\"", "name = \"ball\"")), {"two entities are called 'ball'"});
-  expect_mistake(mistake(with("name = \"red1\"", "name = \"red 1\"")), {"entity name 'red 1'"});
-  expect_mistake(mistake(with("team = \"red\"", "team = \"rad\"")), {".toml:23:", "unknown team 'rad'"});
-  expect_mistake(mistake(with("position = [1.0, 0.0]", "position = [nan, 0.0]")),
+  expect_mistake(error(with("name = \"red1\"", "name = \"ball\"")), {"two entities are called 'ball'"});
+  expect_mistake(error(with("name = \"red1\"", "name = \"red 1\"")), {"entity name 'red 1'"});
+  expect_mistake(error(with("team = \"red\"", "team = \"rad\"")), {".toml:23:", "unknown team 'rad'"});
+  expect_mistake(error(with("position = [1.0, 0.0]", "position = [nan, 0.0]")),
                  {".toml:24:", "'position' must be finite"});
-  expect_mistake(mistake(with("position = [1.0, 0.0]", "position = [1.0]")), {"two or three numbers"});
-  expect_mistake(mistake(with("duration = 2.0", "duration = -2.0")), {".toml:1:", "'duration' must not be negative"});
-  expect_mistake(mistake(with("duration = 2.0", "duration = nan")), {".toml:1:", "'duration' must be a finite number"});
-  expect_mistake(mistake(with("duration = 2.0", "duration = \"long\"")), {"'duration' must be a finite number"});
-  expect_mistake(mistake(with("seed = 3", "rate = 0")), {"'rate' must be from 0.001 to 100000 Hz"});
-  expect_mistake(mistake(with("name = \"red\"", "name = \"blue\"")), {".toml:8:", "two teams"});
-  expect_mistake(mistake(with("[ball]\n", "[ball]\nradius = -1\n")), {"'radius' must be positive"});
+  expect_mistake(error(with("position = [1.0, 0.0]", "position = [1.0]")), {"two or three numbers"});
+  expect_mistake(error(with("duration = 2.0", "duration = -2.0")), {".toml:1:", "'duration' must not be negative"});
+  expect_mistake(error(with("duration = 2.0", "duration = nan")), {".toml:1:", "'duration' must be a finite number"});
+  expect_mistake(error(with("duration = 2.0", "duration = \"long\"")), {"'duration' must be a finite number"});
+  expect_mistake(error(with("seed = 3", "rate = 0")), {"'rate' must be from 0.001 to 100000 Hz"});
+  expect_mistake(error(with("name = \"red\"", "name = \"blue\"")), {".toml:8:", "two teams"});
+  expect_mistake(error(with("[ball]\n", "[ball]\nradius = -1\n")), {"'radius' must be positive"});
 }
 
 TEST(SceneMistakes, ThatOnlyWeakenAResultAreWarnings) {
@@ -221,7 +221,7 @@ TEST(SceneMistakes, MotionsMadeForTheEarthAreNotedElsewhere) {
 }
 
 TEST(SceneMistakes, InOverridesNameTheOverride) {
-  const auto set = [](const std::string& text) { return mistake(small_scene, {text}); };
+  const auto set = [](const std::string& text) { return error(small_scene, {text}); };
   expect_mistake(set("blue1.level=full"), {"--set 'blue1.level=full'", "unknown level 'full'"});
   expect_mistake(set("blue1.lvel=x"), {"--set 'blue1.lvel=x'", "did you mean 'level'?"});
   expect_mistake(set("blu1.level=x"), {"--set 'blu1.level=x'", "did you mean 'blue1'?"});

@@ -286,7 +286,7 @@ TEST(SectionChanges, WhatTheyCoverIsAWarning) {
                             "1\nposition = [0.11, 0]\n"));
   scene.simulation().run(100ms);
   change(scene, "ball.radius = 0.1");
-  EXPECT_TRUE(says(scene.parts().remarks.warnings().back(), {"ball", "box"}));
+  EXPECT_TRUE(says(scene.parts().diagnostics.warnings().back(), {"ball", "box"}));
   double fastest = 0;
   for (int i = 0; i < 500; ++i) {
     scene.simulation().step();

@@ -78,7 +78,7 @@ TEST(UnsteadyStacks, TheLineSaysWhatWouldCarryThem) {
 
 TEST(UnsteadyStacks, AScenesWarningsHaveTheLineBeforeTheFirstStep) {
   const Scene scene(fixtures::write_scene(tower(cubes(12))));
-  const auto& warnings = scene.parts().remarks.warnings();
+  const auto& warnings = scene.parts().diagnostics.warnings();
   EXPECT_TRUE(std::ranges::any_of(warnings, [](const std::string& line) { return line.find("c0 with 11 more") == 0; }));
 }
 

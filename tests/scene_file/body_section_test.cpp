@@ -1,4 +1,4 @@
-// Boxes, spheres, ramps and steps of a scene file: what they are, what they do, and every mistake in one line.
+// Boxes, spheres, ramps and steps of a scene file: what they are, what they do, and every error in one line.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// [robots.level_options], [robots.contact_options] and [body_contact_options]: what arrives, and one line for every mistake.
+// [robots.level_options], [robots.contact_options] and [body_contact_options]: what arrives, and one line for every error.
 #include <gtest/gtest.h>
 
 #include "murosimf/scene_file/unused_settings.h"

@@ -1,4 +1,4 @@
-// [robots.options]: what arrives at the robot, and one line with its place for every mistake.
+// [robots.options]: what arrives at the robot, and one line with its place for every error.
 #include "murosimf/scene_file/robot_options.h"
 
 #include <gtest/gtest.h>

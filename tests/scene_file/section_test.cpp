@@ -46,7 +46,7 @@ const Section<Lamp>& lamp_section() {
                                       {"warmth", &Lamp::warmth, "K", "of its color", positive, "that of the sun"},
                                       {"toward", &Lamp::toward, "", "where it looks"},
                                       {"plug", read_plug, "", "which one", {}, "the nearest"},
-                                      {"remark", {}, "", "read elsewhere"}});
+                                      {"diagnostic", {}, "", "read elsewhere"}});
   return section;
 }
 
@@ -78,7 +78,7 @@ place = [4, -5, 6]
 warmth = 2700
 toward = [0, 0.5, -1]
 plug = 4
-remark = 7
+diagnostic = 7
 )");
   EXPECT_EQ(lamp.name, "desk");
   EXPECT_EQ(lamp.kind, "gas");

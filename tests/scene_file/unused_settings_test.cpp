@@ -1,4 +1,4 @@
-// What a scene sets and nothing uses is warned about by name; what cannot be is refused; what acts later is no mistake.
+// What a scene sets and nothing uses is warned about by name; what cannot be is refused; what acts later is no error.
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
@@ -134,7 +134,7 @@ TEST(NoContact, NamesObjectsOfTheModel) {
   EXPECT_EQ(warnings_of({.set = {"real.no_contact=[['l_foot', 'r_foot']]", "real.self_collision=true"}}), "");
 }
 
-TEST(Mistakes, InEmptyNamesAndNumbersAreRefused) {
+TEST(Errors, InEmptyNamesAndNumbersAreRefused) {
   EXPECT_TRUE(says(refusal_of({.set = {"field.surface=''"}}), {"'surface' is empty"}));
   EXPECT_TRUE(says(refusal_of({.set = {"ball.material=''"}}), {"'material' is empty"}));
   EXPECT_TRUE(says(refusal_of({.set = {"real.integrator=''"}}), {"unknown integrator ''"}));

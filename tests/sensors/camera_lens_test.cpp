@@ -117,7 +117,7 @@ TEST(CameraLens, ALensThatFoldsOverIsRemarkedWithItsAngle) {
   Entity& box = rig.add_box("box");
   const SensorSpec spec = camera({{"k1", -0.9}, {"fx", 15}});
   const Sensor& sensor = components::attach_sensor(rig.simulation, box, spec, {1, rig.moving_entities, {}}, rig.rate);
-  EXPECT_TRUE(says(sensor.remark({}), {"folds", "deg"}));
+  EXPECT_TRUE(says(sensor.diagnostic({}), {"folds", "deg"}));
 }
 
 }  // namespace

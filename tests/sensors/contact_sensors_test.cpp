@@ -178,8 +178,8 @@ TEST(ContactSensors, SayWhatTheyReportWithoutContactForces) {
   Standing standing("kinematic_walking", {"contact_switch"});
   auto& sensor = components::attach_sensor(standing.rig.simulation, standing.robot,
                                            {.name = "more", .type = "contact_force", .frame = "l_sole"}, {}, 1000);
-  EXPECT_EQ(sensor.remark({}), "there are no contact forces: it reports the whole weight on the foot that stands");
-  EXPECT_EQ(sensor.remark({.dynamic = true}), "");
+  EXPECT_EQ(sensor.diagnostic({}), "there are no contact forces: it reports the whole weight on the foot that stands");
+  EXPECT_EQ(sensor.diagnostic({.dynamic = true}), "");
   standing.rig.simulation.initialize();
   standing.robot.base().set(properties::walk_command, {0.1, 0, 0});
   std::map<double, int> left;

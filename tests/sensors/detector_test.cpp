@@ -297,7 +297,7 @@ INSTANTIATE_TEST_SUITE_P(Levels, RangeSensors, testing::ValuesIn(test::all_level
 
 TEST(Detector, MistakesAreNamed) {
   const auto message = [](const char* key, double number) {
-    return test::mistake(test::sensor("detector", {{key, number}}));
+    return test::error(test::sensor("detector", {{key, number}}));
   };
   EXPECT_TRUE(says(message("misses", 1.1), {"detector: ", "'misses' is 1.1", "in the range 0 to 1"}));
   EXPECT_TRUE(says(message("distance_noise", -1), {"'distance_noise' is -1", "from 0"}));
@@ -313,7 +313,7 @@ TEST(Detector, EntitiesMustExistAndBeOthers) {
   const auto message = [](const std::vector<std::string>& names) {
     SensorSpec spec = test::sensor("detector");
     spec.objects = names;
-    return test::mistake(spec);
+    return test::error(spec);
   };
   EXPECT_TRUE(says(message({"bal"}), {"unknown entity 'bal'", "'ball'"}));
   EXPECT_TRUE(says(message({"robot"}), {"'robot' carries the detector"}));

@@ -170,19 +170,19 @@ TEST(ServoSensors, SayWhatTheyReportWhereThereIsNoTorque) {
   Standing standing("kinematic_walking", {});
   auto& sensor = components::attach_sensor(standing.rig.simulation, standing.robot,
                                            {.name = "t", .type = "joint_torque"}, {}, 1000);
-  EXPECT_EQ(sensor.remark({}), "torques of joints are not known: it reports 0");
-  EXPECT_EQ(sensor.remark({.dynamic = true, .joint_torque = true, .servos = true}), "");
+  EXPECT_EQ(sensor.diagnostic({}), "torques of joints are not known: it reports 0");
+  EXPECT_EQ(sensor.diagnostic({.dynamic = true, .joint_torque = true, .servos = true}), "");
   auto& current = components::attach_sensor(standing.rig.simulation, standing.robot,
                                             {.name = "i", .type = "motor_current"}, {}, 1000);
-  EXPECT_EQ(current.remark({}), "torques of joints are not known: it reports 0");
-  EXPECT_EQ(current.remark({.dynamic = true, .joint_torque = true}),
+  EXPECT_EQ(current.diagnostic({}), "torques of joints are not known: it reports 0");
+  EXPECT_EQ(current.diagnostic({.dynamic = true, .joint_torque = true}),
             "joints move without servos: it reports the current for the torque that that would take");
-  EXPECT_EQ(current.remark({.dynamic = true, .joint_torque = true, .servos = true}), "");
+  EXPECT_EQ(current.diagnostic({.dynamic = true, .joint_torque = true, .servos = true}), "");
   auto& temperature = components::attach_sensor(standing.rig.simulation, standing.robot,
                                                 {.name = "c", .type = "motor_temperature"}, {}, 1000);
-  EXPECT_EQ(temperature.remark({.dynamic = true, .joint_torque = true}),
+  EXPECT_EQ(temperature.diagnostic({.dynamic = true, .joint_torque = true}),
             "servos get warm only at a level that has them: it reports the temperature of the air");
-  EXPECT_EQ(temperature.remark({.servos = true}), "");
+  EXPECT_EQ(temperature.diagnostic({.servos = true}), "");
 }
 
 }  // namespace

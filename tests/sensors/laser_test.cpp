@@ -194,7 +194,7 @@ TEST(Laser, ThreadsAndVolumesChangeNoReading) {
 TEST(Laser, ImpossibleNumbersAreNamed) {
   using fixtures::says;
   const auto message = [](const char* key, double number) {
-    return test::mistake(test::sensor("laser", {{key, number}}));
+    return test::error(test::sensor("laser", {{key, number}}));
   };
   EXPECT_TRUE(says(message("rays", 0), {"laser: ", "'rays' is 0", "a whole number in the range 1 to 100000"}));
   EXPECT_TRUE(says(message("rays", 100001), {"'rays' is 100001"}));

@@ -61,8 +61,8 @@ inline sensors::SensorSpec sensor(const std::string& type, const std::map<std::s
   return spec;
 }
 
-/// Message of the mistake of attaching a sensor to a box beside a ball.
-inline std::string mistake(const sensors::SensorSpec& spec) {
+/// Message of the error of attaching a sensor to a box beside a ball.
+inline std::string error(const sensors::SensorSpec& spec) {
   RangeRig rig;
   Entity& robot = rig.add_box("robot");
   rig.add_ball("ball");

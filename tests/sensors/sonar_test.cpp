@@ -165,12 +165,12 @@ TEST(RangeFinder, MeasuresAlongZ) {
 }
 
 TEST(Sonar, ImpossibleNumbersAreNamed) {
-  EXPECT_TRUE(says(test::mistake(test::sensor("sonar", {{"rays", 0}})), {"'rays' is 0"}));
-  EXPECT_TRUE(says(test::mistake(test::sensor("sonar", {{"rays", 100001}})), {"'rays' is 100001"}));
-  EXPECT_EQ(test::mistake(test::sensor("sonar", {{"rays", 1}})), "no error");
-  EXPECT_EQ(test::mistake(test::sensor("sonar", {{"rays", 100000}})), "no error");
-  EXPECT_TRUE(says(test::mistake(test::sensor("sonar", {{"fov", 7}})), {"'fov' is 7"}));
-  EXPECT_TRUE(says(test::mistake(test::sensor("rangefinder", {{"range_max", 0}})), {"range_max 0"}));
+  EXPECT_TRUE(says(test::error(test::sensor("sonar", {{"rays", 0}})), {"'rays' is 0"}));
+  EXPECT_TRUE(says(test::error(test::sensor("sonar", {{"rays", 100001}})), {"'rays' is 100001"}));
+  EXPECT_EQ(test::error(test::sensor("sonar", {{"rays", 1}})), "no error");
+  EXPECT_EQ(test::error(test::sensor("sonar", {{"rays", 100000}})), "no error");
+  EXPECT_TRUE(says(test::error(test::sensor("sonar", {{"fov", 7}})), {"'fov' is 7"}));
+  EXPECT_TRUE(says(test::error(test::sensor("rangefinder", {{"range_max", 0}})), {"range_max 0"}));
 }
 
 }  // namespace

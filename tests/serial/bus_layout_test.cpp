@@ -44,7 +44,7 @@ std::filesystem::path file_of(const std::string& text) {
 
 std::vector<ServoPlace> layout(const std::string& text) { return read_layout(file_of(text), arm(), Protocol::v2); }
 
-std::string mistake(const std::string& text) {
+std::string error(const std::string& text) {
   return fixtures::error_of([&] { (void)layout(text); });
 }
 
@@ -82,7 +82,7 @@ TEST(BusLayout, IsReadFromATable) {
 }
 
 TEST(BusLayout, SaysWhatIsWrongAndWhere) {
-  const std::vector<std::pair<std::string, std::string>> mistakes{
+  const std::vector<std::pair<std::string, std::string>> errors{
       {"", "bus.csv:1:1: the file is empty"},
       {"joint,id\n", "there is no servo"},
       {"joint\nelbow\n", "the columns 'joint' and 'id' are needed"},
@@ -100,7 +100,7 @@ TEST(BusLayout, SaysWhatIsWrongAndWhere) {
       {"joint,id,direction\nelbow,1,0\n", "the direction is 1 or -1"},
       {"joint,id,zero [rad]\nelbow,1,inf\n", "the zero must be an angle"},
   };
-  for (const auto& [text, message] : mistakes) EXPECT_TRUE(fixtures::says(mistake(text), {message})) << mistake(text);
+  for (const auto& [text, message] : errors) EXPECT_TRUE(fixtures::says(error(text), {message})) << error(text);
 }
 
 }  // namespace

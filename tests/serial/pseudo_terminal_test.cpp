@@ -154,7 +154,7 @@ TEST(TerminalLink, StandsAsLongAsItLives) {
 }
 
 TEST(TerminalLink, ReplacesOnlyWhatAKilledProgramLeft) {
-  const fs::path folder = fixtures::temp_folder() / "leftovers";
+  const fs::path folder = fixtures::temp_folder() / "cleanup_guard";
   fs::create_directories(folder);
   fs::create_symlink("/dev/pts/99999", folder / "dead");
   { const TerminalLink link(folder / "dead", "/dev/pts/0"); }

@@ -13,7 +13,7 @@
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/motion/servo_law.h"
 #include "murosimf/scene/scene.h"
-#include "murosimf/session/live_course.h"
+#include "murosimf/session/live_source.h"
 #include "tests/serial/serial_port.h"
 #include "tests/fixtures.h"
 #include "tests/recording/repeatable_run.h"
@@ -342,7 +342,7 @@ TEST(SerialSoftware, IsRepeatedFromARecording) {
                                                     "walker.options={baud_rate=57600, torque=true}"},
                                       .terminals = ports.string(),
                                       .cameras = false,
-                                      .outside = {.notes = std::make_shared<OutsideNotes>()}}};
+                                      .outside = {.notes = std::make_shared<ExternalInputLog>()}}};
   run.options.state_period = 20ms;
   run.play = [&](scene::Scene& scene, recording::Recorder&) {
     scene.simulation().step();
@@ -394,7 +394,7 @@ TEST(SerialSoftware, ResetsAndStatesAreThoseOfTheServos) {
 TEST(SerialSoftware, GoingBackInTimeAnswersFromWhatItsClientHadSent) {
   for (const char* baud_rate : {"walker.options.baud_rate=0", "walker.options.baud_rate=57600"}) {
     SerialScene test({baud_rate});
-    session::LiveCourse course(*test.scene);
+    session::LiveSource course(*test.scene);
     course.begin();
     const auto go_to = [&](Duration time) {
       while (test.scene->simulation().now() < time) course.step();
@@ -416,7 +416,7 @@ TEST(SerialSoftware, GoingBackInTimeAnswersFromWhatItsClientHadSent) {
     for (int i = 0; i < 5; ++i) (void)port.answer();
     seek(222ms);
     EXPECT_TRUE(test.scene->save() == then) << baud_rate;
-    EXPECT_EQ(course.remark(),
+    EXPECT_EQ(course.diagnostic(),
               "software of walker keeps its own state: from 0.222 s on this is not the run that was there before");
     seek(700ms);
     EXPECT_TRUE(test.scene->save() == last) << baud_rate;

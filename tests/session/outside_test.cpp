@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "murosimf/connect/controller_task.h"
-#include "murosimf/session/live_course.h"
+#include "murosimf/session/live_source.h"
 #include "tests/fixtures.h"
 
 namespace murosimf::session {
@@ -47,7 +47,7 @@ class Counting final : public connect::ControlSoftware {
 struct SteeredRun {
   explicit SteeredRun(bool saves = false, const TimelineOptions& timeline = {})
       : scene("walk", {.overrides = {"walker.controller=none", "walker.level=simplified_dynamics"}, .cameras = false}),
-        course(scene, {.timeline = timeline}) {
+        source(scene, {.timeline = timeline}) {
     const auto make = [this, saves](Setup&, connect::RobotPort& port, const connect::SayLine&) {
       auto made = std::make_unique<Counting>(port, asked, saves);
       software = made.get();
@@ -56,20 +56,20 @@ struct SteeredRun {
     scene.simulation().attach<connect::ControllerTask>(
         "program", scene.simulation().world().entity("walker"), 100, make,
         connect::ControllerTaskOptions{.software = "program", .memory = scene.parts().outside.memory});
-    course.begin();
+    source.begin();
   }
   void go_to(Duration time) {
-    while (scene.simulation().now() < time) course.step();
+    while (scene.simulation().now() < time) source.step();
   }
   void seek(Duration time, std::optional<int> branch = {}) {
-    course.seek(time, branch, [] { return false; });
+    source.seek(time, branch, [] { return false; });
   }
   [[nodiscard]] std::uint64_t hash() const { return scene.simulation().state_hash(); }
 
   std::vector<Duration> asked;
   Counting* software = nullptr;
   scene::Scene scene;
-  LiveCourse course;
+  LiveSource source;
 };
 
 TEST(Outside, IsNotAskedAgainAndTheStateIsThatOfThen) {
@@ -82,11 +82,11 @@ TEST(Outside, IsNotAskedAgainAndTheStateIsThatOfThen) {
   run.seek(1300ms);
   EXPECT_TRUE(run.scene.save() == state) << "bit for bit";
   EXPECT_EQ(run.asked.size(), calls);
-  EXPECT_EQ(run.course.remark(),
+  EXPECT_EQ(run.source.diagnostic(),
             "software of walker keeps its own state: from 1.3 s on this is not the run that was there before");
   run.seek(3300ms);
   EXPECT_TRUE(run.scene.save() == last);
-  EXPECT_EQ(run.course.remark(), "") << "there it is as it was then";
+  EXPECT_EQ(run.source.diagnostic(), "") << "there it is as it was then";
   run.seek(0ms);
   EXPECT_EQ(run.asked.size(), calls);
 }
@@ -105,17 +105,17 @@ TEST(Outside, GoesOnLiveAsItIsInABranchOfItsOwn) {
   run.seek(3300ms, 0);
   EXPECT_EQ(run.hash(), last);
   EXPECT_EQ(run.scene.simulation().warnings().size(), 0U);
-  EXPECT_NE(run.course.remark(), "");
+  EXPECT_NE(run.source.diagnostic(), "");
   run.seek(2000ms, 1);
   EXPECT_TRUE(run.scene.save() == other) << "with what was said of it";
-  EXPECT_EQ(run.course.remark(), "");
+  EXPECT_EQ(run.source.diagnostic(), "");
 }
 
 TEST(Outside, SoftwareThatSavesItsStateIsTheSameAgain) {
   SteeredRun run(true), straight(true);
   run.go_to(3300ms);
   run.seek(1300ms);
-  EXPECT_EQ(run.course.remark(), "");
+  EXPECT_EQ(run.source.diagnostic(), "");
   run.go_to(2s);
   straight.go_to(2s);
   EXPECT_EQ(run.hash(), straight.hash());
@@ -124,9 +124,9 @@ TEST(Outside, SoftwareThatSavesItsStateIsTheSameAgain) {
 TEST(Outside, WhoLeavesAndComesBackOnTheWayIsNotStartedAgain) {
   SteeredRun run;
   run.go_to(700ms);
-  run.course.change({"walker.present = false"});
+  run.source.change({"walker.present = false"});
   run.go_to(900ms);
-  run.course.change({"walker.present = true"});
+  run.source.change({"walker.present = true"});
   run.go_to(950ms);
   const std::vector<std::byte> state = run.scene.save();
   run.go_to(1400ms);
@@ -152,13 +152,13 @@ TEST(Outside, AResetThatCannotBeLeavesTheRunAsItIs) {
   SteeredRun run;
   run.go_to(300ms);
   const std::vector<std::byte> state = run.scene.save();
-  run.course.change({"walker.contact = kelvin_voigt"});
+  run.source.change({"walker.contact = kelvin_voigt"});
   bool refuses = true;
   run.scene.simulation().before_start([&] {
     if (refuses) throw SetupError("not now");
   });
   const std::vector<std::byte> changed = run.scene.save();
-  EXPECT_EQ(error_of([&] { run.course.reset({}); }), "not now");
+  EXPECT_EQ(error_of([&] { run.source.reset({}); }), "not now");
   EXPECT_TRUE(run.scene.save() == changed);
   EXPECT_EQ(run.scene.simulation().commands().size(), 1U);
   run.seek(300ms);

@@ -162,14 +162,14 @@ TEST(CompareOutcome, EntersTheVerdict) {
   for (int i = 95; i < 98; ++i) reference.record.samples[i].full_duty = true;
   reference.record.full_duty = 0.25;
   EXPECT_TRUE(judge(simple, reference, {}).adequate) << "the ball does not feel it";
-  EXPECT_EQ(judge(simple, reference, {}).remarks.at(0),
+  EXPECT_EQ(judge(simple, reference, {}).diagnostics.at(0),
             "has no servos; the reference's give all they have in 27 % of the time around its touches of ball (25 % of "
             "all time)");
   Thresholds patient;
   patient.set("contact_duty=30");
-  EXPECT_TRUE(judge(simple, reference, patient).remarks.empty());
+  EXPECT_TRUE(judge(simple, reference, patient).diagnostics.empty());
   simple.traits.servos = true;
-  EXPECT_TRUE(judge(simple, reference, {}).remarks.empty()) << "it has servos itself";
+  EXPECT_TRUE(judge(simple, reference, {}).diagnostics.empty()) << "it has servos itself";
   reference.measures.falls = 1;
   reference.measures.events.push_back({2, true});
   simple.measures = reference.measures;

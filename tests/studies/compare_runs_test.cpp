@@ -1,4 +1,4 @@
-// The comparison of levels on real scenes: what the observer sees, three experiments with three verdicts, mistakes.
+// The comparison of levels on real scenes: what the observer sees, three experiments with three verdicts, errors.
 #include "murosimf/studies/compare_runs.h"
 
 #include <gtest/gtest.h>

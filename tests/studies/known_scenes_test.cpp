@@ -123,8 +123,8 @@ TEST(KnownScenes, ServosAtTheirLimitAreARemark) {
   const Recommendation r = recommend(c, {});
   EXPECT_GT(c.entries[3].record.full_duty, 0.4);
   for (std::size_t i = 0; i < 3; ++i) {
-    ASSERT_EQ(r.verdicts[i].remarks.size(), 1U);
-    EXPECT_EQ(r.verdicts[i].remarks[0].find("has no servos; the reference's give all they have in "), 0U);
+    ASSERT_EQ(r.verdicts[i].diagnostics.size(), 1U);
+    EXPECT_EQ(r.verdicts[i].diagnostics[0].find("has no servos; the reference's give all they have in "), 0U);
   }
 }
 

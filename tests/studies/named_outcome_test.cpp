@@ -15,7 +15,7 @@ const std::vector<OutcomeOwner> owners{{"robot", true, true}, {"ball", false, fa
 
 NamedOutcome named(const std::string& text) { return named_outcome(text, owners); }
 
-std::string mistake(const std::string& text) {
+std::string error(const std::string& text) {
   try {
     static_cast<void>(named(text));
   } catch (const SetupError& error) {
@@ -38,12 +38,12 @@ TEST(NamedOutcome, SaysWhatIsKnown) {
   const std::string known =
       "known: robot.way, end, falls, path_length, path, center_mean, center_max, pitch, roll, rate, "
       "slip, clearance; ball.way, end, speed, touched; red.1.way, end, speed, touched, falls";
-  EXPECT_EQ(mistake("bal.end"), "--outcome 'bal.end': nothing that moves is called 'bal'; " + known);
-  EXPECT_EQ(mistake("ball.falls"), "--outcome 'ball.falls': unknown quantity 'falls'; " + known);
-  EXPECT_EQ(mistake("robot.others_way"), "--outcome 'robot.others_way': unknown quantity 'others_way'; " + known);
-  EXPECT_EQ(mistake("ball"), "--outcome 'ball': write NAME.QUANTITY; " + known);
+  EXPECT_EQ(error("bal.end"), "--outcome 'bal.end': nothing that moves is called 'bal'; " + known);
+  EXPECT_EQ(error("ball.falls"), "--outcome 'ball.falls': unknown quantity 'falls'; " + known);
+  EXPECT_EQ(error("robot.others_way"), "--outcome 'robot.others_way': unknown quantity 'others_way'; " + known);
+  EXPECT_EQ(error("ball"), "--outcome 'ball': write NAME.QUANTITY; " + known);
   for (const char* text : {"ball.end=", "ball.end=x", "ball.end=-1", "ball.end=nan", "ball.end=1m"}) {
-    EXPECT_NE(mistake(text).find("the tolerance must be a number from 0"), std::string::npos) << text;
+    EXPECT_NE(error(text).find("the tolerance must be a number from 0"), std::string::npos) << text;
   }
 }
 

@@ -226,7 +226,7 @@ TEST(Supervision, SaysWhatWillNotGoOnAsItWas) {
   run.session.visit([](scene::Scene& scene) { scene.parts().outside.memory->expect("the GameController"); }).get();
   client.advance(500ms);
   const auto seek = [&](Duration time) {
-    return client.ask([&](FromSupervisor& m) { m.mutable_seek()->set_time(time.count()); }).status().remark();
+    return client.ask([&](FromSupervisor& m) { m.mutable_seek()->set_time(time.count()); }).status().diagnostic();
   };
   EXPECT_EQ(seek(300ms),
             "the GameController keeps its own state: from 0.3 s on this is not the run that was there before");
@@ -397,9 +397,9 @@ ToSupervisor ask_for_scene(Client& client, const std::string& scene) {
 // Supervisors stay when another session takes the place of theirs; one that is refused leaves everything as it is.
 TEST(Supervision, StaysWhileRunsFollowEachOther) {
   std::string wanted;
-  SupervisedRun first({.exchange = [&](const SceneWish& wish) {
-    if (wish.scene != "nudge") throw SetupError("no such scene");
-    wanted = wish.scene;
+  SupervisedRun first({.exchange = [&](const SceneRequest& request) {
+    if (request.scene != "nudge") throw SetupError("no such scene");
+    wanted = request.scene;
   }});
   Client client(first, first.supervision->token()), other(first, first.supervision->token());
   client.advance(300ms);
@@ -484,9 +484,9 @@ std::size_t open_files() {
   return static_cast<std::size_t>(std::distance(begin(all), end(all)));
 }
 
-/// A run of a second by another supervisor, while one makes this mistake; the line that was told, if there is to be one.
-template <class Mistake>
-std::string while_somebody(const Mistake& mistake, std::size_t lines = 1) {
+/// A run of a second by another supervisor, while one makes this error; the line that was told, if there is to be one.
+template <class Error>
+std::string while_somebody(const Error& error, std::size_t lines = 1) {
   const std::size_t files = open_files();
   std::string told;
   {
@@ -495,7 +495,7 @@ std::string while_somebody(const Mistake& mistake, std::size_t lines = 1) {
       Client good(run, run.supervision->token());
       Client bad(run, run.supervision->token());
       for (int i = 0; i < 5; ++i) good.advance(100ms);
-      mistake(bad);
+      error(bad);
       for (int i = 0; i < 5; ++i) good.advance(100ms);
       EXPECT_EQ(run.hash(), hash_at(1s));
       const std::vector<std::string> all = run.lines(lines);

@@ -9,9 +9,9 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/drawing/roboviz_door.h"
+#include "murosimf/drawing/roboviz_server.h"
 #include "murosimf/model/error.h"
-#include "murosimf/session/live_course.h"
+#include "murosimf/session/live_source.h"
 #include "murosimf/viewer/mouse_control.h"
 
 namespace murosimf::viewer {
@@ -24,7 +24,7 @@ const std::vector<std::string> dynamic{"blue1.level=simplified_dynamics"};
 ViewerOptions options_with(std::vector<std::string> overrides = dynamic, Duration end = 1s) {
   ViewerOptions options;
   options.make_course = [overrides = std::move(overrides)] {
-    return std::make_unique<session::LiveCourse>(
+    return std::make_unique<session::LiveSource>(
         std::make_unique<scene::Scene>("three_on_three",
                                        scene::SceneOptions{.overrides = overrides, .pushable = true}));
   };
@@ -63,9 +63,9 @@ bool told(const Viewer& viewer, const std::string& part) {
 TEST(Viewer, TellsWhatWillNotGoOnAsItWas) {
   ViewerOptions options = options_with();
   options.make_course = [make = options.make_course] {
-    auto course = make();
-    course->scene().parts().outside.memory->expect("the GameController");
-    return course;
+    auto source = make();
+    source->scene().parts().outside.memory->expect("the GameController");
+    return source;
   };
   Viewer viewer(options);
   watch_to_end(viewer);
@@ -327,7 +327,7 @@ void draw_circle(std::uint16_t port) {
 
 // Rule: drawings of others change nothing, and can be switched off by their groups.
 TEST(Viewer, ShowsWhatOthersDraw) {
-  const drawing::RobovizDoor door({"127.0.0.1", 0});
+  const drawing::RobovizServer door({"127.0.0.1", 0});
   ViewerOptions options = options_with(dynamic, 200ms);
   options.others = &door;
   Viewer viewer(options);

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/session/live_course.h"
+#include "murosimf/session/live_source.h"
 #include "tests/wire/tcp_fixture.h"
 
 namespace murosimf::connect {
@@ -186,7 +186,7 @@ struct Way {
 
   Two two;
   Software right;
-  std::optional<session::LiveCourse> course;
+  std::optional<session::LiveSource> course;
 };
 
 /// Walks as it counts its cycles.
@@ -212,7 +212,7 @@ TEST(SeekWithSoftware, LockStepIsAnsweredFromWhatItHadSaid) {
   const int asked = cycles;
   way.seek(1300ms);
   EXPECT_TRUE(way.two.scene->save() == then);
-  EXPECT_TRUE(says(way.course->remark(), {"software of left, right keep their own state: from 1.3 s on"}));
+  EXPECT_TRUE(says(way.course->diagnostic(), {"software of left, right keep their own state: from 1.3 s on"}));
   way.seek(3300ms);
   EXPECT_TRUE(way.two.scene->save() == last);
   EXPECT_EQ(cycles, asked) << "nobody was asked";

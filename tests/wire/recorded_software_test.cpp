@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "murosimf/recording/mcap/mcap_reader.h"
-#include "murosimf/recording/recorded_outside.h"
+#include "murosimf/recording/recorded_external_input.h"
 #include "tests/wire/tcp_fixture.h"
 #include "tests/recording/repeatable_run.h"
 
@@ -18,7 +18,7 @@ using ::murosimf::fixtures::RepeatableRun;
 
 RepeatableRun run_of(const Listener& listener, Duration time, std::vector<std::string> overrides = {}) {
   RepeatableRun run{.scene = to_the_ball_tcp.string(), .time = time, .how = two_robots(listener, std::move(overrides))};
-  run.how.outside.notes = std::make_shared<OutsideNotes>();
+  run.how.outside.notes = std::make_shared<ExternalInputLog>();
   run.options.state_period = 1s;
   return run;
 }
@@ -38,16 +38,16 @@ TEST(RecordedSoftware, LockStepIsRepeated) { expect_repeatable(record_two("lock_
 // The other way round: with another command it is another run.
 TEST(RecordedSoftware, AnotherCommandIsADifference) {
   const recording::McapReader reader(record_two("lock_step.mcap"));
-  OutsideNotes notes = *recording::recorded_outside(reader);
-  const auto hash = [](const OutsideNotes& all) {
+  ExternalInputLog notes = *recording::recorded_external_input(reader);
+  const auto hash = [](const ExternalInputLog& all) {
     scene::Scene scene(to_the_ball_tcp,
-                       {.cameras = false, .outside = {.repeated = std::make_shared<const OutsideNotes>(all)}});
+                       {.cameras = false, .outside = {.repeated = std::make_shared<const ExternalInputLog>(all)}});
     scene.simulation().run(6s);
     return scene.simulation().state_hash();
   };
   const std::uint64_t as_recorded = hash(notes);
   EXPECT_EQ(hash(notes), as_recorded);
-  OutsideNote& note = notes.channel("tcp:right").at(40);
+  ExternalInput& note = notes.channel("tcp:right").at(40);
   wire::FromClient message;
   ASSERT_TRUE(message.ParseFromString(note.bytes) && message.has_commands());
   message.mutable_commands()->mutable_rows(0)->mutable_values()->Set(0, 0.01);

@@ -6,7 +6,7 @@
 
 #include "tests/wire/tcp_fixture.h"
 
-namespace murosimf::wire {
+namespace murosimf::client {
 namespace {
 
 using namespace connect::fixtures;
@@ -113,4 +113,4 @@ TEST(RobotClient, IsToldWhyItIsRefused) {
 }
 
 }  // namespace
-}  // namespace murosimf::wire
+}  // namespace murosimf::client

@@ -12,14 +12,14 @@ using namespace fixtures;
 TEST(TcpDrawings, StandThereAsTheyWereSent) {
   const Listener listener;
   Software painter([&] {
-    wire::RobotClient robot({.robot = "walker", .port = listener.port(), .rate = 10});
+    client::RobotClient robot({.robot = "walker", .port = listener.port(), .rate = 10});
     while (robot.next()) {
       if (robot.starts()) continue;
       robot.draw(
           "way",
-          {{.kind = wire::Shape::line, .points = {0, 0, 0, 1, 2, 3}, .size = 0.02, .color = {1, 0, 0.5, 0.25}}});
-      robot.draw("me", {{.kind = wire::Shape::text, .points = {0, 0, 0.5}, .size = 0.1, .words = "here"}}, true);
-      robot.draw("nonsense", {{.kind = wire::Shape::circle, .points = {0, 0}}});
+          {{.kind = client::Shape::line, .points = {0, 0, 0, 1, 2, 3}, .size = 0.02, .color = {1, 0, 0.5, 0.25}}});
+      robot.draw("me", {{.kind = client::Shape::text, .points = {0, 0, 0.5}, .size = 0.1, .words = "here"}}, true);
+      robot.draw("nonsense", {{.kind = client::Shape::circle, .points = {0, 0}}});
     }
   });
   {

@@ -17,8 +17,8 @@ std::size_t open_files() {
   return static_cast<std::size_t>(std::distance(begin(all), end(all)));
 }
 
-/// Runs two robots for a second; `mistake` is the software of the right one. How that ended, while the left one has played on.
-std::string ending(const std::function<void(RawClient&)>& mistake, std::vector<std::string> overrides = {}) {
+/// Runs two robots for a second; `error` is the software of the right one. How that ended, while the left one has played on.
+std::string ending(const std::function<void(RawClient&)>& error, std::vector<std::string> overrides = {}) {
   const std::size_t files = open_files();
   std::string how;
   {
@@ -28,7 +28,7 @@ std::string ending(const std::function<void(RawClient&)>& mistake, std::vector<s
       RawClient client(listener.port());
       client.come("right");
       client.play(6);
-      mistake(client);
+      error(client);
     });
     overrides.insert(overrides.end(), {"right.control_rate=20", "right.options.limit=0.3", "right.options.absence=0"});
     {
@@ -157,13 +157,13 @@ TEST(TcpFaults, SendsChangedMessages) {
 }
 
 /// In free-running mode until the client is dropped; what was told then.
-std::string dropped(const std::function<void(RawClient&)>& mistake) {
+std::string dropped(const std::function<void(RawClient&)>& error) {
   const Listener listener;
   Software left([&] { walk_to_ball("left", listener.port()); });
   Software right([&] {
     RawClient client(listener.port());
     client.come("right");
-    mistake(client);
+    error(client);
   });
   scene::Scene scene(to_the_ball_tcp, two_robots(listener, {"right.options.mode=free", "right.options.limit=0.3"}));
   scene.simulation().initialize();
@@ -194,13 +194,13 @@ TEST(FreeTcpFaults, SendsWithoutEnd) {
 }
 
 /// What is told of a stranger who does this.
-std::string told_of(const std::function<void(RawClient&)>& mistake, double hello_limit = 5) {
+std::string told_of(const std::function<void(RawClient&)>& error, double hello_limit = 5) {
   const std::size_t files = open_files();
   std::vector<std::string> lines;
   {
     const Listener listener(hello_limit);
     RawClient client(listener.port());
-    mistake(client);
+    error(client);
     lines = listener.lines(1);
   }
   EXPECT_EQ(open_files(), files);

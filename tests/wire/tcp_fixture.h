@@ -101,7 +101,7 @@ template <class F>
 std::string error_text(const F& f) {
   try {
     f();
-  } catch (const wire::ClientError& error) {
+  } catch (const client::ClientError& error) {
     return error.what();
   }
   return "none";

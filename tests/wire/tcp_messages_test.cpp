@@ -18,7 +18,7 @@ const std::vector<std::string> unsteady{"start.jitter_position=0",       "red.*.
 
 /// What tests/connect/radio_controller.cpp does, by the client library.
 void talk(const std::string& name, std::uint16_t port) {
-  wire::RobotClient robot({.robot = name, .port = port, .rate = 50});
+  client::RobotClient robot({.robot = name, .port = port, .rate = 50});
   robot.use_messages();
   auto& target = robot.command("joint.target");
   const auto head = static_cast<std::size_t>(std::ranges::find(target.labels, "j_head") - target.labels.begin());
@@ -29,7 +29,7 @@ void talk(const std::string& name, std::uint16_t port) {
       EXPECT_TRUE(robot.messages().empty());
       continue;
     }
-    for (const wire::TeamMessage& message : robot.messages()) {
+    for (const client::TeamMessage& message : robot.messages()) {
       heard += static_cast<unsigned char>(message.bytes[0]) + 0.001 * static_cast<double>(message.sender[0]);
       EXPECT_EQ(message.sender.substr(0, 3), name.substr(0, 3));
       EXPECT_LT(message.sent, robot.now());
@@ -127,7 +127,7 @@ TEST(TcpMessages, AreAskedForFirst) {
 TEST(TcpMessages, AreRefusedAndCountedIfTooLong) {
   const Listener listener;
   Software software_of_one([&] {
-    wire::RobotClient robot({.robot = "blue1", .port = listener.port(), .rate = 10});
+    client::RobotClient robot({.robot = "blue1", .port = listener.port(), .rate = 10});
     robot.use_messages();
     while (robot.next()) robot.send_message(std::string(robot.now() == 0 ? 1401 : 10, 'x'));
   });

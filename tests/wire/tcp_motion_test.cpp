@@ -17,7 +17,7 @@ struct Seen {
 };
 
 Seen kick_to_the_left(std::uint16_t port) {
-  wire::RobotClient robot({.robot = "left", .port = port, .rate = 20});
+  client::RobotClient robot({.robot = "left", .port = port, .rate = 20});
   const auto& mode = robot.signal("motion.mode");
   const auto& phase = robot.signal("motion.phase");
   const auto& odometry = robot.signal("motion.odometry");

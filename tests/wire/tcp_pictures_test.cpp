@@ -28,8 +28,8 @@ void see(const std::string& camera, const std::vector<std::string>& names, const
   const Listener listener;
   scene::Scene* there = nullptr;
   Software software_of_one([&] {
-    wire::RobotClient robot({.robot = "one", .port = listener.port()});
-    std::vector<const wire::Picture*> pictures;
+    client::RobotClient robot({.robot = "one", .port = listener.port()});
+    std::vector<const client::Picture*> pictures;
     for (const std::string& name : names) pictures.push_back(&robot.picture(name));
     // the simulation waits for the answer: its frames stay
     while (robot.next()) {
@@ -48,12 +48,12 @@ TEST(TcpPictures, AreThoseOfTheCamera) {
   if (!test::no_drawing().empty()) GTEST_SKIP() << test::no_drawing();
   int cycles = 0;
   see("depth = true\nlabels = true\n", {"camera.color", "camera.depth", "camera.labels"},
-      [&](const wire::RobotClient&, const auto& pictures, const sensors::CameraFrame& frame) {
+      [&](const client::RobotClient&, const auto& pictures, const sensors::CameraFrame& frame) {
         ++cycles;
         EXPECT_EQ(pictures[0]->format, "rgb8");
         EXPECT_EQ(pictures[1]->format, "32FC1");
         EXPECT_EQ(pictures[2]->format, "16UC1");
-        for (const wire::Picture* picture : pictures) {
+        for (const client::Picture* picture : pictures) {
           EXPECT_EQ(picture->width, 80);
           EXPECT_EQ(picture->height, 60);
           EXPECT_EQ(picture->period, 0.1);
@@ -71,7 +71,7 @@ TEST(TcpPictures, AreThoseOfTheCamera) {
 TEST(TcpPictures, OfAMosaicHaveItsPattern) {
   if (!test::no_drawing().empty()) GTEST_SKIP() << test::no_drawing();
   see("mosaic = 'grbg'\n", {"camera.color"},
-      [&](const wire::RobotClient&, const auto& pictures, const sensors::CameraFrame& frame) {
+      [&](const client::RobotClient&, const auto& pictures, const sensors::CameraFrame& frame) {
         EXPECT_EQ(pictures[0]->format, "bayer_grbg8");
         EXPECT_EQ(pictures[0]->bytes, bytes_of(frame.mosaic));
         EXPECT_EQ(pictures[0]->bytes.size(), 80U * 60);
@@ -84,7 +84,7 @@ TEST(TcpPictures, ComeWithTheDelayOfTheCamera) {
   std::vector<std::pair<long long, long long>> come;  // [ms] now, time
   std::uint64_t last = 0;
   see("delay = 0.055\n", {"camera.color"},
-      [&](const wire::RobotClient& robot, const auto& pictures, const sensors::CameraFrame&) {
+      [&](const client::RobotClient& robot, const auto& pictures, const sensors::CameraFrame&) {
         if (pictures[0]->number == last) return;
         last = pictures[0]->number;
         come.emplace_back(robot.now() / 1'000'000, pictures[0]->time / 1'000'000);
@@ -96,7 +96,7 @@ TEST(TcpPictures, ComeWithTheDelayOfTheCamera) {
 TEST(TcpPictures, ThatAreNotThereAreToldByName) {
   const Listener listener;
   Software software_of_one([&] {
-    wire::RobotClient robot({.robot = "one", .port = listener.port()});
+    client::RobotClient robot({.robot = "one", .port = listener.port()});
     const auto refused = [&](const std::string& name) { return error_text([&] { (void)robot.picture(name); }); };
     EXPECT_TRUE(says(refused("camera.colour"), {"unknown picture 'camera.colour'; did you mean 'camera.color'"}));
     EXPECT_TRUE(says(refused("camera.depth"), {"unknown picture 'camera.depth'"}));

@@ -32,7 +32,7 @@ const listener: Listener = {
     if (!seeking) showTime(poses.time);
   },
   state(next) {
-    if (next.remark && !state?.remark) say(next.remark, true);
+    if (next.diagnostic && !state?.diagnostic) say(next.diagnostic, true);
     state = next;
     showState(next);
     panel.update(next);

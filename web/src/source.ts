@@ -25,7 +25,7 @@ export interface State {
   speed: number | null; // simulated seconds per second; null: as fast as possible
   factor: number; // the same, measured
   branch: number;
-  remark?: string; // since the last jump: what will not go on as it was there before
+  diagnostic?: string; // since the last jump: what will not go on as it was there before
   entities: EntityState[]; // as those of the scene document
   beliefs?: ([number, number, number] | null)[]; // [m, m, rad] where robots take themselves to be
   game: Game | null;

@@ -178,7 +178,7 @@ void GrowingFile::refuse(const std::string& reason) const {
   throw SetupError(fmt::format("cannot write '{}': {}", file_.string(), reason));
 }
 
-std::string remark_on_part(const fs::path& file) {
+std::string part_diagnostic(const fs::path& file) {
   const fs::path place = files::OutputPlace(file).path(), part = part_beside(place);
   for (const fs::path& one : {place, part}) {
     if (const std::string holder = files::who_writes(one); !holder.empty()) {

@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-#include "murosimf/files/leftovers.h"
+#include "murosimf/files/cleanup_guard.h"
 #include "murosimf/files/output_place.h"
 
 namespace murosimf::recording {
@@ -56,13 +56,13 @@ class GrowingFile {
   int descriptor_ = -1;
   bool begun_ = false, failed_ = false;
   std::string pending_;
-  std::optional<files::Leftover> empty_part_;
+  std::optional<files::CleanupGuard> empty_part_;
   std::uint64_t size_ = 0;
   std::uint64_t written_ = 0;  // [byte] of it on the disk
   std::uint32_t crc_ = 0;
 };
 
 /// What run is being recorded to this file, or has left a part of one beside it, in one line; empty: none.
-[[nodiscard]] std::string remark_on_part(const std::filesystem::path& file);
+[[nodiscard]] std::string part_diagnostic(const std::filesystem::path& file);
 
 }  // namespace murosimf::recording

@@ -31,7 +31,7 @@ struct MessageSchema {
   std::vector<FieldSchema> fields;
 };
 
-/// Our own mistakes in `fields` throw SetupError.
+/// Our own errors in `fields` throw SetupError.
 [[nodiscard]] MessageSchema message_schema(std::string name, std::string_view fields);
 
 /// The message of that name; the answer stays valid.

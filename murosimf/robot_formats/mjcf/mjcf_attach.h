@@ -15,7 +15,7 @@ namespace murosimf::robot_formats::mjcf {
 
 /// Puts such bodies in the place of all `attach` below `root`, which is of the file or was opened by it; tells `compiler` the units of
 /// what comes. What the other file says without effect is named in `description`. Throws SetupError: unknown model or body, a
-/// mistake in the other file.
+/// error in the other file.
 void attach_models(files::XmlFile& file, const files::XmlElement& root, MjcfCompiler& compiler, bool lenient,
                    robot_formats::RobotDescription& description);
 

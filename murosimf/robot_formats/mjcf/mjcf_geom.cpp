@@ -84,7 +84,7 @@ void read_surface(const MjcfAttributes& attributes, const Color& color, PlacedSh
   placed.collides = placed.contact_type != 0 || placed.contact_affinity != 0;
 }
 
-/// Zero where nothing of it counts, so that a mesh for the eye needs no volume.
+/// Zero where nothing of it counts, so that a visual mesh needs no volume.
 robot_formats::MassProperties read_mesh_solid(const MjcfAttributes& attributes, const PlacedShape& placed,
                                             const MjcfGeomContext& context) {
   const bool silent =

@@ -22,7 +22,7 @@ class MjcfGeomWriter {
 
   /// All meshes whose files can be read, as `asset`; of one whose vertices stand in the robot file, its hull.
   void write_assets();
-  /// Shapes and meshes for the eye; convex parts of one mesh are one geom.
+  /// Shapes and visual meshes; convex parts of one mesh are one geom.
   void write_geoms(const robot_formats::BodyDescription& body);
 
  private:

@@ -83,7 +83,7 @@ void MjcfMeshes::check_file(const std::string& name, const files::XmlElement& us
   const auto file = path_of(mesh.attributes);
   std::error_code none;
   if (!file.empty() && !std::filesystem::is_regular_file(file, none)) {
-    warn(mesh, fmt::format("there is no file {}; it is for the eye only and left out", file.string()));
+    warn(mesh, fmt::format("there is no file {}; it is visual only and left out", file.string()));
   }
 }
 

@@ -1,11 +1,11 @@
 /// mjcf_writer.h - a description of a robot as an MJCF file in our normal form.
 ///
 /// One file that needs no other one but meshes: SI units and radians, no default classes, no includes, orientations as
-/// quaternions, all masses as inertials, shapes for the eye without contact in group 2. What has its default value in
+/// quaternions, all masses as inertials, visual shapes without contact in group 2. What has its default value in
 /// MJCF is left out. Springs, couplings, contact filters and actuators are written as MuJoCo has them.
 /// read_mjcf makes the same robot of it: lengths and masses to the last bit, orientations and places of meshes within 1e-15. What MJCF has no
 /// words for stands in comments (sensors) or is missing (rate limits of joints).
-/// Meshes for the eye that are not there, or neither STL nor OBJ, are left out with a comment.
+/// Visual meshes that are not there, or neither STL nor OBJ, are left out with a comment.
 /// Source: XML reference of the MuJoCo documentation.
 #pragma once
 

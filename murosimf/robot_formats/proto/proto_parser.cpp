@@ -88,10 +88,10 @@ void ProtoParser::parse_interface() {
   while (!tokens_.peek().is(']')) parse_declaration();
   take_bracket(']');
   for (const Field& value : values_) {
-    const auto found = interface_.find(value.name);
-    if (found == interface_.end()) {
+    const auto found = seam_.find(value.name);
+    if (found == seam_.end()) {
       std::vector<std::string_view> names;
-      for (const auto& [name, field] : interface_) names.push_back(name);
+      for (const auto& [name, field] : seam_) names.push_back(name);
       throw SetupError(fmt::format("{}: {}", value.where, unknown_name("field of " + name_, value.name, names)));
     }
     found->second = value;
@@ -105,7 +105,7 @@ void ProtoParser::parse_declaration() {
   (void)take_word("the type of the field");
   if (tokens_.peek().is('{')) skip_restriction();
   const std::string name = take_word("the name of the field");
-  interface_[name] = parse_value(name);
+  seam_[name] = parse_value(name);
 }
 
 /// The values that a field may have: {1, 2, 3}.
@@ -214,10 +214,10 @@ void ProtoParser::parse_element(Field& field) {
 /// `name IS other`: the value of the PROTO's field.
 void ProtoParser::bind(Field& field) {
   const std::string source = take_word("the name after IS");
-  const auto found = interface_.find(source);
-  if (found == interface_.end()) {
+  const auto found = seam_.find(source);
+  if (found == seam_.end()) {
     std::vector<std::string_view> names;
-    for (const auto& [name, value] : interface_) names.push_back(name);
+    for (const auto& [name, value] : seam_) names.push_back(name);
     throw SetupError(fmt::format("{}: {}", field.where, unknown_name("field after IS", source, names)));
   }
   const Field& value = found->second;

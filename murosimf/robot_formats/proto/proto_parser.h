@@ -60,7 +60,7 @@ class ProtoParser {
   Expand expand_;
   std::string name_;
   std::vector<ExternProto> externs_;
-  std::map<std::string, Field> interface_;
+  std::map<std::string, Field> seam_;
   std::map<std::string, NodePtr> defined_;
   int depth_ = 0;
 };

@@ -15,7 +15,7 @@ struct Token {
   Kind kind = Kind::end;
   std::string text;        ///< of a word, of a string without its quotes, or one of { } [ ]
   double number = 0;       ///< of a number
-  bool malformed = false;  ///< a word that begins like a number: a name like 3d_printed, or a mistake
+  bool malformed = false;  ///< a word that begins like a number: a name like 3d_printed, or an error
   std::size_t line = 1;
 
   [[nodiscard]] bool is(char bracket) const { return kind == Kind::bracket && text[0] == bracket; }

@@ -21,7 +21,7 @@ class SdfLinks {
       : options_(options), description_(description), log_(log) {}
 
   /// The body of a link, in its frame, without place and joints. Throws SetupError: impossible sizes and masses, a mesh that collides is
-  /// missing or unreadable. A mesh for the eye that is missing is a warning.
+  /// missing or unreadable. A visual mesh that is missing is a warning.
   [[nodiscard]] robot_formats::BodyDescription read(const SdfPart& link, const SdfLinkPose& pose);
 
  private:

@@ -1,5 +1,5 @@
 /// urdf_transmission.h - `transmission` elements of a URDF file: nothing of them is used, because servos are described
-/// on the output side of their gears; mistakes in them are still told.
+/// on the output side of their gears; errors in them are still told.
 #pragma once
 
 #include "murosimf/robot_formats/urdf/urdf_tree.h"

@@ -12,7 +12,7 @@
 
 namespace murosimf::robot_formats::urdf {
 
-/// The element inside of that name; nothing if there is none. A second one is a mistake.
+/// The element inside of that name; nothing if there is none. A second one is an error.
 [[nodiscard]] std::optional<files::XmlElement> only_child(const files::XmlElement& parent, const char* tag);
 /// The same; it must be there.
 [[nodiscard]] files::XmlElement needed_child(const files::XmlElement& parent, const char* tag);

@@ -56,34 +56,34 @@ void Bus::ping_all(Protocol protocol, Answers& answers) const {
   for (const BusDevice* device : in_order) answers.push_back({device->return_delay(), to_bytes(*device->ping())});
 }
 
-bool Bus::read(Protocol protocol, const Wish& wish, Answers& answers) const {
-  const BusDevice* device = find(protocol, wish.id);
-  const auto answer = device ? device->read(wish.address, wish.size) : std::nullopt;
+bool Bus::read(Protocol protocol, const Request& request, Answers& answers) const {
+  const BusDevice* device = find(protocol, request.id);
+  const auto answer = device ? device->read(request.address, request.size) : std::nullopt;
   if (answer) answers.push_back({device->return_delay(), to_bytes(*answer)});
   return answer.has_value();
 }
 
 /// In the order of the packet; of a device that is named twice the first counts.
-std::vector<Bus::Wish> Bus::wishes(const Packet& packet) {
+std::vector<Bus::Request> Bus::requests(const Packet& packet) {
   const Bytes& at = packet.parameters;
   const bool old = packet.protocol == Protocol::v1;
   const auto instruction = static_cast<Instruction>(packet.instruction);
-  std::vector<Wish> wishes;
+  std::vector<Request> requests;
   const auto add = [&](std::uint8_t id, std::size_t address, std::size_t size) {
-    if (std::ranges::find(wishes, id, &Wish::id) == wishes.end()) wishes.push_back({id, address, size});
+    if (std::ranges::find(requests, id, &Request::id) == requests.end()) requests.push_back({id, address, size});
   };
   if (instruction == Instruction::bulk_read || instruction == Instruction::fast_bulk_read) {
     const std::size_t entry = old ? 3 : 5;  // 0, then length, id, address; else id, address(2), length(2)
     for (std::size_t i = old ? 1 : 0; i + entry <= at.size(); i += entry) {
       old ? add(at[i + 1], at[i + 2], at[i]) : add(at[i], word(at, i + 1), word(at, i + 3));
     }
-    return wishes;
+    return requests;
   }
   const std::size_t head = old ? 2 : 4;
   for (std::size_t i = head; i < at.size(); ++i) {
-    wishes.push_back(old ? Wish{at[i], at[0], at[1]} : Wish{at[i], word(at, 0), word(at, 2)});
+    requests.push_back(old ? Request{at[i], at[0], at[1]} : Request{at[i], word(at, 0), word(at, 2)});
   }
-  return wishes;
+  return requests;
 }
 
 void Bus::read_all(const Packet& packet, Answers& answers) const {
@@ -93,33 +93,33 @@ void Bus::read_all(const Packet& packet, Answers& answers) const {
     if (!old) fast_read(packet, answers);
     return;
   }
-  for (const Wish& wish : wishes(packet)) {
-    const BusDevice* device = find(packet.protocol, wish.id);
+  for (const Request& request : requests(packet)) {
+    const BusDevice* device = find(packet.protocol, request.id);
     const bool feetech = device && device->registers().table().feetech;
     if (old && feetech != (instruction == Instruction::sync_read)) return;  // each knows one of the two
-    if (!read(packet.protocol, wish, answers)) return;
+    if (!read(packet.protocol, request, answers)) return;
   }
 }
 
 /// One packet of everybody: its head comes from the first, and of each its error, id, data and the checksum of all before it. After
 /// one that is not there nothing follows, and the packet stays unfinished.
 void Bus::fast_read(const Packet& packet, Answers& answers) const {
-  const std::vector<Wish> all = wishes(packet);
+  const std::vector<Request> all = requests(packet);
   std::size_t length = 1;  // of the instruction, then error, id and checksum of each
-  for (const Wish& wish : all) length += wish.size + 4;
+  for (const Request& request : all) length += request.size + 4;
   if (length + 7 > most_bytes) return;
   Bytes bytes{0xFF, 0xFF, 0xFD, 0x00, broadcast_id};
   append_word(bytes, length);
   bytes.push_back(status_instruction);
   std::size_t sent = 0;
-  for (const Wish& wish : all) {
-    const BusDevice* device = find(packet.protocol, wish.id);
-    const auto answer = device ? device->read(wish.address, wish.size) : std::nullopt;
+  for (const Request& request : all) {
+    const BusDevice* device = find(packet.protocol, request.id);
+    const auto answer = device ? device->read(request.address, request.size) : std::nullopt;
     if (!answer) return;
     Bytes data(answer->parameters.begin() + 1, answer->parameters.end());
-    data.resize(wish.size);  // what is refused has no data, but its place
+    data.resize(request.size);  // what is refused has no data, but its place
     bytes.push_back(answer->parameters.front());
-    bytes.push_back(wish.id);
+    bytes.push_back(request.id);
     append(bytes, data);
     append_word(bytes, crc16(bytes));
     answers.push_back(

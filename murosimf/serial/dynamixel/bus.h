@@ -27,17 +27,17 @@ class Bus {
   using Answers = std::vector<BusAnswer>;
 
   /// What a client wants of one device.
-  struct Wish {
+  struct Request {
     std::uint8_t id = 0;
     std::size_t address = 0, size = 0;
   };
 
-  [[nodiscard]] static std::vector<Wish> wishes(const Packet& packet);
+  [[nodiscard]] static std::vector<Request> requests(const Packet& packet);
   [[nodiscard]] bool understands(const BusDevice& device, Protocol protocol) const;
   void fast_read(const Packet& packet, Answers& answers) const;
   [[nodiscard]] BusDevice* find(Protocol protocol, std::uint8_t id) const;
   /// Appends its answer; false if there is none.
-  [[nodiscard]] bool read(Protocol protocol, const Wish& wish, Answers& answers) const;
+  [[nodiscard]] bool read(Protocol protocol, const Request& request, Answers& answers) const;
   void ping_all(Protocol protocol, Answers& answers) const;
   void read_all(const Packet& packet, Answers& answers) const;
   void sync_write(const Packet& packet);

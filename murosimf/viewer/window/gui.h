@@ -80,7 +80,7 @@ inline void text(const std::string& line, const Color& color) {
   text(line);
   ImGui::PopStyleColor();
 }
-/// A remark for the last item, while the mouse is over it.
+/// A diagnostic for the last item, while the mouse is over it.
 inline void tip(const std::string& line) {
   if (!ImGui::IsItemHovered()) return;
   ImGui::BeginTooltip();

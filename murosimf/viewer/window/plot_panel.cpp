@@ -103,17 +103,17 @@ void plots_tab(Panels& panels) {
   }
   std::optional<std::size_t> removed;
   for (std::size_t i = 0; i < viewer.plots.size(); ++i) {
-    const Viewer::PlotWish& wish = viewer.plots[i];
+    const Viewer::PlotRequest& request = viewer.plots[i];
     ImGui::PushID(static_cast<int>(i));
     if (panels.gui.button("x")) removed = i;
     ImGui::SameLine();
-    text(fmt::format("{} [{}]", wish.plot.path, wish.plot.unit));
-    for (std::size_t n = 0; n < wish.plot.curves.size() && n < 6; ++n) {
-      const auto& values = wish.plot.curves[n].values();
+    text(fmt::format("{} [{}]", request.plot.path, request.plot.unit));
+    for (std::size_t n = 0; n < request.plot.curves.size() && n < 6; ++n) {
+      const auto& values = request.plot.curves[n].values();
       if (n % 3 != 0) ImGui::SameLine();
       if (!values.empty()) text(number_text(values.back()), curve_color(n));
     }
-    draw_plot(wish.plot, seconds(viewer.status().time), panels.state.plot_seconds, ImGui::GetContentRegionAvail().x,
+    draw_plot(request.plot, seconds(viewer.status().time), panels.state.plot_seconds, ImGui::GetContentRegionAvail().x,
               scaled(150));
     ImGui::PopID();
   }

@@ -86,7 +86,7 @@ void message_line(const Viewer& viewer) {
   if (viewer.messages().empty()) return text("F1: keys and mouse", faint);
   const Message& last = viewer.messages().back();
   const double age = std::chrono::duration<double>(std::chrono::steady_clock::now() - last.when).count();
-  text(last.text, last.mistake ? Color{1, 0.6, 0.4} : age < message_time ? Color{0.85, 0.9, 0.95} : faint);
+  text(last.text, last.error ? Color{1, 0.6, 0.4} : age < message_time ? Color{0.85, 0.9, 0.95} : faint);
 }
 
 }  // namespace
@@ -150,7 +150,7 @@ void events_tab(Panels& panels) {
   ImGui::Separator();
   text("Messages", faint);
   for (auto message = viewer.messages().rbegin(); message != viewer.messages().rend(); ++message) {
-    text(message->text, message->mistake ? Color{1, 0.6, 0.4} : Color{0.8, 0.85, 0.9});
+    text(message->text, message->error ? Color{1, 0.6, 0.4} : Color{0.8, 0.85, 0.9});
   }
   ImGui::PopTextWrapPos();
 }

@@ -1,4 +1,4 @@
-/// mesh_file_test - STL and OBJ files become the right triangles, and every mistake in them is named.
+/// mesh_file_test - STL and OBJ files become the right triangles, and every error in them is named.
 #include "murosimf/robot_formats/mesh/mesh_file.h"
 
 #include <algorithm>

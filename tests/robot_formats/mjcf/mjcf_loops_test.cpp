@@ -1,4 +1,4 @@
-/// mjcf_loops_test - `connect` and `weld` become loops between the right frames, and mistakes in them are named.
+/// mjcf_loops_test - `connect` and `weld` become loops between the right frames, and errors in them are named.
 #include "murosimf/robot_formats/mjcf/mjcf_loops.h"
 
 #include <fstream>

@@ -1,4 +1,4 @@
-/// mjcf_mesh_test - meshes of an MJCF file: place, convex parts, mass, and one clear line for every mistake.
+/// mjcf_mesh_test - meshes of an MJCF file: place, convex parts, mass, and one clear line for every error.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -253,7 +253,7 @@ TEST(MjcfMesh, FlatOneIsOnlyForTheEye) {
 TEST(MjcfMesh, OneThatIsOnlyLookedAtMayBeMissingButNotSilently) {
   const std::string asset = "<asset><mesh file='nowhere.stl'/></asset>";
   const auto eye = read(asset, inertial + "<geom type='mesh' mesh='nowhere' contype='0' conaffinity='0'/>");
-  EXPECT_EQ(warnings_with(eye, "nowhere.stl; it is for the eye only and left out"), 1U);
+  EXPECT_EQ(warnings_with(eye, "nowhere.stl; it is visual only and left out"), 1U);
 }
 
 TEST(MjcfMesh, ABrokenOneIsLeftOutWhereverItIsUsed) {

@@ -1,4 +1,4 @@
-/// mjcf_reader_test - a robot file becomes the right model, and every mistake in it is named with file and line.
+/// mjcf_reader_test - a robot file becomes the right model, and every error in it is named with file and line.
 #include "murosimf/robot/robot_reader.h"
 
 #include <algorithm>
@@ -596,7 +596,7 @@ TEST(MjcfReader, ADampingRatioIsTurnedIntoAGain) {
                        "both kv and dampratio"));
 }
 
-// ---- mistakes ----
+// ---- errors ----
 
 TEST(MjcfReader, NamesMissingAndBrokenFiles) {
   EXPECT_TRUE(

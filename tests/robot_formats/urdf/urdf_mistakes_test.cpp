@@ -1,4 +1,4 @@
-/// urdf_mistakes_test - every mistake in a URDF file is one line that says where it is and what to do.
+/// urdf_mistakes_test - every error in a URDF file is one line that says where it is and what to do.
 #include "tests/robot_formats/urdf/urdf_files.h"
 
 namespace murosimf::robot_formats::urdf {
@@ -6,22 +6,22 @@ namespace {
 
 using namespace urdf_files;
 
-struct Mistake {
+struct Error {
   const char* name;
   std::string text;
   int line;          ///< that the message names
   const char* says;  ///< part of the message
 };
 
-void PrintTo(const Mistake& mistake, std::ostream* stream) { *stream << mistake.name; }
+void PrintTo(const Error& error, std::ostream* stream) { *stream << error.name; }
 
-class UrdfMistake : public testing::TestWithParam<Mistake> {};
+class UrdfMistake : public testing::TestWithParam<Error> {};
 
 TEST_P(UrdfMistake, IsOneLineThatSaysWhere) {
-  const Mistake& mistake = GetParam();
-  const std::string what = message(mistake.text);
-  EXPECT_TRUE(contains(what, "robot.urdf:" + std::to_string(mistake.line) + ": ")) << what;
-  EXPECT_TRUE(contains(what, mistake.says)) << what;
+  const Error& error = GetParam();
+  const std::string what = message(error.text);
+  EXPECT_TRUE(contains(what, "robot.urdf:" + std::to_string(error.line) + ": ")) << what;
+  EXPECT_TRUE(contains(what, error.says)) << what;
   EXPECT_FALSE(contains(what, "\n")) << what;
 }
 
@@ -34,7 +34,7 @@ std::string two_limbs(const std::string& first, const std::string& second) {
                    joint("revolute", "a", "b", any_limit + second, "jb"));
 }
 
-std::vector<Mistake> mistakes() {
+std::vector<Error> errors() {
   const std::string unit = "ixx='1' iyy='1' izz='1'";
   return {
       {"Truncated", "<robot name='r'>\n<link name='a'>\n<visual>", 3, "not well-formed XML"},
@@ -123,7 +123,7 @@ std::vector<Mistake> mistakes() {
   };
 }
 
-INSTANTIATE_TEST_SUITE_P(Urdf, UrdfMistake, testing::ValuesIn(mistakes()),
+INSTANTIATE_TEST_SUITE_P(Urdf, UrdfMistake, testing::ValuesIn(errors()),
                          [](const auto& each) { return std::string(each.param.name); });
 
 TEST(UrdfMistakes, AMissingFileIsNamed) { EXPECT_THROW((void)read_urdf(test_folder() / "gone.urdf"), SetupError); }

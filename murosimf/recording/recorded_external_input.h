@@ -1,0 +1,18 @@
+/// recorded_external_input.h - what came from outside into a recorded run (runtime/external_input_log.h), as messages murosimf.Outside.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "murosimf/runtime/external_input_log.h"
+#include "murosimf/recording/mcap/mcap_reader.h"
+
+namespace murosimf::recording {
+
+/// Appends the message.
+void put_outside(std::string& bytes, const std::string& channel, const ExternalInput& note);
+
+/// All of a recording. Throws SetupError if a message is damaged.
+[[nodiscard]] std::shared_ptr<const ExternalInputLog> recorded_external_input(const McapReader& file);
+
+}  // namespace murosimf::recording

@@ -1,0 +1,165 @@
+#include "murosimf/sensors/camera_model.h"
+
+#include <array>
+#include <tuple>
+
+#include "murosimf/imaging/shared_value.h"
+#include "murosimf/model/error.h"
+
+namespace murosimf::sensors {
+namespace {
+
+using LensKey = std::tuple<std::string, int, int, std::array<double, 6>, std::vector<double>>;
+
+LensKey key_of(const imaging::LensSpec& lens, double resolution) {
+  return {lens.model,
+          lens.width,
+          lens.height,
+          {lens.fx, lens.fy, lens.cx, lens.cy, lens.skew, resolution},
+          lens.coefficients};
+}
+
+std::shared_ptr<const imaging::LensMap> shared_map(const imaging::LensSpec& lens, double resolution) {
+  return imaging::shared_value<imaging::LensMap>(key_of(lens, resolution),
+                                                 [&] { return imaging::LensMap(imaging::Lens(lens), resolution); });
+}
+
+Perspective perspective_of(const imaging::ViewWindow& window, const Vec3d& eye, const Mat3d& axes,
+                           const imaging::Rows& rows) {
+  Perspective perspective;
+  perspective.eye = eye;
+  perspective.axes = axes * window.axes;
+  perspective.left = window.left;
+  perspective.right = window.right;
+  perspective.top = window.top;
+  perspective.bottom = window.bottom;
+  perspective.width = window.width;
+  perspective.height = window.height;
+  perspective.first_row = rows.first;
+  perspective.rows = rows.count;
+  return perspective;
+}
+
+/// What turns with `rate` [rad/s], a little later.
+Mat3d turned(const Mat3d& axes, const Vec3d& rate, double ahead) {
+  const double size = norm(rate);
+  return size * ahead == 0 ? axes : rotation((1 / size) * rate, size * ahead) * axes;
+}
+
+/// With the size of the lens's picture: pictures take turns, and those that were never drawn have none yet.
+template <class Pixel>
+imaging::Image<Pixel>& sized(imaging::Image<Pixel>& image, const imaging::LensSpec& lens) {
+  if (image.width() != lens.width || image.height() != lens.height)
+    image = imaging::Image<Pixel>(lens.width, lens.height);
+  return image;
+}
+
+}  // namespace
+
+RandomStream pixel_stream(std::uint64_t seed, const std::string& robot, const std::string& camera) {
+  return {seed, robot + "/" + camera + "/pixels"};
+}
+
+std::shared_ptr<const std::string> shared_fold_warning(const imaging::LensSpec& lens) {
+  return imaging::shared_value<std::string>(key_of(lens, 1), [&] { return imaging::Lens(lens).fold_warning(); });
+}
+
+CameraModel::CameraModel(const CameraSpec& spec, const RandomStream& noise)
+    : spec_(spec), noise_({spec.shot_noise, spec.read_noise}, noise) {
+  if (!spec_.mosaic.empty()) pattern_ = with_context("mosaic", [&] { return imaging::bayer_pattern(spec_.mosaic); });
+}
+
+void CameraModel::open() {
+  imaging::ImageNoise::make_tables();
+  map_ = shared_map(spec_.lens, spec_.resolution);
+  if (!map_->plain()) windows_ = Windows(map_->views());
+  if (spec_.exposure_time > 0 && spec_.layers.color) mean_.emplace(spec_.lens.width, spec_.lens.height);
+  if (spec_.blur > 0) blur_.emplace(spec_.blur, spec_.lens.width, spec_.lens.height);
+  if (spec_.exposure != 1) exposure_.emplace(spec_.exposure);
+}
+
+void CameraModel::take(ViewSource& source, const CameraMotion& motion, std::uint64_t number, CameraPicture& picture) noexcept {
+  fit(spec_.layers.color, picture.view.color);
+  fit(spec_.layers.depth, picture.view.depth);
+  fit(spec_.layers.labels, picture.view.labels);
+  fit(pattern_.has_value(), picture.mosaic);
+  expose(source, motion, picture.view);
+  if (spec_.layers.color) develop(number, picture.view.color, picture.mosaic);
+}
+
+/// Images come back empty from the frame the first time.
+template <class Pixel>
+void CameraModel::fit(bool wanted, imaging::Image<Pixel>& image) const {
+  if (wanted && image.empty()) image = imaging::Image<Pixel>(spec_.lens.width, spec_.lens.height);
+}
+
+void CameraModel::expose(ViewSource& source, const CameraMotion& motion, View& picture) noexcept {
+  if (!mean_) {
+    look_at_all_rows(source, motion, 0, spec_.layers, picture);
+    return;
+  }
+  mean_->clear();
+  for (int i = 0; i < spec_.motion_samples; ++i) {
+    // depths and labels are those of one instant
+    const Layers layers{spec_.layers.color, spec_.layers.depth && i == 0, spec_.layers.labels && i == 0};
+    look_at_all_rows(source, motion, spec_.exposure_time * (i + 0.5) / spec_.motion_samples, layers, picture);
+    mean_->add(picture.color);
+  }
+  mean_->write(picture.color);
+}
+
+void CameraModel::look_at_all_rows(ViewSource& source, const CameraMotion& motion, double ahead, const Layers& layers,
+                                 View& picture) noexcept {
+  const int height = spec_.lens.height, bands = spec_.readout_time > 0 ? spec_.readout_bands : 1;
+  for (int band = 0; band < bands; ++band) {
+    const int first = height * band / bands, count = height * (band + 1) / bands - first;
+    const double read = spec_.readout_time * (first + 0.5 * count) / height;
+    look(source, motion, {first, count}, ahead + read, layers, picture);
+  }
+}
+
+void CameraModel::look(ViewSource& source, const CameraMotion& motion, const imaging::Rows& rows, double ahead,
+                     const Layers& layers, View& picture) noexcept {
+  const Vec3d eye = motion.position + ahead * motion.velocity;
+  const Mat3d axes = turned(motion.orientation, motion.angular_velocity, ahead) * optical_axes;
+  for (std::size_t i = 0; i < map_->views().size(); ++i) {
+    const imaging::Rows needed = map_->plain() ? rows : map_->needed(i, rows);
+    if (needed.count == 0) continue;
+    const Perspective perspective = perspective_of(map_->views()[i], eye, axes, needed);
+    if (map_->plain()) {
+      source.draw(perspective, layers, ahead, picture);
+    } else {
+      windows_.draw(source, perspective, layers, ahead, i);
+    }
+  }
+  if (map_->plain()) return;
+  if (layers.color) map_->apply(windows_.colors, sized(picture.color, spec_.lens), rows);
+  if (layers.depth) map_->apply(windows_.depths, sized(picture.depth, spec_.lens), rows);
+  if (layers.labels) map_->apply(windows_.labels, sized(picture.labels, spec_.lens), rows);
+}
+
+CameraModel::Windows::Windows(std::span<const imaging::ViewWindow> windows) {
+  for (const imaging::ViewWindow& window : windows) {
+    colors.emplace_back(window.width, window.height);
+    depths.emplace_back(window.width, window.height);
+    labels.emplace_back(window.width, window.height);
+  }
+}
+
+void CameraModel::Windows::draw(ViewSource& source, const Perspective& perspective, const Layers& layers, double ahead,
+                              std::size_t i) noexcept {
+  View view{std::move(colors[i]), std::move(depths[i]), std::move(labels[i])};
+  source.draw(perspective, layers, ahead, view);
+  colors[i] = std::move(view.color);
+  depths[i] = std::move(view.depth);
+  labels[i] = std::move(view.labels);
+}
+
+void CameraModel::develop(std::uint64_t number, imaging::ColorImage& color, imaging::GrayImage& mosaic) noexcept {
+  if (blur_) blur_->apply(color);
+  if (exposure_) exposure_->apply(color);
+  if (spec_.shot_noise > 0 || spec_.read_noise > 0) noise_.apply(color, number);
+  if (pattern_) imaging::make_mosaic(color, *pattern_, sized(mosaic, spec_.lens));
+}
+
+}  // namespace murosimf::sensors
