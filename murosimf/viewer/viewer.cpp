@@ -136,14 +136,14 @@ void Viewer::ask_for_inspection() {
   for (const auto& [path, open] : open_objects) {
     if (open) request.objects.push_back(path);
   }
-  for (const PlotRequest& request : plots) {
-    if (!request.sensor && std::ranges::find(request.objects, request.path) == request.objects.end()) {
-      request.objects.push_back(request.path);
+  for (const PlotRequest& plot : plots) {
+    if (!plot.sensor && std::ranges::find(request.objects, plot.path) == request.objects.end()) {
+      request.objects.push_back(plot.path);
     }
   }
   if (selected_ && !recorded()) request.sensors_of = selected_->entity;
-  for (const PlotRequest& request : plots) {
-    if (request.sensor && !request.sensors_of) request.sensors_of = request.path.entity;
+  for (const PlotRequest& plot : plots) {
+    if (plot.sensor && !request.sensors_of) request.sensors_of = plot.path.entity;
   }
   request.pictures = wants_pictures;
   request.algorithms = wants_algorithms;
