@@ -9,8 +9,8 @@
 
 #include "apps/collision_probe.h"
 #include "apps/command_line.h"
-#include "apps/interruption.h"
 #include "apps/error_output.h"
+#include "apps/interruption.h"
 #include "apps/progress.h"
 #include "apps/standard_output.h"
 #include "murosimf/scene/collision_report.h"

@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include "apps/command_line.h"
-#include "apps/interruption.h"
 #include "apps/error_output.h"
+#include "apps/interruption.h"
 #include "apps/repeat_arguments.h"
 #include "apps/results.h"
 #include "apps/standard_output.h"
@@ -55,10 +55,10 @@ int branch(const BranchArguments& arguments) {
   check_plugins(run, arguments.how);
   end_gently();
   const studies::Branches result = studies::branch(run, {.time = time_of("--time", arguments.time),
-                                                       .duration = time_of("--duration", arguments.duration),
-                                                       .changes = arguments.changes,
-                                                       .results = arguments.results,
-                                                       .repeat = options_of(arguments.how)});
+                                                         .duration = time_of("--duration", arguments.duration),
+                                                         .changes = arguments.changes,
+                                                         .results = arguments.results,
+                                                         .repeat = options_of(arguments.how)});
   Results results;
   results.write([&] { write_result(arguments.json, to_text(result), to_json(result)); });
   if (!arguments.csv.empty()) results.write([&] { files::write_file(arguments.csv, to_csv(result)); });

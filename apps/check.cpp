@@ -11,12 +11,12 @@
 #include "apps/scene_arguments.h"
 #include "apps/standard_output.h"
 #include "murosimf/appearance/robot_picture.h"
-#include "murosimf/robot/model_report.h"
-#include "murosimf/robot/robot_checks.h"
 #include "murosimf/files/data_path.h"
 #include "murosimf/files/file_roles.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/model/error.h"
+#include "murosimf/robot/model_report.h"
+#include "murosimf/robot/robot_checks.h"
 #include "murosimf/robot/role_inference.h"
 
 namespace murosimf::app {
@@ -124,8 +124,8 @@ int check(const CheckOptions& options) {
   const auto file = files::find_data_file(options.model, "models", ".xml");
   files::note_input(file);  // refused before the readers, whose errors are findings
   const robot_formats::ReaderOptions how{.lenient = options.lenient,
-                                       .xacro = xacro_values(options.xacro),
-                                       .body = options.body};
+                                         .xacro = xacro_values(options.xacro),
+                                         .body = options.body};
   std::optional<Reading> reading;
   try {
     reading = read(file, how);

@@ -4,15 +4,15 @@
 #include <fmt/format.h>
 
 #include "apps/command_line.h"
-#include "apps/interruption.h"
 #include "apps/error_output.h"
+#include "apps/interruption.h"
 #include "apps/progress.h"
 #include "apps/results.h"
 #include "apps/scene_arguments.h"
 #include "apps/standard_output.h"
+#include "murosimf/recording/state_file.h"
 #include "murosimf/studies/compare_report.h"
 #include "murosimf/studies/compare_seeds.h"
-#include "murosimf/recording/state_file.h"
 
 namespace murosimf::app {
 namespace {

@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include "apps/command_line.h"
-#include "apps/interruption.h"
 #include "apps/error_output.h"
+#include "apps/interruption.h"
 #include "apps/progress.h"
 #include "apps/series_arguments.h"
 #include "apps/standard_output.h"
@@ -42,10 +42,10 @@ void check(const DoctorArguments& arguments) {
 int doctor(const DoctorArguments& arguments) {
   check(arguments);
   studies::DoctorOptions options{.scene = arguments.runs.scene.file,
-                                .quick = arguments.quick,
-                                .dimensions = arguments.only,
-                                .duration = arguments.runs.duration,
-                                .common = options_of(arguments.runs)};
+                                 .quick = arguments.quick,
+                                 .dimensions = arguments.only,
+                                 .duration = arguments.runs.duration,
+                                 .common = options_of(arguments.runs)};
   end_gently();
   std::optional<Progress> progress(std::in_place);
   options.progress = [&](std::size_t done, std::size_t all) {

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "apps/command_line.h"
-#include "apps/interruption.h"
 #include "apps/error_output.h"
+#include "apps/interruption.h"
 #include "apps/progress.h"
 #include "apps/results.h"
 #include "apps/servo_logs.h"
@@ -16,12 +16,12 @@
 #include "murosimf/components/servo_table.h"
 #include "murosimf/files/file_roles.h"
 #include "murosimf/files/output_file.h"
-#include "murosimf/identification/fit_report.h"
-#include "murosimf/identification/prior_file.h"
-#include "murosimf/identification/servo_log_reader.h"
 #include "murosimf/identification/bench_servo.h"
+#include "murosimf/identification/fit_report.h"
 #include "murosimf/identification/folds.h"
+#include "murosimf/identification/prior_file.h"
 #include "murosimf/identification/search.h"
+#include "murosimf/identification/servo_log_reader.h"
 #include "murosimf/identification/window_choice.h"
 #include "murosimf/model/error.h"
 
@@ -96,8 +96,7 @@ Task task_of(const FitServoOptions& options, const Logs& logs) {
   const std::string type = options.servo.empty() ? motor_of(logs) : options.servo;
   const Servo base = components::read_servo(type);
   const std::string prior = options.prior.empty() ? identification::prior_of_type(base.type) : options.prior;
-  return {options, identification::friction_model(options.model), type, prior,
-          base,    identification::read_prior(prior)};
+  return {options, identification::friction_model(options.model), type, prior, base, identification::read_prior(prior)};
 }
 
 /// How long a fit searches.
@@ -152,7 +151,7 @@ Result fit(const Task& task, const Logs& logs, double windows, const Effort& eff
 
 /// What fits to the other folds foresee of each; as far as they come before an interruption.
 std::vector<identification::UnseenGroup> foresee(const Task& task, const std::vector<Fold>& folds, double windows,
-                                                     const Effort& effort) {
+                                                 const Effort& effort) {
   std::vector<identification::UnseenGroup> groups;
   for (const Fold& fold : folds) {
     const Result other =
@@ -223,8 +222,7 @@ int fit_servo(const FitServoOptions& options) {
   Results results;
   results.write([&] { files::write_file(options.out, identification::to_toml(report.servo)); });
   const bool there = results.all();
-  results.write(
-      [&] { write_result(options.json, identification::to_text(report), identification::to_json(report)); });
+  results.write([&] { write_result(options.json, identification::to_text(report), identification::to_json(report)); });
   if (report.stopped && there) {
     say_error(fmt::format("stopped by {}; '{}' is the best so far", signal_name(), options.out));
   }

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "apps/command_line.h"
-#include "apps/interruption.h"
 #include "apps/error_output.h"
+#include "apps/interruption.h"
 #include "apps/progress.h"
 #include "apps/results.h"
 #include "apps/scene_arguments.h"

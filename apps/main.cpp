@@ -2,8 +2,8 @@
 #include <cstdio>
 
 #include "apps/command_line.h"
-#include "apps/interruption.h"
 #include "apps/error_output.h"
+#include "apps/interruption.h"
 #include "apps/plugin_commands.h"
 #include "apps/processor.h"
 #include "apps/scene_arguments.h"

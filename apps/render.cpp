@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "apps/command_line.h"
-#include "apps/interruption.h"
 #include "apps/error_output.h"
+#include "apps/interruption.h"
 #include "apps/picture_files.h"
 #include "apps/picture_source.h"
 #include "apps/render_options.h"

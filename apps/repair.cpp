@@ -29,7 +29,8 @@ int repair(const RepairOptions& options) {
   if (!report.other_run.empty()) text += report.other_run + "; the first one is written\n";
   text += fmt::format("'{}' is whole: {} messages up to {:.3f} s\n", out, report.messages, report.last_time);
   write_standard_output(text);
-  if (const std::string diagnostic = recording::part_diagnostic(options.file); !diagnostic.empty()) say_note(diagnostic);
+  if (const std::string diagnostic = recording::part_diagnostic(options.file); !diagnostic.empty())
+    say_note(diagnostic);
   return 0;
 }
 

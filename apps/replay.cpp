@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include "apps/command_line.h"
-#include "apps/interruption.h"
 #include "apps/error_output.h"
+#include "apps/interruption.h"
 #include "apps/option_values.h"
 #include "apps/repeat_arguments.h"
 #include "apps/results.h"
@@ -11,8 +11,8 @@
 #include "apps/web_arguments.h"
 #include "murosimf/drawing/debug_draw_source.h"
 #include "murosimf/model/time.h"
-#include "murosimf/recording/recorded_source.h"
 #include "murosimf/recording/mcap/growing_file.h"
+#include "murosimf/recording/recorded_source.h"
 
 namespace murosimf::app {
 namespace {
@@ -76,7 +76,8 @@ int replay(const ReplayOptions& options) {
     say_warning(fmt::format("{}: {}; 'murosimf repair' mends it", options.file, file.contents().damage));
   }
   if (!file.contents().other_run.empty()) say_warning(fmt::format("{}: {}", options.file, file.contents().other_run));
-  if (const std::string diagnostic = recording::part_diagnostic(options.file); !diagnostic.empty()) say_note(diagnostic);
+  if (const std::string diagnostic = recording::part_diagnostic(options.file); !diagnostic.empty())
+    say_note(diagnostic);
   Results results;
   if (!options.web.web.empty() || !options.web.html.empty()) {
     end_gently();

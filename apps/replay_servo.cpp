@@ -72,8 +72,7 @@ int replay_servo(const ReplayServoOptions& options) {
   const ServoReplay replay(servo, logs);
   const identification::ReplayReport report{servo.servo.type, replay.errors()};
   Results results;
-  results.write(
-      [&] { write_result(options.json, identification::to_text(report), identification::to_json(report)); });
+  results.write([&] { write_result(options.json, identification::to_text(report), identification::to_json(report)); });
   if (!options.plot.empty()) {
     results.write([&] {
       for (std::size_t i = 0; i < logs.size(); ++i) {

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "apps/command_line.h"
-#include "apps/interruption.h"
 #include "apps/error_output.h"
+#include "apps/interruption.h"
 #include "apps/progress.h"
 #include "apps/record_options.h"
 #include "apps/repeat_arguments.h"

@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include "apps/command_line.h"
-#include "apps/interruption.h"
 #include "apps/error_output.h"
+#include "apps/interruption.h"
 #include "apps/option_values.h"
 #include "apps/roboviz_arguments.h"
 #include "apps/run_advance.h"

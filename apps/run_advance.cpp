@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "apps/interruption.h"
 #include "apps/error_output.h"
+#include "apps/interruption.h"
 #include "murosimf/connect/crash_note.h"
 #include "murosimf/model/error.h"
 #include "murosimf/scene/scene_report.h"

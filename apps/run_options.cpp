@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
-#include "apps/interruption.h"
 #include "apps/error_output.h"
+#include "apps/interruption.h"
 #include "apps/option_values.h"
 #include "apps/roboviz_arguments.h"
-#include "murosimf/connect/tcp_server.h"
+#include "murosimf/connect/tcp/tcp_server.h"
 #include "murosimf/model/error.h"
 #include "murosimf/recording/state_file.h"
 

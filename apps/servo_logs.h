@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "murosimf/identification/fitted_servo.h"
 #include "murosimf/identification/bench_logs.h"
+#include "murosimf/identification/fitted_servo.h"
 
 namespace murosimf::app {
 

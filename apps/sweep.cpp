@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include "apps/command_line.h"
-#include "apps/interruption.h"
 #include "apps/error_output.h"
+#include "apps/interruption.h"
 #include "apps/progress.h"
 #include "apps/record_options.h"
 #include "apps/results.h"
@@ -49,8 +49,8 @@ void define(const Command& command, SweepArguments& arguments) {
 
 studies::SweepOptions options_of(const SweepArguments& arguments) {
   studies::SweepOptions options{.scene = arguments.runs.scene.file,
-                               .duration = arguments.runs.duration,
-                               .results = arguments.results};
+                                .duration = arguments.runs.duration,
+                                .results = arguments.results};
   for (const std::string& axis : arguments.grid) options.axes.push_back(studies::parse_axis(axis));
   if (!arguments.seeds.empty()) options.seeds = studies::parse_seeds(arguments.seeds);
   options.common = options_of(arguments.runs);

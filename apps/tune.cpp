@@ -11,8 +11,8 @@
 #include <fmt/format.h>
 
 #include "apps/command_line.h"
-#include "apps/interruption.h"
 #include "apps/error_output.h"
+#include "apps/interruption.h"
 #include "apps/progress.h"
 #include "apps/record_options.h"
 #include "apps/results.h"
@@ -180,9 +180,9 @@ std::filesystem::path state_file(const std::string& out) {
 
 studies::TuningBudget budget_of(const TuneArguments& arguments, Progress& progress) {
   studies::TuningBudget budget{.evaluations = static_cast<std::size_t>(arguments.evaluations),
-                              .seed = arguments.seed.value_or(1),
-                              .state = state_file(arguments.out),
-                              .program = this_program()};
+                               .seed = arguments.seed.value_or(1),
+                               .state = state_file(arguments.out),
+                               .program = this_program()};
   if (arguments.minutes) budget.minutes = *arguments.minutes;
   budget.progress = [&progress](const studies::CostSearchProgress& now) {
     progress.show(now.share, fmt::format("{} of {} evaluations, best cost {:.4f}", now.evaluations, now.of, now.best));
@@ -255,31 +255,31 @@ int tune(const TuneArguments& arguments) {
   const std::vector<std::string>& levels = arguments.levels.empty() ? studies::usual_tuning_levels() : arguments.levels;
   if (arguments.what == "walk") {
     const studies::WalkTuning tuning = studies::tune_walk({.model = arguments.model,
-                                                         .levels = levels,
-                                                         .speed = arguments.speed.value_or(0.1),
-                                                         .duration = arguments.duration.value_or(8),
-                                                         .budget = budget_of(arguments, *progress),
-                                                         .common = common});
+                                                           .levels = levels,
+                                                           .speed = arguments.speed.value_or(0.1),
+                                                           .duration = arguments.duration.value_or(8),
+                                                           .budget = budget_of(arguments, *progress),
+                                                           .common = common});
     progress.reset();
     return finish(arguments, tuning);
   }
   if (arguments.what == "balance") {
     const studies::BalanceTuning tuning = studies::tune_balance({.model = arguments.model,
-                                                               .levels = levels,
-                                                               .speed = arguments.speed.value_or(0.15),
-                                                               .impulse = arguments.impulse,
-                                                               .duration = arguments.duration.value_or(7),
-                                                               .budget = budget_of(arguments, *progress),
-                                                               .common = common});
+                                                                 .levels = levels,
+                                                                 .speed = arguments.speed.value_or(0.15),
+                                                                 .impulse = arguments.impulse,
+                                                                 .duration = arguments.duration.value_or(7),
+                                                                 .budget = budget_of(arguments, *progress),
+                                                                 .common = common});
     progress.reset();
     return finish(arguments, tuning);
   }
   const studies::MotionTuning tuning = studies::tune_motion({.motion = arguments.what,
-                                                           .model = arguments.model,
-                                                           .task = task_of(arguments),
-                                                           .levels = levels,
-                                                           .budget = budget_of(arguments, *progress),
-                                                           .common = common});
+                                                             .model = arguments.model,
+                                                             .task = task_of(arguments),
+                                                             .levels = levels,
+                                                             .budget = budget_of(arguments, *progress),
+                                                             .common = common});
   progress.reset();
   return finish(arguments, tuning);
 }

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "apps/command_line.h"
-#include "apps/interruption.h"
 #include "apps/error_output.h"
+#include "apps/interruption.h"
 #include "apps/option_values.h"
 #include "apps/repeat_arguments.h"
 #include "apps/results.h"
@@ -15,8 +15,8 @@
 #include "apps/view_recording.h"
 #include "murosimf/drawing/debug_draw_source.h"
 #include "murosimf/model/error.h"
-#include "murosimf/recording/recorded_source.h"
 #include "murosimf/recording/recorded_series.h"
+#include "murosimf/recording/recorded_source.h"
 #include "murosimf/session/live_source.h"
 #include "murosimf/viewer/view_report.h"
 #include "murosimf/viewer/window.h"

@@ -31,7 +31,7 @@ void check(const WebArguments& arguments);
 
 /// What browsers show besides the scene; all of it must outlive the view.
 struct ShownInBrowsers {
-  const league::GameTask* game = nullptr;         ///< whose score; null: nobody referees
+  const league::GameTask* game = nullptr;            ///< whose score; null: nobody referees
   const drawing::DebugDrawSource* others = nullptr;  ///< what other programs draw; null: they do not
 };
 

@@ -20,10 +20,10 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/serial/dynamixel/packet_parser.h"
 #include "murosimf/model/error.h"
 #include "murosimf/runtime/clock.h"
 #include "murosimf/scene/scene.h"
+#include "murosimf/serial/dynamixel/packet_parser.h"
 
 namespace {
 

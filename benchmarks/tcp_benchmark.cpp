@@ -8,12 +8,12 @@
 #include <thread>
 #include <vector>
 
-#include "murosimf/wire/robot_client.h"
 #include "murosimf/connect/controller_task.h"
-#include "murosimf/connect/tcp_server.h"
+#include "murosimf/connect/tcp/tcp_server.h"
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/runtime/clock.h"
 #include "murosimf/scene/scene.h"
+#include "murosimf/wire/robot_client.h"
 
 namespace {
 

@@ -11,15 +11,15 @@
 #include <string>
 #include <vector>
 
-#include <murosimf/soccer/behavior_properties.h>
-#include <murosimf/soccer/obstacle_course.h>
 #include <murosimf/collision/queries.h>
 #include <murosimf/files/output_file.h>
-#include <murosimf/soccer/planar.h>
 #include <murosimf/render/field_picture.h>
 #include <murosimf/render/image_png.h>
 #include <murosimf/scene/scene.h>
 #include <murosimf/scene_file/field.h>
+#include <murosimf/soccer/behavior_properties.h>
+#include <murosimf/soccer/obstacle_course.h>
+#include <murosimf/soccer/planar.h>
 
 using namespace murosimf;
 using namespace std::chrono_literals;

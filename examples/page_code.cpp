@@ -13,7 +13,7 @@
 
 #include <murosimf/collision/queries.h>
 #include <murosimf/collision/touches.h>
-#include <murosimf/connect/tcp_server.h>
+#include <murosimf/connect/tcp/tcp_server.h>
 #include <murosimf/logging/run_log.h>
 #include <murosimf/model/column_view.h>
 #include <murosimf/model/properties.h>

@@ -12,12 +12,12 @@
 #include <string>
 #include <vector>
 
-#include <murosimf/soccer/behavior_properties.h>
-#include <murosimf/soccer/localize.h>
 #include <murosimf/files/output_file.h>
 #include <murosimf/render/field_picture.h>
 #include <murosimf/scene/scene.h>
 #include <murosimf/scene_file/field.h>
+#include <murosimf/soccer/behavior_properties.h>
+#include <murosimf/soccer/localize.h>
 
 using namespace murosimf;
 using namespace std::chrono_literals;

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "murosimf/appearance/visual_meshes.h"
-#include "murosimf/robot_formats/robot_visuals.h"
 #include "murosimf/geometry/support.h"
 #include "murosimf/model/chain.h"
 #include "murosimf/model/error.h"
@@ -15,6 +14,7 @@
 #include "murosimf/render/image_png.h"
 #include "murosimf/render/renderer.h"
 #include "murosimf/robot/robot_soles.h"
+#include "murosimf/robot_formats/robot_visuals.h"
 
 namespace murosimf::appearance {
 namespace {

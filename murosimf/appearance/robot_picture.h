@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/imaging/image.h"
+#include "murosimf/robot_formats/robot_description.h"
 
 namespace murosimf::appearance {
 

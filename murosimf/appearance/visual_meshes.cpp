@@ -6,12 +6,12 @@
 #include <fmt/format.h>
 
 #include "murosimf/collision/relief/relief.h"
-#include "murosimf/robot_formats/mesh/mesh_file.h"
-#include "murosimf/robot_formats/mesh/mesh_library.h"
 #include "murosimf/geometry/mesh_mass.h"
 #include "murosimf/geometry/mesh_reduction.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/robot_formats/mesh/mesh_file.h"
+#include "murosimf/robot_formats/mesh/mesh_library.h"
 
 namespace murosimf::appearance {
 namespace {

@@ -4,9 +4,9 @@
 
 #include "murosimf/catalog/built_in_controllers.h"
 #include "murosimf/catalog/physics_options.h"
-#include "murosimf/collision/deferred_impulse_law.h"
 #include "murosimf/collision/body_explicit_laws.h"
 #include "murosimf/collision/body_island_law.h"
+#include "murosimf/collision/deferred_impulse_law.h"
 #include "murosimf/collision/implicit_stick_law.h"
 #include "murosimf/collision/kelvin_voigt_law.h"
 #include "murosimf/collision/paper_law.h"

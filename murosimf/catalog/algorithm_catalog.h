@@ -18,7 +18,6 @@
 #include "murosimf/components/sensor_types.h"
 #include "murosimf/connect/control_link_options.h"
 #include "murosimf/connect/crash_note.h"
-#include "murosimf/runtime/external_input_log.h"
 #include "murosimf/locomotion/keyframe_motion.h"
 #include "murosimf/model/find_entry.h"
 #include "murosimf/model/option.h"
@@ -26,6 +25,7 @@
 #include "murosimf/motion/moving_tree.h"
 #include "murosimf/motion/simplified_dynamics.h"
 #include "murosimf/robot/robot_formats.h"
+#include "murosimf/runtime/external_input_log.h"
 #include "murosimf/runtime/simulation.h"
 
 namespace murosimf::connect {
@@ -103,7 +103,7 @@ struct ControllerOptions {
   std::shared_ptr<connect::TcpServer> software;  ///< where that of the controller "tcp" comes in; null: nowhere
   std::filesystem::path folder;     ///< of the scene's file, where the files that it names are looked for too
   std::filesystem::path terminals;  ///< folder for links to serial lines; empty: there are none
-  ExternalInputOptions outside;    ///< what is done with all that comes from outside
+  ExternalInputOptions outside;     ///< what is done with all that comes from outside
 };
 
 struct ControllerType {

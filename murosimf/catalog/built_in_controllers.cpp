@@ -11,9 +11,7 @@
 #include "murosimf/connect/command_arrival.h"
 #include "murosimf/connect/controller_task.h"
 #include "murosimf/connect/library_software.h"
-#include "murosimf/runtime/external_input_history.h"
-#include "murosimf/serial/serial_software.h"
-#include "murosimf/connect/tcp_server.h"
+#include "murosimf/connect/tcp/tcp_server.h"
 #include "murosimf/connect/trajectory_file.h"
 #include "murosimf/connect/trajectory_player.h"
 #include "murosimf/files/data_path.h"
@@ -24,9 +22,11 @@
 #include "murosimf/locomotion/walk_engine.h"
 #include "murosimf/locomotion/walk_options.h"
 #include "murosimf/robot/step_table_file.h"
+#include "murosimf/runtime/external_input_history.h"
 #include "murosimf/sensors/ground_truth.h"
 #include "murosimf/sensors/inertial.h"
 #include "murosimf/sensors/joint_sensors.h"
+#include "murosimf/serial/serial_software.h"
 
 namespace murosimf::catalog {
 namespace {
@@ -214,14 +214,13 @@ void attach_serial(Simulation& simulation, Entity& robot, const ControllerOption
   const std::vector<serial::ServoPlace> layout =
       given.bus.empty()
           ? serial::usual_layout(model, protocol)
-          : serial::read_layout(files::find_data_file(given.bus, "buses", ".csv", options.folder), model,
-                                         protocol);
+          : serial::read_layout(files::find_data_file(given.bus, "buses", ".csv", options.folder), model, protocol);
   const connect::SoftwareMaker make = [&](Setup& setup, connect::RobotPort& port, const connect::SayLine& say) {
     return std::make_unique<serial::SerialSoftware>(setup, port, say, layout, given, options.terminals,
-                                                             options.outside);
+                                                    options.outside);
   };
-  attach_software(simulation, robot, rate_of<serial::SerialSoftware>(options), make,
-                  {.software = "serial line"}, options);
+  attach_software(simulation, robot, rate_of<serial::SerialSoftware>(options), make, {.software = "serial line"},
+                  options);
 }
 
 void attach_drive(Simulation& simulation, Entity& car, const ControllerOptions& options) {
@@ -237,7 +236,7 @@ void attach_trot(Simulation& simulation, Entity& robot, const ControllerOptions&
 void attach_ball_chaser(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
   using soccer::BallChaser;
   soccer::BallChaserOptions chaser{.goal = {options.attacks * options.half_field.x, 0, 0},
-                                     .half_field = options.half_field};
+                                   .half_field = options.half_field};
   ball_chaser_options().apply(options.own, chaser);
   if (!sensors::find_reading(robot, "ground_truth")) {
     const sensors::SensorSpec truth{.name = "ground_truth",
@@ -257,9 +256,9 @@ void attach_ball_chaser(Simulation& simulation, Entity& robot, const ControllerO
 void attach_localize(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
   const double x = 0.5 * options.half_field.x, y = 0.45 * options.half_field.y;
   soccer::LocalizeOptions localize{.markings = options.markings,
-                                     .start = options.start,
-                                     .way = {{0, -y, 0}, {x, 0, 0}, {0, y, 0}, {-x, 0, 0}},
-                                     .seed = options.seed};
+                                   .start = options.start,
+                                   .way = {{0, -y, 0}, {x, 0, 0}, {0, y, 0}, {-x, 0, 0}},
+                                   .seed = options.seed};
   localize_options().apply(options.own, localize);
   simulation.attach<soccer::Localize>("localize", robot, rate_of<soccer::Localize>(options), localize);
   simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz);
@@ -268,8 +267,8 @@ void attach_localize(Simulation& simulation, Entity& robot, const ControllerOpti
 void attach_obstacle_course(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
   using soccer::ObstacleCourse;
   soccer::ObstacleCourseOptions course{.start = options.start,
-                                         .goal_x = options.attacks * options.half_field.x,
-                                         .half_width = options.half_field.y};
+                                       .goal_x = options.attacks * options.half_field.x,
+                                       .half_width = options.half_field.y};
   obstacle_course_options().apply(options.own, course);
   simulation.attach<ObstacleCourse>("obstacle_course", robot, rate_of<ObstacleCourse>(options), course);
   simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz);

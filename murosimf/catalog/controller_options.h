@@ -3,15 +3,15 @@
 /// What else a controller needs (its start, the goal) comes from its robot's place in the scene.
 #pragma once
 
-#include "murosimf/soccer/ball_chaser.h"
-#include "murosimf/soccer/localize.h"
-#include "murosimf/soccer/obstacle_course.h"
-#include "murosimf/serial/serial_software.h"
-#include "murosimf/connect/tcp_server.h"
+#include "murosimf/connect/tcp/tcp_server.h"
 #include "murosimf/connect/trajectory_player.h"
 #include "murosimf/locomotion/ankle_strategy.h"
 #include "murosimf/locomotion/drive.h"
 #include "murosimf/model/option.h"
+#include "murosimf/serial/serial_software.h"
+#include "murosimf/soccer/ball_chaser.h"
+#include "murosimf/soccer/localize.h"
+#include "murosimf/soccer/obstacle_course.h"
 
 namespace murosimf::catalog {
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "murosimf/air/air_properties.h"
-#include "murosimf/soccer/behavior_properties.h"
 #include "murosimf/collision/contact_properties.h"
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
+#include "murosimf/soccer/behavior_properties.h"
 
 namespace murosimf::properties {
 namespace {

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "murosimf/collision/continuous_collision.h"
-#include "murosimf/collision/kinematic_separation.h"
 #include "murosimf/collision/depenetration.h"
+#include "murosimf/collision/kinematic_separation.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::collision {

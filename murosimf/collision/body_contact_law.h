@@ -22,7 +22,8 @@ class BodyContactLaw {
   [[nodiscard]] virtual bool damps() const noexcept { return false; }
   /// Gives every point of `set` its force and memory, and all entities what they feel; dt [s] is the length of the step. The
   /// points of the step before are in set.previous.
-  virtual void push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt, ParallelFor& parallel_for) noexcept = 0;
+  virtual void push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt,
+                    ParallelFor& parallel_for) noexcept = 0;
 };
 
 }  // namespace murosimf::collision

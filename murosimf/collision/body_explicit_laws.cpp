@@ -27,7 +27,8 @@ double bounded(double c, double dt, double S) { return c / (1 + dt * c * S); }
 
 }  // namespace
 
-void BodyKelvinVoigtLaw::push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt, ParallelFor&) noexcept {
+void BodyKelvinVoigtLaw::push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt,
+                              ParallelFor&) noexcept {
   for (PairContact& c : set.points) push_by_kelvin_voigt(moving_entities, c, set.parameters[c.surface], dt);
 }
 

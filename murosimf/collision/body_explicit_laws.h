@@ -2,8 +2,8 @@
 #pragma once
 
 #include "murosimf/collision/body_contact_law.h"
-#include "murosimf/collision/paper_law.h"
 #include "murosimf/collision/effective_mass.h"
+#include "murosimf/collision/paper_law.h"
 
 namespace murosimf::collision {
 
@@ -12,7 +12,8 @@ namespace murosimf::collision {
 ///     f_n = max(0, k depth - d v_n),  f_t = -min(mu f_n, ct |v_t|) v_t / |v_t|
 class BodyKelvinVoigtLaw final : public BodyContactLaw {
  public:
-  void push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt, ParallelFor& parallel_for) noexcept override;
+  void push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt,
+            ParallelFor& parallel_for) noexcept override;
 };
 
 /// Force of one contact; also for contacts that another law has to leave out. `parameters` are those of the contact.
@@ -36,7 +37,8 @@ class BodyPaperLaw final : public BodyContactLaw {
  public:
   explicit BodyPaperLaw(const PaperLawOptions& options = {}) : options_(options) {}
 
-  void push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt, ParallelFor& parallel_for) noexcept override;
+  void push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt,
+            ParallelFor& parallel_for) noexcept override;
 
  private:
   PaperLawOptions options_;

@@ -11,7 +11,9 @@
 namespace murosimf::collision {
 namespace {
 
-bool ground_becomes_rows(const ContactInterface& interface) { return interface.law && interface.law->island_use() != IslandUse::never; }
+bool ground_becomes_rows(const ContactInterface& interface) {
+  return interface.law && interface.law->island_use() != IslandUse::never;
+}
 
 }  // namespace
 

@@ -26,7 +26,8 @@ class BodyIslandLaw final : public BodyContactLaw {
   explicit BodyIslandLaw(const BodyIslandOptions& options = {}) : sweeps_(options.sweeps) {}
 
   [[nodiscard]] bool implicit() const noexcept override { return true; }
-  void push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt, ParallelFor& parallel_for) noexcept override;
+  void push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt,
+            ParallelFor& parallel_for) noexcept override;
 
  private:
   /// Of an island.

@@ -56,7 +56,8 @@ void take_back(std::vector<MovingEntity>& moving_entities, const PairContact& ol
 
 }  // namespace
 
-void DeferredImpulseLaw::push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt, ParallelFor&) noexcept {
+void DeferredImpulseLaw::push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt,
+                              ParallelFor&) noexcept {
   for (const PairContact& old : set.previous) {
     if (old.state != ContactState::open) take_back(moving_entities, old, dt);
   }

@@ -13,7 +13,8 @@ namespace murosimf::collision {
 class DeferredImpulseLaw final : public BodyContactLaw {
  public:
   [[nodiscard]] bool damps() const noexcept override { return true; }
-  void push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt, ParallelFor& parallel_for) noexcept override;
+  void push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt,
+            ParallelFor& parallel_for) noexcept override;
 };
 
 }  // namespace murosimf::collision

@@ -21,7 +21,7 @@
 namespace murosimf::collision {
 
 inline constexpr double felt_depth = 2e-3;  ///< [m] more than curved shapes and turning edges have of themselves
-inline constexpr double depenetration_speed = 0.5;   ///< [m/s] of what was found deep inside something
+inline constexpr double depenetration_speed = 0.5;  ///< [m/s] of what was found deep inside something
 
 /// b_n [N s/m] of a law that is implicit in the velocity after the step.
 [[nodiscard]] inline double implicit_damping(const ContactPoint& c, const ContactParameters& p, double dt) noexcept {

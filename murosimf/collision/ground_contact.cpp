@@ -4,9 +4,9 @@
 
 #include "murosimf/collision/contact_parameters.h"
 #include "murosimf/collision/contact_properties.h"
+#include "murosimf/collision/depenetration.h"
 #include "murosimf/collision/ground_lanes.h"
 #include "murosimf/collision/impulse_response.h"
-#include "murosimf/collision/depenetration.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::collision {
@@ -96,7 +96,8 @@ void GroundContact::exchange_law(std::shared_ptr<const ContactLaw> law) {
 
 /// Six coordinates are those of a rigid body.
 bool GroundContact::wants_stiff_terms() const noexcept {
-  return law_->implicit() && (model().joints().empty() || (interface_.response && interface_.response->coordinates() > 6));
+  return law_->implicit() &&
+         (model().joints().empty() || (interface_.response && interface_.response->coordinates() > 6));
 }
 
 /// Points of other constants keep their tangential force, and come to their new depth slowly.

@@ -19,8 +19,8 @@
 #include <vector>
 
 #include "murosimf/collision/contact.h"
-#include "murosimf/collision/contact_law.h"
 #include "murosimf/collision/contact_interface.h"
+#include "murosimf/collision/contact_law.h"
 #include "murosimf/collision/ground_finder.h"
 #include "murosimf/model/algorithm.h"
 #include "murosimf/model/material.h"

@@ -69,16 +69,16 @@ class IslandSolver {
   struct Contact {
     ContactPoint* point;
     const ContactParameters* parameters;
-    std::size_t first, last;         // of both sides in index_ and rows_; B's with the opposite sign
-    Mat3d frame;                     // n, t1, t2
-    Vec3d free;                      // [m/s] velocity along the frame's axes without contacts
-    Vec3d lambda;                    // [N s] along the frame's axes
-    SymMat3d W;                      // [1/kg] what lambda does to the velocity
-    double R_n, R_t;                 // [1/kg] compliance
-    double mass_n;                   // [kg] 1 / (W_n + R_n)
-    double mass_1, mass_12, mass_2;  // [kg] inverse of the tangents' W + R_t
-    double slide_mass;               // [kg] 1 / largest eigenvalue of that W + R_t
-    double request_n, request_1, request_2;   // [m/s] right-hand sides
+    std::size_t first, last;                 // of both sides in index_ and rows_; B's with the opposite sign
+    Mat3d frame;                             // n, t1, t2
+    Vec3d free;                              // [m/s] velocity along the frame's axes without contacts
+    Vec3d lambda;                            // [N s] along the frame's axes
+    SymMat3d W;                              // [1/kg] what lambda does to the velocity
+    double R_n, R_t;                         // [1/kg] compliance
+    double mass_n;                           // [kg] 1 / (W_n + R_n)
+    double mass_1, mass_12, mass_2;          // [kg] inverse of the tangents' W + R_t
+    double slide_mass;                       // [kg] 1 / largest eigenvalue of that W + R_t
+    double request_n, request_1, request_2;  // [m/s] right-hand sides
   };
 
   /// The same three numbers of four rows.

@@ -81,7 +81,8 @@ void MovingEntity::take_shapes() {
 
 bool MovingEntity::limbs_can_touch() const {
   // six coordinates are those of a rigid body
-  return !compound.inner_pairs().off() && can_be_pushed() && interface.response && interface.response->coordinates() > 6;
+  return !compound.inner_pairs().off() && can_be_pushed() && interface.response &&
+         interface.response->coordinates() > 6;
 }
 
 void MovingEntity::refit() noexcept {

@@ -11,18 +11,18 @@
 
 #include "murosimf/connect/control_software.h"
 #include "murosimf/connect/crash_note.h"
-#include "murosimf/runtime/external_input_history.h"
 #include "murosimf/connect/software_report.h"
 #include "murosimf/model/algorithm.h"
+#include "murosimf/runtime/external_input_history.h"
 
 namespace murosimf::connect {
 
 struct ControllerTaskOptions {
-  std::string software;                        ///< what reports call it
-  Duration budget{};                           ///< wall time that a call may take; 0: any
-  std::shared_ptr<CrashNote> crashes = {};     ///< null: nobody looks
-  ControlLinkOptions link{};                   ///< between the robot and the software
-  std::uint64_t seed = 1;                      ///< of the link's chances
+  std::string software;                               ///< what reports call it
+  Duration budget{};                                  ///< wall time that a call may take; 0: any
+  std::shared_ptr<CrashNote> crashes = {};            ///< null: nobody looks
+  ControlLinkOptions link{};                          ///< between the robot and the software
+  std::uint64_t seed = 1;                             ///< of the link's chances
   std::shared_ptr<ExternalInputHistory> memory = {};  ///< where its calls are written down; null: nowhere
 };
 
@@ -61,10 +61,10 @@ class ControllerTask final : public Algorithm {
   RobotPort port_;
   SoftwareInterface& interface_;
   SoftwareReport report_;
-  Duration now_{};                            // of the step that is being made, for messages
+  Duration now_{};                                   // of the step that is being made, for messages
   ExternalInputHistory::Channel* memory_ = nullptr;  // null: nobody goes back in time, or the software repeats itself
-  bool over_ = false;                         // it has ended for good
-  bool jumped_ = false;                       // a state was loaded since the last call
+  bool over_ = false;                                // it has ended for good
+  bool jumped_ = false;                              // a state was loaded since the last call
   std::unique_ptr<ControlSoftware> software_;
 };
 

@@ -54,7 +54,7 @@ class RobovizDrawings {
   };
   std::map<std::string, Set> sets_;
   std::map<int, ExternalDrawings::Note> notes_;  // by agent
-  std::size_t points_ = 0;                    // of all sets
+  std::size_t points_ = 0;                       // of all sets
   bool all_had_place_ = true;
   std::uint64_t changes_ = 0;
 };

@@ -13,8 +13,8 @@
 
 #include <sys/types.h>
 
-#include "murosimf/files/file_pointer.h"
 #include "murosimf/files/cleanup_guard.h"
+#include "murosimf/files/file_pointer.h"
 
 namespace murosimf::files {
 

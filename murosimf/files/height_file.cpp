@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 
 #include "murosimf/files/csv_cells.h"
+#include "murosimf/files/gray_png.h"
 #include "murosimf/files/input_file.h"
 #include "murosimf/files/lower_case.h"
-#include "murosimf/files/gray_png.h"
 #include "murosimf/files/npy_array.h"
 #include "murosimf/model/error.h"
 

@@ -87,7 +87,8 @@ bool see_edges(const TwoBoxes& p, Least& least) {
   return true;
 }
 
-void meet_at_edges(const BoxParts& a, const BoxParts& b, const Least& least, const Penetration& penetration, Manifold& found) {
+void meet_at_edges(const BoxParts& a, const BoxParts& b, const Least& least, const Penetration& penetration,
+                   Manifold& found) {
   const Vec3d& n = least.from_a;
   const Segment edge_a = a.edge(least.edge_a, n), edge_b = b.edge(least.edge_b, -n);
   const auto [s, t] = closest_places(edge_a, edge_b);

@@ -16,8 +16,8 @@ void only_point(const Penetration& penetration, const Vec3d& middle, std::uint32
   found.points[0] = {middle, penetration.depth, name};
 }
 
-bool add_side_by_side(const Penetration& penetration, const Segment& a, double radius_a, const Segment& b, double radius_b,
-                      std::uint32_t name, Manifold& found) {
+bool add_side_by_side(const Penetration& penetration, const Segment& a, double radius_a, const Segment& b,
+                      double radius_b, std::uint32_t name, Manifold& found) {
   const double aa = dot(a.half, a.half), bb = dot(b.half, b.half);
   const Vec3d across = cross(a.half, b.half);
   if (!(aa > 0 && bb > 0) || dot(across, across) > side_by_side * side_by_side * aa * bb) return false;

@@ -24,8 +24,8 @@ void begin(const Penetration& penetration, Manifold& found);
 void only_point(const Penetration& penetration, const Vec3d& middle, std::uint32_t name, Manifold& found);
 /// Two segments with rounded surroundings of radius [m], side by side: one point at each end of their overlap. False, and
 /// no point, if they do not lie side by side.
-bool add_side_by_side(const Penetration& penetration, const Segment& a, double radius_a, const Segment& b, double radius_b,
-                      std::uint32_t name, Manifold& found);
+bool add_side_by_side(const Penetration& penetration, const Segment& a, double radius_a, const Segment& b,
+                      double radius_b, std::uint32_t name, Manifold& found);
 /// No two points may have the same name; the deepest one gets the exact depth.
 void finish(const Penetration& penetration, Manifold& found);
 

@@ -13,9 +13,9 @@
 #include <string_view>
 #include <vector>
 
+#include "murosimf/league/datagrams.h"
 #include "murosimf/runtime/external_input_history.h"
 #include "murosimf/runtime/external_input_log.h"
-#include "murosimf/league/datagrams.h"
 
 namespace murosimf::league {
 
@@ -75,8 +75,7 @@ class NotedDatagrams final : public Datagrams {
 class RememberedDatagrams final : public Datagrams {
  public:
   /// All must outlive it.
-  RememberedDatagrams(Datagrams& source, ExternalInputHistory::Channel& memory)
-      : source_(&source), memory_(&memory) {}
+  RememberedDatagrams(Datagrams& source, ExternalInputHistory::Channel& memory) : source_(&source), memory_(&memory) {}
   [[nodiscard]] std::vector<std::string> take(Duration now) override;
   void give(std::string_view bytes) override {
     if (!memory_->repeats()) source_->give(bytes);

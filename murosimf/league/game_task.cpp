@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/soccer/behavior_properties.h"
 #include "murosimf/connect/software_report.h"
 #include "murosimf/league/robot_status.h"
 #include "murosimf/league/rule_names.h"
@@ -15,6 +14,7 @@
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/soccer/behavior_properties.h"
 
 namespace murosimf::league {
 namespace {

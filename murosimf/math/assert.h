@@ -3,7 +3,7 @@
 ///     MUROSIMF_ASSERT(q.size() == tree.links.size());
 ///     MUROSIMF_ASSERT(time >= now_ && "time does not run backwards");
 ///
-/// An assertion that fails is a mistake of the library or of the program that uses it, never of a file or a user (these get a
+/// An assertion that fails is an error of the library or of the program that uses it, never of a file or a user (these get a
 /// SetupError): it prints the condition and its place, and aborts, so it may stand in noexcept functions. In release builds the
 /// condition is compiled but not evaluated: it costs nothing, and names that only assertions use count as used.
 /// -DMUROSIMF_ASSERTIONS=ON checks in release builds, too: for runs too long for a debug build.

@@ -20,9 +20,10 @@ class StateArchive;
 
 /// The moment at which an algorithm is executed.
 struct Instant {
-  Duration now{};              ///< simulated time at the beginning of the step
-  Duration period{};           ///< time until this algorithm's next step
-  ParallelFor* parallel_for = nullptr;  ///< threads that have nothing else to do meanwhile (parallel_for.h); null: there are none
+  Duration now{};     ///< simulated time at the beginning of the step
+  Duration period{};  ///< time until this algorithm's next step
+  ParallelFor* parallel_for =
+      nullptr;  ///< threads that have nothing else to do meanwhile (parallel_for.h); null: there are none
 };
 
 /// The parts of a tick, in their order. Algorithms that conflict run by phase, those of one phase in the order in which they

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "murosimf/collision/contact.h"
-#include "murosimf/collision/contact_law.h"
 #include "murosimf/collision/contact_interface.h"
+#include "murosimf/collision/contact_law.h"
 #include "murosimf/model/setup.h"
 #include "murosimf/motion/integrator.h"
 

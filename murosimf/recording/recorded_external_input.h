@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "murosimf/runtime/external_input_log.h"
 #include "murosimf/recording/mcap/mcap_reader.h"
+#include "murosimf/runtime/external_input_log.h"
 
 namespace murosimf::recording {
 

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/runtime/external_input_log.h"
 #include "murosimf/imaging/image.h"
 #include "murosimf/model/drawing.h"
 #include "murosimf/model/world.h"
+#include "murosimf/runtime/external_input_log.h"
 #include "murosimf/runtime/pose_frame.h"
 #include "murosimf/sensors/reading.h"
 
@@ -114,7 +114,7 @@ struct RecordedFrame {
   std::vector<CameraPicture> pictures{};
   std::vector<FrameDrawings> drawings{};
   std::vector<std::pair<Duration, std::string>> events{}, warnings{}, commands{};  ///< new ones
-  std::vector<std::pair<std::string, ExternalInput>> outside{};             ///< by channel, new ones
+  std::vector<std::pair<std::string, ExternalInput>> outside{};                    ///< by channel, new ones
   std::optional<std::uint64_t> hash{};                                             ///< of the state
   std::vector<std::byte> state{};  ///< all of it (Scene::save); empty: not kept
 

@@ -13,10 +13,10 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/runtime/external_input_log.h"
 #include "murosimf/recording/recorded_states.h"
 #include "murosimf/recording/run_description.h"
 #include "murosimf/recording/unpacked_files.h"
+#include "murosimf/runtime/external_input_log.h"
 #include "murosimf/scene/scene.h"
 
 namespace murosimf::recording {

@@ -35,7 +35,8 @@ void set_number(Entity& entity, const Property<double>& property, int object, do
 }  // namespace
 
 RecordedSource::RecordedSource(std::shared_ptr<const recording::RecordedRun> run,
-                               const recording::RepeatOptions& options, std::shared_ptr<drawing::DebugDrawBuffer> others)
+                               const recording::RepeatOptions& options,
+                               std::shared_ptr<drawing::DebugDrawBuffer> others)
     : run_(std::move(run)), scene_(run_->build_to_show(options)), drawings_(run_->file()), others_(std::move(others)) {
   const std::set<std::string> draw = drawings_.robots();
   for (const auto& entity : scene_->simulation().world().entities()) {

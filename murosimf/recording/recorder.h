@@ -146,7 +146,7 @@ class Recorder {
   std::optional<RunWatch> watch_;
   std::vector<RecordingThread::Batch> held_;                        // not in the file yet
   std::vector<std::pair<Duration, std::string>> commands_between_;  // of what will never be in it
-  ExternalInputLog* outside_;                                  // null: it is not written down
+  ExternalInputLog* outside_;                                       // null: it is not written down
   std::vector<std::pair<std::string, ExternalInput>> outside_between_;
   Duration write_until_{-1};
   bool began_ = false, asked_ = false, newly_asked_ = false, finished_ = false;

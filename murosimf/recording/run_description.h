@@ -16,11 +16,12 @@ struct RunDescription {
   std::vector<std::string> overrides, events, pushes;  ///< as in scene/scene_options.h
   std::vector<std::string> plugins;                    ///< files
   bool libraries = false, lenient = false, cameras = true;
-  bool pushable = false;                ///< everybody who moves, not only whom its file pushes: it was steered
-  std::vector<std::string> channels{};  ///< by which others took part, what came is recorded (runtime/external_input_log.h)
-  std::vector<std::string> outside{};   ///< what else acted on it and is not recorded: "a GameController"
-  Duration start{};                     ///< later than 0 if it went on from a state
-  files::FoundNames names{};            ///< which files its names have meant
+  bool pushable = false;  ///< everybody who moves, not only whom its file pushes: it was steered
+  std::vector<std::string>
+      channels{};  ///< by which others took part, what came is recorded (runtime/external_input_log.h)
+  std::vector<std::string> outside{};  ///< what else acted on it and is not recorded: "a GameController"
+  Duration start{};                    ///< later than 0 if it went on from a state
+  files::FoundNames names{};           ///< which files its names have meant
 };
 
 /// JSON, the attachment "run.json" of a recording.

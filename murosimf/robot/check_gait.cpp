@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/robot/robot_checks.h"
 #include "murosimf/locomotion/gait_seed.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/robot/robot_checks.h"
 
 namespace murosimf::robot {
 namespace {

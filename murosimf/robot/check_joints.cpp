@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/robot/robot_checks.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/multibody/loops.h"
+#include "murosimf/robot/robot_checks.h"
 
 namespace murosimf::robot {
 namespace {

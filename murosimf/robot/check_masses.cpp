@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/robot/robot_checks.h"
 #include "murosimf/robot/repair_solids.h"
+#include "murosimf/robot/robot_checks.h"
 
 namespace murosimf::robot {
 namespace {

@@ -1,8 +1,8 @@
 // Sensors: what a simulation would say of them.
-#include "murosimf/robot/robot_checks.h"
 #include "murosimf/components/sensor_types.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/time.h"
+#include "murosimf/robot/robot_checks.h"
 
 namespace murosimf::robot {
 std::vector<Finding> examine_sensors(const robot::RobotFile& robot) {

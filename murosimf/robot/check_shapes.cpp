@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/robot/robot_checks.h"
-#include "murosimf/robot_formats/mesh/mesh_file.h"
 #include "murosimf/geometry/distance.h"
 #include "murosimf/model/error.h"
 #include "murosimf/robot/body_overlaps.h"
+#include "murosimf/robot/robot_checks.h"
 #include "murosimf/robot/robot_soles.h"
+#include "murosimf/robot_formats/mesh/mesh_file.h"
 
 namespace murosimf::robot {
 namespace {

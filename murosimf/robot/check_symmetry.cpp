@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/robot/robot_checks.h"
 #include "murosimf/robot/body_names.h"
+#include "murosimf/robot/robot_checks.h"
 #include "murosimf/robot/robot_soles.h"
 
 namespace murosimf::robot {

@@ -2,8 +2,8 @@
 /// of its bodies overlap as they stand, and how it stands.
 #pragma once
 
-#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/robot/robot_reader.h"
+#include "murosimf/robot_formats/robot_description.h"
 
 namespace murosimf::robot {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/geometry/primitive_fit.h"
+#include "murosimf/robot_formats/robot_description.h"
 
 namespace murosimf::robot {
 

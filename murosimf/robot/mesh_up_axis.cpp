@@ -9,10 +9,10 @@
 #include <fmt/format.h>
 
 #include "murosimf/files/lower_case.h"
-#include "murosimf/robot_formats/mesh/dae_file.h"
 #include "murosimf/model/error.h"
 #include "murosimf/robot/body_names.h"
 #include "murosimf/robot/robot_soles.h"
+#include "murosimf/robot_formats/mesh/dae_file.h"
 
 namespace murosimf::robot {
 namespace {

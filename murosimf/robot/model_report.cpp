@@ -6,11 +6,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "murosimf/robot/finding_groups.h"
 #include "murosimf/files/json_document.h"
 #include "murosimf/locomotion/leg.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/robot/finding_groups.h"
 
 namespace murosimf::robot {
 namespace {

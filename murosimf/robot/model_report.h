@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/robot/robot_findings.h"
 #include "murosimf/model/model.h"
+#include "murosimf/robot/robot_findings.h"
 #include "murosimf/sensors/sensor_spec.h"
 
 namespace murosimf::robot {

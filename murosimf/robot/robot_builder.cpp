@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "murosimf/collision/contact_properties.h"
-#include "murosimf/robot_formats/robot_visuals.h"
 #include "murosimf/files/xml_element.h"
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/locomotion/mirrored_motion.h"
@@ -17,6 +16,7 @@
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/motion/servo_law.h"
 #include "murosimf/robot/robot_soles.h"
+#include "murosimf/robot_formats/robot_visuals.h"
 
 namespace murosimf::robot {
 namespace {

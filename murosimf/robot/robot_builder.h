@@ -8,9 +8,9 @@
 /// In a Model no two objects share a name: a joint keeps it, a body or frame of the same name gets a suffix.
 #pragma once
 
-#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/model/model.h"
 #include "murosimf/robot/robot_config.h"
+#include "murosimf/robot_formats/robot_description.h"
 
 namespace murosimf::robot {
 

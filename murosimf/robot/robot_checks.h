@@ -17,7 +17,8 @@ namespace murosimf::robot {
 /// Moving bodies with little or too much mass, and inertias that do not fit their shapes.
 [[nodiscard]] std::vector<Finding> examine_masses(const robot_formats::RobotDescription& description);
 /// Joints without a servo, and ranges, torques and rates that look like placeholders.
-[[nodiscard]] std::vector<Finding> examine_joints(const robot_formats::RobotDescription& description, const Model& model);
+[[nodiscard]] std::vector<Finding> examine_joints(const robot_formats::RobotDescription& description,
+                                                  const Model& model);
 /// Left and right parts, by their names, of different mass, center of mass or range.
 [[nodiscard]] std::vector<Finding> examine_symmetry(const robot_formats::RobotDescription& description);
 /// Shapes of bodies that are not neighbors and overlap in the pose of the file, and meshes with very many triangles.

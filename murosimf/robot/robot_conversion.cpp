@@ -7,9 +7,6 @@
 #include "murosimf/components/sensor_sections.h"
 #include "murosimf/components/servo_sections.h"
 #include "murosimf/files/input_file.h"
-#include "murosimf/robot_formats/mjcf/mjcf_sensor.h"
-#include "murosimf/robot_formats/mjcf/mjcf_writer.h"
-#include "murosimf/robot_formats/urdf/urdf_writer.h"
 #include "murosimf/robot/conversion_additions.h"
 #include "murosimf/robot/conversion_sensors.h"
 #include "murosimf/robot/robot_config.h"
@@ -17,6 +14,9 @@
 #include "murosimf/robot/robot_reader.h"
 #include "murosimf/robot/robot_soles.h"
 #include "murosimf/robot/role_inference.h"
+#include "murosimf/robot_formats/mjcf/mjcf_sensor.h"
+#include "murosimf/robot_formats/mjcf/mjcf_writer.h"
+#include "murosimf/robot_formats/urdf/urdf_writer.h"
 
 namespace murosimf::robot {
 namespace {
@@ -102,7 +102,8 @@ std::string sole_sizes_toml(const RobotFile& robot, const robot_formats::RobotDe
 }
 
 /// What URDF has no words for.
-std::string toml_beside_urdf(const RobotFile& robot, const robot_formats::RobotDescription& description, bool own_table) {
+std::string toml_beside_urdf(const RobotFile& robot, const robot_formats::RobotDescription& description,
+                             bool own_table) {
   const std::string sizes = robot.table.sole_sizes.empty() ? sole_sizes_toml(robot, description) : "";
   return sizes + (own_table ? servos_toml(robot, description) : "");
 }

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/robot_formats/reader_options.h"
 #include "murosimf/robot/mesh_fit.h"
 #include "murosimf/robot/table_files.h"
+#include "murosimf/robot_formats/reader_options.h"
 
 namespace murosimf::robot {
 

@@ -7,6 +7,7 @@
 
 #include "murosimf/files/lower_case.h"
 #include "murosimf/files/xml_element.h"
+#include "murosimf/model/error.h"
 #include "murosimf/robot_formats/mjcf/mjcf_reader.h"
 #include "murosimf/robot_formats/mjcf/mjcf_schema.h"
 #include "murosimf/robot_formats/proto/proto_reader.h"
@@ -15,7 +16,6 @@
 #include "murosimf/robot_formats/urdf/gazebo_schema.h"
 #include "murosimf/robot_formats/urdf/urdf_reader.h"
 #include "murosimf/robot_formats/urdf/xacro_file.h"
-#include "murosimf/model/error.h"
 
 namespace murosimf::robot {
 namespace {
@@ -24,8 +24,8 @@ std::vector<RobotFormat> built_in_formats() {
   return {
       RobotFormat{"mjcf", "the format of MuJoCo", ".xml", "mujoco", robot_formats::mjcf::read_mjcf,
                   robot_formats::mjcf::mjcf_schema},
-      RobotFormat{"urdf", "the format of ROS, with gazebo blocks", ".urdf .xml", "robot", robot_formats::urdf::read_urdf,
-                  robot_formats::urdf::urdf_words},
+      RobotFormat{"urdf", "the format of ROS, with gazebo blocks", ".urdf .xml", "robot",
+                  robot_formats::urdf::read_urdf, robot_formats::urdf::urdf_words},
       RobotFormat{"sdf", "the format of Gazebo, models and worlds", ".sdf .world", "sdf", robot_formats::sdf::read_sdf,
                   robot_formats::sdf::sdf_schema},
       RobotFormat{"xacro", "URDF with macros, by the program xacro", ".xacro", "", robot_formats::urdf::read_xacro},
@@ -87,7 +87,7 @@ const RobotFormat& format_of(const std::filesystem::path& file) {
 }
 
 robot_formats::RobotDescription read_description(const std::filesystem::path& file,
-                                               const robot_formats::ReaderOptions& options) {
+                                                 const robot_formats::ReaderOptions& options) {
   const RobotFormat& format = format_of(file);
   if (!options.xacro.empty() && format.name != "xacro") {
     throw SetupError(fmt::format("{}: arguments of xacro mean nothing here: it is no .xacro file", file.string()));

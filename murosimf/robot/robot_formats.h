@@ -7,10 +7,10 @@
 #include <functional>
 #include <string>
 
-#include "murosimf/robot_formats/reader_options.h"
-#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/files/xml_schema.h"
 #include "murosimf/model/registry.h"
+#include "murosimf/robot_formats/reader_options.h"
+#include "murosimf/robot_formats/robot_description.h"
 
 namespace murosimf::robot {
 
@@ -19,7 +19,8 @@ struct RobotFormat {
   std::string endings;  ///< of files, small letters: ".xml .urdf"
   std::string root;     ///< first element, which tells the format of XML files; empty: no XML, the ending tells it
   /// Throws SetupError: file, line, what is wrong, what to do.
-  std::function<robot_formats::RobotDescription(const std::filesystem::path&, const robot_formats::ReaderOptions&)> read;
+  std::function<robot_formats::RobotDescription(const std::filesystem::path&, const robot_formats::ReaderOptions&)>
+      read;
   /// Of a format of XML: its elements and attributes, and what becomes of each (`murosimf list mjcf`); null: no list.
   const files::XmlVocabulary& (*words)() = nullptr;
 };
@@ -34,6 +35,6 @@ struct RobotFormat {
 /// What the reader of the file's format makes of it. Throws SetupError as that does, and for options that mean nothing to the format: body,
 /// xacro.
 [[nodiscard]] robot_formats::RobotDescription read_description(const std::filesystem::path& file,
-                                                             const robot_formats::ReaderOptions& options);
+                                                               const robot_formats::ReaderOptions& options);
 
 }  // namespace murosimf::robot

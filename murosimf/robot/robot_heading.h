@@ -4,8 +4,8 @@
 /// robot faces another way. Its base is turned about z by quarters of a turn until x is forward, with all that the base has.
 #pragma once
 
-#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/robot/robot_config.h"
+#include "murosimf/robot_formats/robot_description.h"
 
 namespace murosimf::robot {
 

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/robot_formats/reader_options.h"
-#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/model/model.h"
 #include "murosimf/robot/robot_config.h"
+#include "murosimf/robot_formats/reader_options.h"
+#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/sensors/sensor_spec.h"
 
 namespace murosimf::robot {
@@ -19,7 +19,7 @@ struct RobotFile {
       warnings;                    ///< one line each: file:line: what looks wrong, or is dropped because of `lenient`
   std::vector<std::string> notes;  ///< one line each: file:line: what has no effect here, what was guessed
   RobotConfig table;               ///< of the TOML file, completed by what was guessed (role_inference.h)
-  std::vector<sensors::SensorSpec> sensors;   ///< that it carries
+  std::vector<sensors::SensorSpec> sensors;     ///< that it carries
   robot_formats::RobotDescription description;  ///< what the model was made of; bodies without joints are welded
 };
 

@@ -170,7 +170,8 @@ bool has_place(const SensorSpec& spec, const Model& model, bool lenient, robot_f
   return true;
 }
 
-std::vector<SensorSpec> sensors_of_file(robot_formats::RobotDescription& description, const Model& model, bool lenient) {
+std::vector<SensorSpec> sensors_of_file(robot_formats::RobotDescription& description, const Model& model,
+                                        bool lenient) {
   std::vector<SensorSpec> specs;
   for (robot_formats::SensorDescription& sensor : description.sensors) {
     const SensorKind* kind = find_kind(sensor.kind);

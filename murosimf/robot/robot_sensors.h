@@ -26,9 +26,9 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/model/model.h"
 #include "murosimf/robot/robot_config.h"
+#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/sensors/sensor_spec.h"
 
 namespace murosimf::robot {

@@ -125,7 +125,8 @@ double lowest_point(const robot_formats::RobotDescription& description) {
 }
 
 std::optional<robot_formats::FrameDescription> sole_under(const robot_formats::RobotDescription& description,
-                                                        std::size_t body, const std::string& name, const Mat3d& axes) {
+                                                          std::size_t body, const std::string& name,
+                                                          const Mat3d& axes) {
   const Transformd place = body_places(description)[body];
   // axes of the sole to those of the body
   const Mat3d sole_axes = transpose(place.orientation) * level_axes(place.orientation * axes);

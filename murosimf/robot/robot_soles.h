@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/robot/robot_config.h"
+#include "murosimf/robot_formats/robot_description.h"
 
 namespace murosimf::robot {
 
@@ -35,9 +35,9 @@ namespace murosimf::robot {
 /// of the sole are those axes of `axes` (seen in the body), with either sign, that come nearest to forward, left and up
 /// there. Nothing if the body has no such shape.
 /// Bodies that hang on it and end within those millimeters of its bottom, toes, count with it.
-[[nodiscard]] std::optional<robot_formats::FrameDescription> sole_under(const robot_formats::RobotDescription& description,
-                                                                      std::size_t body, const std::string& name,
-                                                                      const Mat3d& axes = {});
+[[nodiscard]] std::optional<robot_formats::FrameDescription> sole_under(
+    const robot_formats::RobotDescription& description, std::size_t body, const std::string& name,
+    const Mat3d& axes = {});
 
 /// Farthest points downwards, and nearly so, of all shapes of a body that collide; `place`: of the body in the frame whose -z
 /// is down.

@@ -6,8 +6,8 @@
 
 #include <string>
 
-#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/robot/robot_config.h"
+#include "murosimf/robot_formats/robot_description.h"
 
 namespace murosimf::robot {
 

@@ -11,7 +11,7 @@ bool is_cut(const robot_formats::SensorDescription& sensor) {
 
 /// The body that is called so, that has a joint or a frame of this name.
 const robot_formats::BodyDescription* body_with(const robot_formats::RobotDescription& description,
-                                              const std::string& name) {
+                                                const std::string& name) {
   const auto has = [&](const robot_formats::BodyDescription& body) {
     return std::ranges::find(body.joints, name, &robot_formats::JointDescription::name) != body.joints.end() ||
            std::ranges::find(body.frames, name, &robot_formats::FrameDescription::name) != body.frames.end();
@@ -41,7 +41,8 @@ std::set<std::string> find_cuts(robot_formats::RobotDescription& description, co
   for (const components::SensorTable& sensor : table.sensors) {
     const std::string behind = word(sensor, "behind");
     if (behind.empty() && word(sensor, "type") != "joint_wrench") continue;
-    const robot_formats::BodyDescription* body = body_with(description, behind.empty() ? word(sensor, "frame") : behind);
+    const robot_formats::BodyDescription* body =
+        body_with(description, behind.empty() ? word(sensor, "frame") : behind);
     if (body) bodies.insert(body->name);
   }
   return bodies;

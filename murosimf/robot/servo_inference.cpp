@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include "murosimf/components/servo_sections.h"
-#include "murosimf/robot_formats/joint_inertia.h"
 #include "murosimf/robot/robot_soles.h"
+#include "murosimf/robot_formats/joint_inertia.h"
 
 namespace murosimf::robot {
 namespace {

@@ -15,8 +15,8 @@
 ///         with which the humanoids of other people's files stood and walked (docs/robots.md, "Servos that are guessed").
 #pragma once
 
-#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/robot/robot_config.h"
+#include "murosimf/robot_formats/robot_description.h"
 
 namespace murosimf::robot {
 

@@ -14,11 +14,11 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/robot_formats/mass_properties.h"
 #include "murosimf/math/transform.h"
 #include "murosimf/model/object.h"
 #include "murosimf/model/servo.h"
 #include "murosimf/model/shape.h"
+#include "murosimf/robot_formats/mass_properties.h"
 #include "murosimf/sensors/signal_spec.h"
 
 namespace murosimf::robot_formats {

@@ -1,8 +1,8 @@
 /// robot_visuals.h - the visual meshes that a robot file gives a body.
 #pragma once
 
-#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/model/visual_mesh.h"
+#include "murosimf/robot_formats/robot_description.h"
 
 namespace murosimf::robot_formats {
 

@@ -47,7 +47,7 @@ class ExternalInputHistory {
     friend class ExternalInputHistory;
     const ExternalInputHistory* memory_;
     std::vector<ExternalInput> written_, repeated_;  // by time
-    std::size_t at_ = 0;                           // of repeated_
+    std::size_t at_ = 0;                             // of repeated_
   };
 
   ExternalInputHistory() = default;

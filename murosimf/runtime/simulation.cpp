@@ -239,7 +239,8 @@ void Simulation::plan_jobs() {
   std::vector<LaneJobs::Member> members;
   for (const auto& task : tasks_) {
     const bool alone = !use_lanes_ || task->step_ratio || ForeignCode::of(*task->algorithm);
-    members.push_back({alone ? nullptr : task->algorithm.get(), task->period, parallel_for_.thread_affinity().of(*task->entity)});
+    members.push_back(
+        {alone ? nullptr : task->algorithm.get(), task->period, parallel_for_.thread_affinity().of(*task->entity)});
   }
   std::vector<LaneJobs::Member> at_one_home = members;
   for (LaneJobs::Member& member : at_one_home) member.home = 0;

@@ -16,8 +16,8 @@
 #include <tuple>
 #include <vector>
 
-#include "murosimf/robot_formats/reader_options.h"
 #include "murosimf/model/model.h"
+#include "murosimf/robot_formats/reader_options.h"
 #include "murosimf/sensors/sensor_spec.h"
 
 namespace murosimf::scene {

@@ -10,7 +10,9 @@ void Diagnostics::note(std::string_view entity, std::string_view text) { note(fm
 
 void Diagnostics::warn(std::string_view entity, std::string_view text) { warn(fmt::format("{}: {}", entity, text)); }
 
-bool Diagnostics::has_warning(std::string_view text) const { return std::ranges::find(warnings_, text) != warnings_.end(); }
+bool Diagnostics::has_warning(std::string_view text) const {
+  return std::ranges::find(warnings_, text) != warnings_.end();
+}
 
 void add_diagnostic(const std::string& text, const std::string& about, std::vector<SharedDiagnostic>& diagnostics) {
   if (text.empty()) return;

@@ -85,8 +85,8 @@ class Changes {
       inertia = fmt::format(", its inertia scaled by {:.4g}", mass / before);
     }
     const bool is_name = model_.find_object(setting.object).has_value();  // not a pattern
-    diagnostics_.push_back(fmt::format("{}: mass {:.4g} kg instead of {:.4g} kg{}", is_name ? setting.object : name(object),
-                                   mass, before, inertia));
+    diagnostics_.push_back(fmt::format("{}: mass {:.4g} kg instead of {:.4g} kg{}",
+                                       is_name ? setting.object : name(object), mass, before, inertia));
   }
 
   void take_center(const scene_file::PropertySetting& setting, int object) {

@@ -46,9 +46,9 @@ class Lengths {
   SceneParts& parts_;
   std::size_t robots_ = parts_.spec.robots.size(), bodies_ = parts_.spec.bodies.size();
   std::size_t moving_bodies_ = parts_.bodies.size(), moving_ = parts_.moving_entities.size();
-  sensors::WorldQueries* queries_ = parts_.queries;       // may have come with its sensors
-  collision::MultirateStepping* multirate_ = parts_.step_multiple;     // may have come with it
-  connect::MessageExchange* messages_ = parts_.messages;  // the same
+  sensors::WorldQueries* queries_ = parts_.queries;                 // may have come with its sensors
+  collision::MultirateStepping* multirate_ = parts_.step_multiple;  // may have come with it
+  connect::MessageExchange* messages_ = parts_.messages;            // the same
   bool done_ = false;
 };
 

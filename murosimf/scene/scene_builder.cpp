@@ -4,8 +4,8 @@
 
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/collision/body_contact.h"
+#include "murosimf/connect/tcp/tcp_server.h"
 #include "murosimf/runtime/external_input_history.h"
-#include "murosimf/connect/tcp_server.h"
 #include "murosimf/scene/assets.h"
 #include "murosimf/scene/contact_marks.h"
 #include "murosimf/scene/frame_completion.h"

@@ -81,8 +81,9 @@ void warn_about_steps(SceneParts& parts, const std::string& entity, const Contac
   const catalog::LongestSteps steps = catalog::stable_steps(law, use.options);
   const double longest = use.servos ? steps.with_servos : steps.without_servos;
   if (use.step <= longest * (1 + 1e-9)) return;
-  parts.diagnostics.warn(entity, fmt::format("{} under {} is stable with steps up to {:.0f} ms; these are {:.3g} ms long",
-                                         use.contact, use.level, 1e3 * longest, 1e3 * use.step));
+  parts.diagnostics.warn(entity,
+                         fmt::format("{} under {} is stable with steps up to {:.0f} ms; these are {:.3g} ms long",
+                                     use.contact, use.level, 1e3 * longest, 1e3 * use.step));
 }
 
 void warn_about_things(SceneParts& parts) {
@@ -96,10 +97,10 @@ void warn_about_things(SceneParts& parts) {
     const bool round = body.shape && std::holds_alternative<Sphere>(*body.shape);
     const double stiff = scene_file::longest_stiff_step(parts.spec, body.contact, body.material, body.mass);
     if (round || step <= stiff) continue;
-    parts.diagnostics.warn(body.name,
-                       fmt::format("the 'stiffness' of its pair of materials needs steps of {:.2g} ms under {}; these "
-                                   "are {:.3g} ms long",
-                                   1e3 * stiff, body.contact, 1e3 * step));
+    parts.diagnostics.warn(
+        body.name, fmt::format("the 'stiffness' of its pair of materials needs steps of {:.2g} ms under {}; these "
+                               "are {:.3g} ms long",
+                               1e3 * stiff, body.contact, 1e3 * step));
   }
 }
 
@@ -129,7 +130,7 @@ void warn_about_missing_servos(SceneParts& parts, const scene_file::RobotSpec& r
   const auto without = std::ranges::count(driven_joints(model), false);
   if (without == 0) return;
   parts.diagnostics.warn(robot.name,
-                     fmt::format("{} of its {} joints have no servo and hang free", without, joints.size()));
+                         fmt::format("{} of its {} joints have no servo and hang free", without, joints.size()));
 }
 
 /// Gaits and motions were found with the weight of the earth; a controller that balances asks how large it is.
@@ -169,7 +170,8 @@ void warn_about_settings(SceneParts& parts) {
   }
   const std::vector<std::string> used(materials.begin(), materials.end());
   parts.diagnostics.warn(scene_file::unused_pairs(spec, used));
-  if (auto line = scene_file::unused_friction_direction(spec, used); !line.empty()) parts.diagnostics.warn(std::move(line));
+  if (auto line = scene_file::unused_friction_direction(spec, used); !line.empty())
+    parts.diagnostics.warn(std::move(line));
   parts.diagnostics.warn(scene_file::unsteady_stacks(spec));
   warn_about_things(parts);
   for (std::size_t i = 0; i < parts.robots.size(); ++i) {
@@ -191,7 +193,9 @@ void check_properties(SceneParts& parts) {
   }
 }
 
-void warn_about_start(SceneParts& parts) { parts.diagnostics.warn(start_overlaps(*parts.field, parts.moving_entities)); }
+void warn_about_start(SceneParts& parts) {
+  parts.diagnostics.warn(start_overlaps(*parts.field, parts.moving_entities));
+}
 
 void warn_about_level(SceneParts& parts, const scene_file::RobotSpec& robot) {
   const LevelTraits level = find_entry(catalog::levels(), "level", robot.level).traits;

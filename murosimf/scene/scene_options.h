@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/runtime/external_input_log.h"
 #include "murosimf/files/allowed_files.h"
+#include "murosimf/runtime/external_input_log.h"
 #include "murosimf/runtime/simulation.h"
 
 namespace murosimf::connect {
@@ -35,7 +35,7 @@ struct SceneOptions {
   bool paths = false;                  ///< remember where everybody has been, for write_picture
   std::shared_ptr<connect::TcpServer>
       software{};                    ///< where control software of the controller "tcp" comes in; null: nowhere
-  ExternalInputOptions outside{};   ///< what is done with all that comes from outside
+  ExternalInputOptions outside{};    ///< what is done with all that comes from outside
   std::shared_ptr<Assets> assets{};  ///< that it shares with other scenes; null: its own
   /// Who asks for it comes over a network (requested_scene.h): it is made of these files alone, overrides are those that may come from
   /// there, and none of them has software loaded. Null: whoever asks may name any file.

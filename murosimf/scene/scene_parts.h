@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "murosimf/connect/crash_note.h"
-#include "murosimf/runtime/external_input_log.h"
 #include "murosimf/files/allowed_files.h"
+#include "murosimf/runtime/external_input_log.h"
 #include "murosimf/runtime/path_recorder.h"
 #include "murosimf/runtime/simulation.h"
 #include "murosimf/scene/diagnostics.h"
@@ -56,8 +56,8 @@ struct ChangingSections {
 /// What a reset goes back to.
 struct StartOfScene {
   ChangingSections sections;
-  std::vector<Algorithms> algorithms;  ///< by moving entity
-  std::optional<Diagnostics> diagnostics;      ///< of building
+  std::vector<Algorithms> algorithms;      ///< by moving entity
+  std::optional<Diagnostics> diagnostics;  ///< of building
 };
 
 /// Stays where it is: the simulation calls back into it.
@@ -79,14 +79,14 @@ struct SceneParts {
   std::vector<Entity*> moving_entities;                      ///< robots, ball and bodies
   std::vector<collision::GroundContact*> ground_contacts;    ///< by moving entity
   std::map<const Entity*, motion::Push*> pushes;             ///< of those that can be pushed
-  collision::MultirateStepping* step_multiple = nullptr;                  ///< null: all make the scene's steps
+  collision::MultirateStepping* step_multiple = nullptr;     ///< null: all make the scene's steps
   sensors::WorldQueries* queries = nullptr;                  ///< null: no sensor asks for them
   connect::MessageExchange* messages = nullptr;              ///< null: no software asks for them
   const PathRecorder* recorder = nullptr;                    ///< null: nobody asked for paths
   std::shared_ptr<connect::CrashNote> crashes = std::make_shared<connect::CrashNote>();  ///< of control software
   std::shared_ptr<connect::TcpServer> software;  ///< that of the controller "tcp" comes in there; null: nowhere
   std::string terminals;                         ///< folder for links to serial lines; empty: there are none
-  ExternalInputOptions outside;                 ///< what is done with all that comes from outside
+  ExternalInputOptions outside;                  ///< what is done with all that comes from outside
   bool libraries = false;                        ///< those that files name are loaded
   bool only_shown = false;                       ///< SceneOptions::only_shown
   std::shared_ptr<Assets> assets;                ///< for robots that come later

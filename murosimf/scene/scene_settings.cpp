@@ -33,8 +33,8 @@ void watch(SceneParts& parts, const scene_file::PropertySetting& setting, const 
       return ObjectAccess(changed, object).get(setting.property).numbers == setting.numbers;
     };
     if (std::ranges::all_of(objects, is_there)) return;
-    parts.diagnostics.warn(name, fmt::format("what was set is gone: {} of {} writes '{}' ({})", fmt::join(writers, ", "),
-                                         entity, setting.property, setting.where));
+    parts.diagnostics.warn(name, fmt::format("what was set is gone: {} of {} writes '{}' ({})",
+                                             fmt::join(writers, ", "), entity, setting.property, setting.where));
   });
 }
 

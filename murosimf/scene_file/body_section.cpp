@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 
 #include "murosimf/catalog/algorithm_catalog.h"
-#include "murosimf/robot_formats/mass_properties.h"
 #include "murosimf/files/toml_color.h"
 #include "murosimf/model/error.h"
+#include "murosimf/robot_formats/mass_properties.h"
 #include "murosimf/scene_file/all_sections.h"
 #include "murosimf/scene_file/body_surface.h"
 #include "murosimf/scene_file/section_readers.h"

@@ -6,8 +6,8 @@
 
 #include "murosimf/air/air_properties.h"
 #include "murosimf/collision/ground_points.h"
-#include "murosimf/robot_formats/mass_properties.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/robot_formats/mass_properties.h"
 
 namespace murosimf::scene_file {
 namespace {

@@ -8,11 +8,11 @@
 #include "murosimf/collision/relief/height_field.h"
 #include "murosimf/files/data_path.h"
 #include "murosimf/files/height_file.h"
-#include "murosimf/robot_formats/mesh/mesh_file.h"
-#include "murosimf/robot_formats/mesh/mesh_library.h"
 #include "murosimf/geometry/hull.h"
 #include "murosimf/geometry/mesh_mass.h"
 #include "murosimf/model/error.h"
+#include "murosimf/robot_formats/mesh/mesh_file.h"
+#include "murosimf/robot_formats/mesh/mesh_library.h"
 #include "murosimf/scene_file/section_readers.h"
 
 namespace murosimf::scene_file {

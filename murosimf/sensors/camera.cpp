@@ -88,7 +88,7 @@ void Camera::measure(std::span<double> values) noexcept {
 void Camera::taken(std::uint64_t sample) noexcept {
   if (!source_) return;
   const CameraMotion motion{mounting_.position(), mounting_.orientation(), mounting_.velocity(),
-                      mounting_.angular_velocity()};
+                            mounting_.angular_velocity()};
   eye_.take(*source_, motion, sample, on_the_way_[sample % on_the_way_.size()]);
 }
 

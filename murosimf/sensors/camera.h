@@ -19,8 +19,8 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/sensors/camera_model.h"
 #include "murosimf/sensors/camera_frame.h"
+#include "murosimf/sensors/camera_model.h"
 #include "murosimf/sensors/mounting.h"
 #include "murosimf/sensors/sensor.h"
 
@@ -52,7 +52,7 @@ class Camera final : public Sensor {
   ViewSource* source_ = nullptr;  // none: it draws nothing
   std::vector<CameraPicture> on_the_way_;
   std::shared_ptr<const std::string> fold_warning_;  // empty: the lens is fine
-  imaging::ColorImage colors_behind_;               // a mosaic's; memory that pictures take turns in
+  imaging::ColorImage colors_behind_;                // a mosaic's; memory that pictures take turns in
 };
 
 }  // namespace murosimf::sensors

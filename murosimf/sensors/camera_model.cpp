@@ -78,7 +78,8 @@ void CameraModel::open() {
   if (spec_.exposure != 1) exposure_.emplace(spec_.exposure);
 }
 
-void CameraModel::take(ViewSource& source, const CameraMotion& motion, std::uint64_t number, CameraPicture& picture) noexcept {
+void CameraModel::take(ViewSource& source, const CameraMotion& motion, std::uint64_t number,
+                       CameraPicture& picture) noexcept {
   fit(spec_.layers.color, picture.view.color);
   fit(spec_.layers.depth, picture.view.depth);
   fit(spec_.layers.labels, picture.view.labels);
@@ -109,7 +110,7 @@ void CameraModel::expose(ViewSource& source, const CameraMotion& motion, View& p
 }
 
 void CameraModel::look_at_all_rows(ViewSource& source, const CameraMotion& motion, double ahead, const Layers& layers,
-                                 View& picture) noexcept {
+                                   View& picture) noexcept {
   const int height = spec_.lens.height, bands = spec_.readout_time > 0 ? spec_.readout_bands : 1;
   for (int band = 0; band < bands; ++band) {
     const int first = height * band / bands, count = height * (band + 1) / bands - first;
@@ -119,7 +120,7 @@ void CameraModel::look_at_all_rows(ViewSource& source, const CameraMotion& motio
 }
 
 void CameraModel::look(ViewSource& source, const CameraMotion& motion, const imaging::Rows& rows, double ahead,
-                     const Layers& layers, View& picture) noexcept {
+                       const Layers& layers, View& picture) noexcept {
   const Vec3d eye = motion.position + ahead * motion.velocity;
   const Mat3d axes = turned(motion.orientation, motion.angular_velocity, ahead) * optical_axes;
   for (std::size_t i = 0; i < map_->views().size(); ++i) {
@@ -147,7 +148,7 @@ CameraModel::Windows::Windows(std::span<const imaging::ViewWindow> windows) {
 }
 
 void CameraModel::Windows::draw(ViewSource& source, const Perspective& perspective, const Layers& layers, double ahead,
-                              std::size_t i) noexcept {
+                                std::size_t i) noexcept {
   View view{std::move(colors[i]), std::move(depths[i]), std::move(labels[i])};
   source.draw(perspective, layers, ahead, view);
   colors[i] = std::move(view.color);

@@ -68,8 +68,8 @@ class CameraModel {
   /// Looks `ahead` [s] of the sample, and later for later rows.
   void look_at_all_rows(ViewSource& source, const CameraMotion& motion, double ahead, const Layers& layers,
                         View& picture) noexcept;
-  void look(ViewSource& source, const CameraMotion& motion, const imaging::Rows& rows, double ahead, const Layers& layers,
-            View& picture) noexcept;
+  void look(ViewSource& source, const CameraMotion& motion, const imaging::Rows& rows, double ahead,
+            const Layers& layers, View& picture) noexcept;
   void develop(std::uint64_t number, imaging::ColorImage& color, imaging::GrayImage& mosaic) noexcept;
 
   CameraSpec spec_;

@@ -14,8 +14,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "murosimf/serial/dynamixel/control_table.h"
 #include "murosimf/model/model.h"
+#include "murosimf/serial/dynamixel/control_table.h"
 
 namespace murosimf::serial {
 

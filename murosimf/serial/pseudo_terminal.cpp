@@ -13,10 +13,10 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/model/error.h"
 #include "murosimf/serial/line_rate.h"
 #include "murosimf/serial/terminal_drain.h"
 #include "murosimf/serial/writer_hold.h"
-#include "murosimf/model/error.h"
 
 namespace murosimf::serial {
 namespace {

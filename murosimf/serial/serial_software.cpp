@@ -18,8 +18,9 @@ using dynamixel::ImuBoard;
 using dynamixel::Protocol;
 using dynamixel::ServoDevice;
 
-SerialSoftware::SerialSoftware(Setup& setup, connect::RobotPort& port, connect::SayLine say, std::vector<ServoPlace> layout,
-                               SerialOptions options, const std::filesystem::path& folder, const ExternalInputOptions& outside)
+SerialSoftware::SerialSoftware(Setup& setup, connect::RobotPort& port, connect::SayLine say,
+                               std::vector<ServoPlace> layout, SerialOptions options,
+                               const std::filesystem::path& folder, const ExternalInputOptions& outside)
     : say_(std::move(say)),
       options_(std::move(options)),
       period_(seconds(setup.period())),
@@ -216,7 +217,8 @@ SerialSoftware::Heard SerialSoftware::repeat(Duration now) {
 SerialSoftware::Heard SerialSoftware::remember() {
   Heard heard;
   for (; const ExternalInput* note = memory_->next(); memory_->pass()) {
-    if (note->kind == ExternalInput::sent) heard.bytes.insert(heard.bytes.end(), note->bytes.begin(), note->bytes.end());
+    if (note->kind == ExternalInput::sent)
+      heard.bytes.insert(heard.bytes.end(), note->bytes.begin(), note->bytes.end());
     if (note->kind == ExternalInput::asked) heard.rate = rate_of(*note);
     if (note->kind == ExternalInput::fell_silent) heard.fell_silent = true;
     if (note->kind == ExternalInput::left) line_->hang_up();  // the client that is there now is another matter

@@ -13,14 +13,14 @@
 #include <vector>
 
 #include "murosimf/connect/control_software.h"
-#include "murosimf/serial/dynamixel/bus_line.h"
-#include "murosimf/serial/dynamixel/imu_board.h"
-#include "murosimf/serial/dynamixel/servo_device.h"
+#include "murosimf/model/servo.h"
 #include "murosimf/runtime/external_input_history.h"
 #include "murosimf/runtime/external_input_log.h"
 #include "murosimf/serial/bus_layout.h"
+#include "murosimf/serial/dynamixel/bus_line.h"
+#include "murosimf/serial/dynamixel/imu_board.h"
+#include "murosimf/serial/dynamixel/servo_device.h"
 #include "murosimf/serial/pseudo_terminal.h"
-#include "murosimf/model/servo.h"
 
 namespace murosimf::serial {
 
@@ -41,8 +41,8 @@ class SerialSoftware final : public connect::ControlSoftware {
  public:
   /// `folder` is where the link to the terminal stands, named as the robot, from the first step on; empty, or if what comes is
   /// repeated: there is no terminal. Throws SetupError.
-  SerialSoftware(Setup& setup, connect::RobotPort& port, connect::SayLine say, std::vector<ServoPlace> layout, SerialOptions options,
-                 const std::filesystem::path& folder, const ExternalInputOptions& outside = {});
+  SerialSoftware(Setup& setup, connect::RobotPort& port, connect::SayLine say, std::vector<ServoPlace> layout,
+                 SerialOptions options, const std::filesystem::path& folder, const ExternalInputOptions& outside = {});
 
   [[nodiscard]] connect::CallOutcome start() override;
   [[nodiscard]] connect::CallOutcome step(Duration now) noexcept override;
@@ -115,8 +115,8 @@ class SerialSoftware final : public connect::ControlSoftware {
   ExternalInputReader reader_;
   std::shared_ptr<ExternalInputHistory> remembered_;  // the channel's
   ExternalInputHistory::Channel* memory_ = nullptr;   // null: nobody goes back in time
-  bool jumped_ = false;                        // a state was loaded since the last step that was live
-  Duration next_{-1};                          // of the step after that one
+  bool jumped_ = false;                               // a state was loaded since the last step that was live
+  Duration next_{-1};                                 // of the step after that one
 };
 
 }  // namespace murosimf::serial

@@ -9,9 +9,9 @@
 #include <cerrno>
 #include <cstdint>
 
+#include "murosimf/model/error.h"
 #include "murosimf/serial/line_rate.h"
 #include "murosimf/serial/quiet_thread.h"
-#include "murosimf/model/error.h"
 
 namespace murosimf::serial {
 namespace {

@@ -111,7 +111,8 @@ void LiveSource::repeat(const Timeline::Way& way, Duration time, const std::func
   outside().repeat(way.notes);
   auto diagnostic = way.diagnostics.begin();
   const auto step = [&] {
-    for (; diagnostic != way.diagnostics.end() && diagnostic->time <= simulation_.now(); ++diagnostic) simulation_.warn(diagnostic->text);
+    for (; diagnostic != way.diagnostics.end() && diagnostic->time <= simulation_.now(); ++diagnostic)
+      simulation_.warn(diagnostic->text);
     simulation_.step();
     outside().at(simulation_.now());
   };

@@ -52,7 +52,7 @@ class LiveSource final : public PlaybackSource {
     Duration time{};
     friend bool operator==(const Place&, const Place&) = default;
   };
-  Place live_;            // where those outside are
+  Place live_;                // where those outside are
   std::string diagnostic_;    // PlaybackSource::diagnostic
   bool diagnostics_ = false;  // it has not been said yet of the run
   int told_branch_ = -1;

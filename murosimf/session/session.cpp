@@ -40,12 +40,14 @@ void Session::go_on() {
 }
 
 void Session::go_on_until(Duration end) {
-  inside_->request([end](Inside::Requests& requests) { requests.paused = false, requests.steps = 0, requests.end = end; });
+  inside_->request(
+      [end](Inside::Requests& requests) { requests.paused = false, requests.steps = 0, requests.end = end; });
 }
 
 void Session::step(std::int64_t steps) {
-  inside_->request(
-      [steps](Inside::Requests& requests) { requests.paused = true, requests.steps += std::max<std::int64_t>(0, steps); });
+  inside_->request([steps](Inside::Requests& requests) {
+    requests.paused = true, requests.steps += std::max<std::int64_t>(0, steps);
+  });
 }
 
 void Session::set_speed(std::optional<double> speed) {

@@ -17,9 +17,9 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/runtime/external_input_history.h"
 #include "murosimf/model/time.h"
 #include "murosimf/runtime/command_queue.h"
+#include "murosimf/runtime/external_input_history.h"
 
 namespace murosimf::session {
 
@@ -63,11 +63,11 @@ class Timeline {
   /// How to come to an instant.
   struct Way {
     std::shared_ptr<const State> state;
-    Duration from{};                             ///< of the state
-    std::vector<Command> before;                 ///< that had led to it, from the start on
-    std::vector<Command> then;                   ///< from there to the instant (excluded)
+    Duration from{};                     ///< of the state
+    std::vector<Command> before;         ///< that had led to it, from the start on
+    std::vector<Command> then;           ///< from there to the instant (excluded)
     std::vector<RememberedInput> notes;  ///< likewise
-    std::vector<Command> diagnostics;                ///< likewise
+    std::vector<Command> diagnostics;    ///< likewise
   };
   /// Throws SetupError for branches and times that there are not.
   [[nodiscard]] Way way_to(int branch, Duration time) const;
@@ -93,9 +93,9 @@ class Timeline {
     std::vector<Kept> states;       // by time
     std::vector<Command> commands;  // by time
     bool forgotten = false;
-    std::deque<RememberedInput> notes{};  // by time
-    std::vector<Command> diagnostics{};               // by time
-    Duration notes_from = Duration::min();        // the first instant of which all notes are there
+    std::deque<RememberedInput> notes{};    // by time
+    std::vector<Command> diagnostics{};     // by time
+    Duration notes_from = Duration::min();  // the first instant of which all notes are there
   };
 
   [[nodiscard]] const Branch& at(int branch) const;

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <limits>
 
-#include "murosimf/soccer/behavior_properties.h"
-#include "murosimf/soccer/walk_to.h"
 #include "murosimf/locomotion/gait_properties.h"
+#include "murosimf/soccer/behavior_properties.h"
 #include "murosimf/soccer/dead_reckoning.h"
+#include "murosimf/soccer/walk_to.h"
 
 namespace murosimf::soccer {
 namespace {
@@ -14,8 +14,7 @@ namespace {
 constexpr double arrived = 0.25;  // [m] from a waypoint
 
 /// At most `most` of them, evenly chosen.
-void thin_out(const std::vector<soccer::LinePoint>& points, std::size_t most,
-              std::vector<soccer::LinePoint>& chosen) {
+void thin_out(const std::vector<soccer::LinePoint>& points, std::size_t most, std::vector<soccer::LinePoint>& chosen) {
   chosen.clear();
   const std::size_t count = std::min(most, points.size());
   for (std::size_t i = 0; i < count; ++i) chosen.push_back(points[i * points.size() / count]);
@@ -65,8 +64,8 @@ void Localize::step(const Instant& instant) noexcept {
   const auto number = static_cast<std::uint64_t>((instant.now + instant.period / 2) / instant.period);
   if (std::isfinite(before)) {
     const double dt = seconds(instant.period);
-    filter_.move(particles_.all, soccer::step_along(velocity_, soccer::wrapped(body_.heading() - before), dt),
-                 dt, number);
+    filter_.move(particles_.all, soccer::step_along(velocity_, soccer::wrapped(body_.heading() - before), dt), dt,
+                 number);
   }
   if (frame_.number != particles_.frame) look(number);
   const soccer::PoseEstimate result = soccer::estimate(particles_.all);

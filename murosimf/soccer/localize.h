@@ -23,8 +23,8 @@ namespace murosimf::soccer {
 struct Particles {
   std::vector<soccer::Particle> all;
   std::vector<soccer::LinePoint> points;  ///< of the last picture, those that were used
-  double heading = 0;                         ///< [rad] of the inertial sensor in the last step; NaN: none yet
-  std::uint64_t frame = 0;                    ///< number of the last picture
+  double heading = 0;                     ///< [rad] of the inertial sensor in the last step; NaN: none yet
+  std::uint64_t frame = 0;                ///< number of the last picture
 };
 void append_hash(Hasher& hasher, const Particles& particles);
 inline void state(StateArchive& archive, Particles& p) { archive(p.all, p.points, p.heading, p.frame); }

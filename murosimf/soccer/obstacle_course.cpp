@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include "murosimf/soccer/behavior_properties.h"
-#include "murosimf/soccer/walk_to.h"
 #include "murosimf/locomotion/gait_properties.h"
+#include "murosimf/soccer/behavior_properties.h"
 #include "murosimf/soccer/dead_reckoning.h"
+#include "murosimf/soccer/walk_to.h"
 
 namespace murosimf::soccer {
 namespace {
@@ -63,7 +63,7 @@ void ObstacleCourse::step(const Instant& instant) noexcept {
   course_.heading = body_.heading();
   if (std::isfinite(before)) {
     pose_ = soccer::moved(pose_, soccer::step_along(velocity_, soccer::wrapped(body_.heading() - before),
-                                                            seconds(instant.period)));
+                                                    seconds(instant.period)));
   }
   if (frame_.number != course_.frame) {
     look();
@@ -77,8 +77,7 @@ void ObstacleCourse::look() noexcept {
   for (const soccer::Blob& blob : blobs_.find(frame_.color)) {
     const auto seen =
         soccer::obstacle_of(blob, frame_.info->lens, body_.camera(), options_.obstacle_radius, options_.farthest);
-    if (seen)
-      course_.obstacles.see(soccer::from_frame(pose_, seen->place), seen->whole, 3 * options_.obstacle_radius);
+    if (seen) course_.obstacles.see(soccer::from_frame(pose_, seen->place), seen->whole, 3 * options_.obstacle_radius);
   }
 }
 

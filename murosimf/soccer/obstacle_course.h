@@ -12,20 +12,20 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/soccer/tangent_path.h"
 #include "murosimf/model/algorithm.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/soccer/camera_pose.h"
 #include "murosimf/soccer/obstacle_map.h"
+#include "murosimf/soccer/tangent_path.h"
 
 namespace murosimf::soccer {
 
 /// What `obstacle_course` shows besides numbers; like the frames that it comes from it is no part of the state hash.
 struct Course {
   soccer::ObstacleMap obstacles;  ///< on the field, as the robot believes
-  std::vector<Vec3d> way;             ///< [m] on the field, from the robot to its goal
-  double heading = 0;                 ///< [rad] of the inertial sensor in the last step; NaN: none yet
-  std::uint64_t frame = 0;            ///< number of the last picture
+  std::vector<Vec3d> way;         ///< [m] on the field, from the robot to its goal
+  double heading = 0;             ///< [rad] of the inertial sensor in the last step; NaN: none yet
+  std::uint64_t frame = 0;        ///< number of the last picture
 };
 void append_hash(Hasher& hasher, const Course& course);
 inline void state(StateArchive& archive, Course& course) {

@@ -3,11 +3,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "murosimf/files/json_document.h"
 #include "murosimf/studies/compare_outcome.h"
 #include "murosimf/studies/compare_report.h"
 #include "murosimf/studies/compare_seeds.h"
 #include "murosimf/studies/compare_sensors.h"
-#include "murosimf/files/json_document.h"
 
 namespace murosimf::studies {
 namespace {

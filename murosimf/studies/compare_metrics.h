@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/studies/posture_events.h"
 #include "murosimf/motion/motion_recorder.h"
+#include "murosimf/studies/posture_events.h"
 
 namespace murosimf::studies {
 

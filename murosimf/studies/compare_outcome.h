@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "murosimf/motion/motion_recorder.h"
 #include "murosimf/studies/compare_metrics.h"
 #include "murosimf/studies/outcome_recorder.h"
-#include "murosimf/motion/motion_recorder.h"
 
 namespace murosimf::studies {
 

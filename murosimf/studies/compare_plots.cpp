@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/studies/compare_report.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/logging/plot.h"
+#include "murosimf/studies/compare_report.h"
 
 namespace murosimf::studies {
 namespace {

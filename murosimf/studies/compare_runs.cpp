@@ -7,11 +7,11 @@
 #include <fmt/format.h>
 
 #include "murosimf/catalog/algorithm_catalog.h"
-#include "murosimf/studies/compare_outcome.h"
-#include "murosimf/studies/compare_sensors.h"
 #include "murosimf/math/random.h"
 #include "murosimf/motion/torque_watch.h"
 #include "murosimf/scene/scene.h"
+#include "murosimf/studies/compare_outcome.h"
+#include "murosimf/studies/compare_sensors.h"
 
 namespace murosimf::studies {
 namespace {

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "murosimf/model/motion_level.h"
 #include "murosimf/studies/compare_metrics.h"
 #include "murosimf/studies/inertial_recorder.h"
 #include "murosimf/studies/named_outcome.h"
 #include "murosimf/studies/outcome_recorder.h"
-#include "murosimf/model/motion_level.h"
 
 namespace murosimf::scene {
 class Scene;

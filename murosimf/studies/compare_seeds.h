@@ -20,7 +20,7 @@ struct SeedsVerdict {
   std::string name;                  ///< label()
   std::vector<bool> adequate;        ///< by seed
   std::vector<std::string> reasons;  ///< by seed, the first one why not; empty: it is adequate
-  studies::MeanInterval share;        ///< of seeds for which it is adequate
+  studies::MeanInterval share;       ///< of seeds for which it is adequate
   Judgement judgement = Judgement::undecided;
 };
 

@@ -14,7 +14,7 @@ inline constexpr double clearly_cheaper = 0.8;
 
 struct LevelVerdict {
   bool adequate = false;
-  std::vector<std::string> reasons;  ///< why not
+  std::vector<std::string> reasons;      ///< why not
   std::vector<std::string> diagnostics;  ///< what is worth knowing, and refuses nothing
 };
 

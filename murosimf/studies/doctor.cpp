@@ -17,7 +17,7 @@
 namespace murosimf::studies {
 namespace {
 
-constexpr double cos_fallen = 0.5;             // [1] of the lean: 60 degrees, as falls are counted
+constexpr double cos_fallen = 0.5;         // [1] of the lean: 60 degrees, as falls are counted
 constexpr double far = 0.5, least = 0.25;  // [1] of the median way; [m]
 
 /// The axis of a robot's base that points up when it stands, found where its start says how it leans; world z of that axis later.

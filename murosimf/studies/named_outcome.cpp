@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/model/error.h"
 #include "murosimf/studies/compare_outcome.h"
 #include "murosimf/studies/compare_verdict.h"
-#include "murosimf/model/error.h"
 
 namespace murosimf::studies {
 namespace {

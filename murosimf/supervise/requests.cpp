@@ -123,9 +123,9 @@ void Requests::exchange(const FromSupervisor& request) {
   if (!options_->exchange) throw SetupError("this run keeps its scene");
   const wire::SceneRequest& asked = request.load_scene();
   const SceneRequest wanted{.scene = asked.scene(),
-                       .overrides = {asked.overrides().begin(), asked.overrides().end()},
-                       .seed = asked.has_seed() ? std::optional(asked.seed()) : std::nullopt,
-                       .paused = asked.paused()};
+                            .overrides = {asked.overrides().begin(), asked.overrides().end()},
+                            .seed = asked.has_seed() ? std::optional(asked.seed()) : std::nullopt,
+                            .paused = asked.paused()};
   visit([&](scene::Scene&) { options_->exchange(wanted); });
   session_->finish();
 }

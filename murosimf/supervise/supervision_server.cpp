@@ -14,7 +14,7 @@
 #include <fmt/format.h>
 #include <supervision.pb.h>
 
-#include "murosimf/connect/tcp_client.h"
+#include "murosimf/connect/tcp/tcp_client.h"
 #include "murosimf/files/xml_element.h"
 #include "murosimf/model/error.h"
 #include "murosimf/supervise/requests.h"

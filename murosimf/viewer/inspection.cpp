@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "murosimf/soccer/beliefs.h"
 #include "murosimf/collision/contact_properties.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/motion/odometer.h"
+#include "murosimf/soccer/beliefs.h"
 
 namespace murosimf::viewer {
 namespace {

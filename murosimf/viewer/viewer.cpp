@@ -191,7 +191,7 @@ void Viewer::record_plots() {
         if (sensor.samples > 0 && request.property == sensor.info->name + "." + output.name) {
           request.plot.unit = output.unit;
           request.plot.add(sensor.time, {sensor.values.begin() + static_cast<std::ptrdiff_t>(first),
-                                      sensor.values.begin() + static_cast<std::ptrdiff_t>(first + output.size())});
+                                         sensor.values.begin() + static_cast<std::ptrdiff_t>(first + output.size())});
         }
         first += output.size();
       }

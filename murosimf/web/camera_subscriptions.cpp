@@ -217,9 +217,9 @@ void CameraSubscriptions::Inside::draw(const Found& found) {
   const Vec3d& r = now->frame.position[row];
   const Mat3d& R = now->frame.orientation[row];
   const sensors::CameraMotion motion{.position = r + R * info.position,
-                               .orientation = R * info.orientation * transpose(sensors::optical_axes),
-                               .velocity = {},
-                               .angular_velocity = {}};
+                                     .orientation = R * info.orientation * transpose(sensors::optical_axes),
+                                     .velocity = {},
+                                     .angular_velocity = {}};
   const std::int64_t number = now->frame.time / std::max(info.period, Duration(1));
   const render::ShownMoment moment{.frame = &now->frame, .standing_feet = {}};
   now->renderer->show(&moment);

@@ -7,8 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "murosimf/soccer/beliefs.h"
 #include "murosimf/league/game_task.h"
+#include "murosimf/soccer/beliefs.h"
 
 namespace murosimf::web {
 namespace {

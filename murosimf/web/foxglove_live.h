@@ -20,8 +20,8 @@
 #include "murosimf/recording/frame_writer.h"
 #include "murosimf/recording/recorded_drawings.h"
 #include "murosimf/session/session.h"
-#include "murosimf/web/foxglove_pictures.h"
 #include "murosimf/web/camera_subscriptions.h"
+#include "murosimf/web/foxglove_pictures.h"
 
 namespace murosimf::web {
 

@@ -56,8 +56,8 @@ struct News {
 class LiveScene {
  public:
   /// `poses`: of the scene's simulation; `game`: null if nobody referees; `others`: null if no other program draws. All must outlive it.
-  LiveScene(session::Session& session, PoseFeed& poses, const CameraSubscriptions& cameras, const league::GameTask* game,
-            const drawing::DebugDrawSource* others = nullptr)
+  LiveScene(session::Session& session, PoseFeed& poses, const CameraSubscriptions& cameras,
+            const league::GameTask* game, const drawing::DebugDrawSource* others = nullptr)
       : session_(session), poses_(poses), cameras_(cameras), game_(game), others_(others) {}
 
   void join(const Subscriber& subscriber) { subscribers_.push_back(&subscriber); }

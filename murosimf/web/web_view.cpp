@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/web/camera_subscriptions.h"
 #include "murosimf/web/entry.h"
 #include "murosimf/web/foxglove_conversation.h"
-#include "murosimf/web/camera_subscriptions.h"
 #include "murosimf/web/page.h"
 #include "murosimf/web/page_conversation.h"
 #include "murosimf/web/server.h"

@@ -23,7 +23,7 @@ namespace murosimf::web {
 
 struct WebOptions {
   wire::Address address;
-  const league::GameTask* game = nullptr;         ///< whose score is shown; must outlive the view
+  const league::GameTask* game = nullptr;            ///< whose score is shown; must outlive the view
   const drawing::DebugDrawSource* others = nullptr;  ///< whose drawings are shown; must outlive the view
 };
 

@@ -6,8 +6,8 @@
 #include "murosimf/model/properties.h"
 #include "murosimf/robot/robot_reader.h"
 #include "tests/fixtures.h"
-#include "tests/robot_formats/urdf/urdf_files.h"
 #include "tests/robot_data.h"
+#include "tests/robot_formats/urdf/urdf_files.h"
 
 namespace murosimf::appearance {
 namespace {

@@ -42,7 +42,8 @@ TEST(Convert, BringsTheFilesThatTheTableNames) {
          "'inertial.toml'\n";
   const Result result = murosimf("convert " + (from / "robot.xml").string() + " --out " + out.string());
   EXPECT_EQ(result.exit_code, 0) << result.errors;
-  for (const char* file : {"step_multiple.csv", "left.toml", "motions/kicks/right.toml", "neck.toml", "inertial.toml"}) {
+  for (const char* file :
+       {"step_multiple.csv", "left.toml", "motions/kicks/right.toml", "neck.toml", "inertial.toml"}) {
     EXPECT_EQ(read_file(to / file), read_file(from / file)) << file;
     EXPECT_NE(result.output.find((to / file).string() + ": copied"), std::string::npos) << result.output;
   }

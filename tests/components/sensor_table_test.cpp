@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "murosimf/robot/robot_checks.h"
 #include "murosimf/components/sensor_sections.h"
 #include "murosimf/files/data_path.h"
 #include "murosimf/math/scalar.h"
+#include "murosimf/robot/robot_checks.h"
 #include "tests/fixtures.h"
 #include "tests/robot/sensor_files.h"
 
@@ -215,8 +215,7 @@ std::vector<Error> errors() {
   };
 }
 
-INSTANTIATE_TEST_SUITE_P(Toml, SensorMistake, testing::ValuesIn(errors()),
-                         [](const auto& m) { return m.param.name; });
+INSTANTIATE_TEST_SUITE_P(Toml, SensorMistake, testing::ValuesIn(errors()), [](const auto& m) { return m.param.name; });
 
 }  // namespace
 }  // namespace murosimf::components

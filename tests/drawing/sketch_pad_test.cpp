@@ -83,7 +83,8 @@ TEST(drawing::SketchPad, RefusesWhatIsTooMuchOrHasNoSense) {
     EXPECT_TRUE(refused({.kind = static_cast<DrawnShape::Kind>(6), .points = {{0, 0, 0}}}));
     EXPECT_TRUE(refused({.kind = DrawnShape::text, .points = {{0, 0, 0}}, .words = std::string(1001, 'a')}));
     EXPECT_TRUE(refused({.kind = DrawnShape::dots, .points = std::vector<Vec3d>(drawing::SketchPad::most_points + 1)}));
-    EXPECT_FALSE(port.draw({.name = "a", .shapes = std::vector<DrawnShape>(drawing::SketchPad::most_shapes + 1, circle())}));
+    EXPECT_FALSE(
+        port.draw({.name = "a", .shapes = std::vector<DrawnShape>(drawing::SketchPad::most_shapes + 1, circle())}));
     for (std::size_t i = 0; i < drawing::SketchPad::most_groups; ++i) {
       EXPECT_TRUE(port.draw({.name = std::to_string(i), .shapes = {circle()}}));
     }

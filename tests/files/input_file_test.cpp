@@ -11,10 +11,10 @@
 #include "murosimf/components/camera_info.h"
 #include "murosimf/files/csv_file.h"
 #include "murosimf/files/xml_element.h"
-#include "murosimf/robot_formats/mesh/mesh_file.h"
 #include "murosimf/identification/servo_log_reader.h"
 #include "murosimf/model/error.h"
 #include "murosimf/robot/robot_config.h"
+#include "murosimf/robot_formats/mesh/mesh_file.h"
 #include "tests/fixtures.h"
 #include "tests/temp_folder.h"
 

@@ -1,6 +1,6 @@
 // Which servo moves which joint.
-#include "murosimf/serial/bus_layout.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/serial/bus_layout.h"
 #include "tests/fuzz/fuzz.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -11,7 +11,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     robot_formats::urdf::UrdfLog log(description, false);
     const robot_formats::sdf::SdfFile parts(file, options, log);
     for (const files::XmlElement& root : parts.roots()) {
-      (void)files::validate(root, robot_formats::sdf::sdf_schema(), true, description.warnings, files::UnknownWords::named);
+      (void)files::validate(root, robot_formats::sdf::sdf_schema(), true, description.warnings,
+                            files::UnknownWords::named);
     }
   });
   return 0;

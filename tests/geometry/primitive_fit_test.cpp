@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/robot_formats/mass_properties.h"
 #include "murosimf/geometry/hull.h"
 #include "murosimf/geometry/mesh_mass.h"
+#include "murosimf/robot_formats/mass_properties.h"
 #include "tests/fixtures.h"
 
 namespace murosimf::geometry {

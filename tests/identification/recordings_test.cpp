@@ -6,10 +6,10 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "murosimf/identification/fitted_servo.h"
-#include "murosimf/identification/servo_log_reader.h"
 #include "murosimf/identification/bench_logs.h"
 #include "murosimf/identification/bench_servo.h"
+#include "murosimf/identification/fitted_servo.h"
+#include "murosimf/identification/servo_log_reader.h"
 #include "tests/law.h"
 
 namespace murosimf::identification {

@@ -118,8 +118,7 @@ TEST(League, IsRepeatedFromARecording) {
     level = "simplified_dynamics")");
   fixtures::RepeatableRun run{.scene = scene.string(),
                               .time = 7s,
-                              .how = {.cameras = false,
-                                      .outside = {.notes = std::make_shared<ExternalInputLog>()}}};
+                              .how = {.cameras = false, .outside = {.notes = std::make_shared<ExternalInputLog>()}}};
   run.options.state_period = 2s;
   std::optional<League> game;
   run.when_built = [&](scene::Scene& scene) {
@@ -321,7 +320,8 @@ TEST(League, GoingBackInTimeAnswersFromWhatHadCome) {
   EXPECT_EQ(answers.take({}), Texts{}) << "nobody is answered twice";
   EXPECT_EQ(course.diagnostic(), "");
   course.seek(first, {}, [] { return false; });
-  EXPECT_TRUE(fixtures::says(course.diagnostic(), {"software of ", "and the GameController keep their own state: from "}));
+  EXPECT_TRUE(
+      fixtures::says(course.diagnostic(), {"software of ", "and the GameController keep their own state: from "}));
 }
 
 TEST(League, TellsOnceWhatItCannotUse) {

@@ -10,9 +10,9 @@
 #include "murosimf/multibody/kinematics.h"
 #include "murosimf/robot/robot_reader.h"
 #include "tests/biped_urdf.h"
-#include "tests/robot_formats/urdf/urdf_files.h"
 #include "tests/law.h"
 #include "tests/physics/rig.h"
+#include "tests/robot_formats/urdf/urdf_files.h"
 
 namespace murosimf::locomotion {
 namespace {

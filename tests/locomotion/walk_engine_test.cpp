@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/soccer/ball_chaser.h"
 #include "murosimf/locomotion/gait_properties.h"
+#include "murosimf/soccer/ball_chaser.h"
 #include "tests/law.h"
 #include "tests/physics/rig.h"
 

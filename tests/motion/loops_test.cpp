@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/collision/contact_properties.h"
 #include "murosimf/collision/contact_interface.h"
+#include "murosimf/collision/contact_properties.h"
 #include "murosimf/collision/impulse_response.h"
 #include "murosimf/math/quaternion.h"
 #include "murosimf/motion/motion_properties.h"

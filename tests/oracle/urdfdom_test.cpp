@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 #include <urdf_parser/urdf_parser.h>
 
-#include "murosimf/robot_formats/urdf/urdf_reader.h"
 #include "murosimf/math/random.h"
+#include "murosimf/robot_formats/urdf/urdf_reader.h"
 #include "tests/oracle/random_urdf.h"
 #include "tests/robot_data.h"
 #include "tests/temp_folder.h"
@@ -40,7 +40,8 @@ double difference(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
   return (a.matrix() - b.matrix()).cwiseAbs().maxCoeff();
 }
 
-const robot_formats::BodyDescription& body_of(const robot_formats::RobotDescription& description, const std::string& name) {
+const robot_formats::BodyDescription& body_of(const robot_formats::RobotDescription& description,
+                                              const std::string& name) {
   for (const robot_formats::BodyDescription& body : description.bodies) {
     if (body.name == name) return body;
   }

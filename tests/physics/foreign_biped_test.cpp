@@ -3,9 +3,9 @@
 
 #include "murosimf/robot/robot_reader.h"
 #include "tests/biped_urdf.h"
-#include "tests/robot_formats/urdf/urdf_files.h"
 #include "tests/physics/stand.h"
 #include "tests/physics/walk.h"
+#include "tests/robot_formats/urdf/urdf_files.h"
 
 namespace murosimf::test {
 namespace {
@@ -20,8 +20,8 @@ TEST_P(ForeignBiped, StandsAndWalksWhateverItsSizeAndAnkles) {
       // It topples faster than its servos, with guessed gains and targets every 10 ms, can answer: it falls.
       if (size < 1 && ankle < 60 && GetParam() == "articulated_dynamics") continue;
       const ModelPtr model =
-          robot::read_robot(
-              robot_formats::urdf::urdf_files::write("biped.urdf", fixtures::biped_urdf({.size = size, .ankle = ankle})))
+          robot::read_robot(robot_formats::urdf::urdf_files::write("biped.urdf", fixtures::biped_urdf(
+                                                                                     {.size = size, .ankle = ankle})))
               .model;
       stray.see(stand_still(model, GetParam()).leaned, "size", size, "ankle", ankle);
       const Walk result =

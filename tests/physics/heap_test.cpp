@@ -55,7 +55,8 @@ class Heap {
       const double height = robot->base().get(properties::common_center_of_mass).z;
       sum += kinetic_energy(*robot) + robot->base().get(properties::total_mass) * 9.81 * height;
       const auto& ground = robot->find(collision::contacts)->values[0];
-      sum += stored(ground.points, robot->find(collision::contact_interface)->values[0].terms.parameters) + wound_up(*robot);
+      sum += stored(ground.points, robot->find(collision::contact_interface)->values[0].terms.parameters) +
+             wound_up(*robot);
     }
     return sum;
   }

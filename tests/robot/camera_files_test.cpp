@@ -1,8 +1,8 @@
 // Cameras of robot files: their lenses, where they look, and what conversion makes of them.
 #include <cmath>
 
-#include "murosimf/robot/robot_checks.h"
 #include "murosimf/multibody/kinematics.h"
+#include "murosimf/robot/robot_checks.h"
 #include "murosimf/robot/robot_conversion.h"
 #include "murosimf/robot/robot_sensors.h"
 #include "tests/fixtures.h"
@@ -125,9 +125,9 @@ TEST(MjcfCameras, ThatAreNotFixedAreNotes) {
 std::string urdf_camera(const std::string& inside, const std::string& outside = "") {
   using namespace robot_formats::urdf::urdf_files;
   return robot_formats::urdf::urdf_files::robot_xml(link("head", solid()) +
-                                              joint("revolute", "base", "head", any_limit, "neck") +
-                                              "<gazebo reference='head'><sensor name='eye' type='camera'>" + outside +
-                                              "<camera>" + inside + "</camera></sensor></gazebo>");
+                                                    joint("revolute", "base", "head", any_limit, "neck") +
+                                                    "<gazebo reference='head'><sensor name='eye' type='camera'>" +
+                                                    outside + "<camera>" + inside + "</camera></sensor></gazebo>");
 }
 
 Numbers urdf_numbers(const std::string& inside) {
@@ -205,7 +205,8 @@ TEST(ConvertedCameras, OfMjcfAreElementsAgain) {
   const RobotFile before = read_robot(file), after = converted(file, text);
   ASSERT_EQ(after.description.sensors.size(), 2U) << text;
   for (std::size_t i = 0; i < 2; ++i) {
-    const robot_formats::SensorDescription &camera = after.description.sensors[i], &same = before.description.sensors[i];
+    const robot_formats::SensorDescription &camera = after.description.sensors[i],
+                                           &same = before.description.sensors[i];
     EXPECT_EQ(camera.name, same.name);
     ASSERT_EQ(camera.numbers.size(), same.numbers.size());
     for (const auto& [key, number] : same.numbers) EXPECT_NEAR(camera.numbers.at(key), number, 1e-9) << key;

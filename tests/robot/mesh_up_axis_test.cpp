@@ -29,7 +29,7 @@ std::string dae(const Vec3d& c, const std::string& up) {
 
 /// Two feet with the same mesh, each in its joint.
 robot_formats::RobotDescription with_feet(const Vec3d& middle, const std::string& up = "<up_axis>Y_UP</up_axis>",
-                                        const std::string& scale = "1 1 1") {
+                                          const std::string& scale = "1 1 1") {
   write("foot.dae", dae(middle, up));
   const std::string mesh = "<geometry><mesh filename='foot.dae' scale='" + scale + "'/></geometry>";
   const std::string inside = solid() + "<collision>" + mesh + "</collision><visual>" + mesh + "</visual>";
@@ -41,7 +41,9 @@ robot_formats::RobotDescription with_feet(const Vec3d& middle, const std::string
   return read_robot(file, {.guess = false}).description;
 }
 
-Vec3d middle_of(const robot_formats::RobotDescription& robot) { return robot.bodies.at(1).shapes.at(0).placed.position; }
+Vec3d middle_of(const robot_formats::RobotDescription& robot) {
+  return robot.bodies.at(1).shapes.at(0).placed.position;
+}
 
 // as written both feet are 5 cm to the left of their joints; turned they are 5 cm above
 TEST(MeshUpAxis, CountsWhereLeftAndRightAreMirrorImagesOnlyThen) {

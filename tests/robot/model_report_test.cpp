@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/robot/robot_checks.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/robot/robot_checks.h"
 
 namespace murosimf::robot {
 namespace {

@@ -2,8 +2,8 @@
 #include "murosimf/model/properties.h"
 #include "murosimf/robot/robot_reader.h"
 #include "murosimf/scene/scene.h"
-#include "tests/robot_formats/proto/proto_files.h"
 #include "tests/robot/same_model.h"
+#include "tests/robot_formats/proto/proto_files.h"
 
 namespace murosimf::robot {
 namespace {

@@ -9,13 +9,13 @@
 #include <fmt/format.h>
 
 #include "murosimf/collision/contact_properties.h"
-#include "murosimf/robot_formats/mjcf/mjcf_writer.h"
 #include "murosimf/geometry/mesh_mass.h"
 #include "murosimf/robot/robot_config.h"
 #include "murosimf/robot/robot_reader.h"
-#include "tests/robot_formats/urdf/urdf_files.h"
+#include "murosimf/robot_formats/mjcf/mjcf_writer.h"
 #include "tests/robot/same_model.h"
 #include "tests/robot_data.h"
+#include "tests/robot_formats/urdf/urdf_files.h"
 
 namespace murosimf::robot {
 namespace {
@@ -148,7 +148,8 @@ TEST(RobotConversion, LumpedDescriptionsAreWrittenToo) {
     for (const auto& joint : body.joints) rates += fmt::format("\"{}\" = {}\n", joint.name, joint.rate_limit);
   }
   write("welded.toml", rates);
-  const RobotFile after = read_robot(write("welded.xml", robot_formats::mjcf::to_mjcf(before.description, {test_folder()})));
+  const RobotFile after =
+      read_robot(write("welded.xml", robot_formats::mjcf::to_mjcf(before.description, {test_folder()})));
   expect_same(*after.model, *before.model);
 }
 

@@ -7,8 +7,8 @@
 #include "murosimf/robot/robot_reader.h"
 #include "murosimf/scene/scene.h"
 #include "tests/biped_urdf.h"
-#include "tests/robot_formats/urdf/urdf_files.h"
 #include "tests/robot/same_model.h"
+#include "tests/robot_formats/urdf/urdf_files.h"
 
 namespace murosimf::robot {
 namespace {

@@ -187,7 +187,8 @@ const std::string laser =
     "<type>gaussian</type><stddev>0.03</stddev></noise></ray></sensor></gazebo>";
 
 TEST(UrdfSensors, ScannersHaveTheirRaysRangeAndNoise) {
-  const robot_formats::RobotDescription description = robot_formats::urdf::read_urdf(write("robot.urdf", urdf(laser)), {});
+  const robot_formats::RobotDescription description =
+      robot_formats::urdf::read_urdf(write("robot.urdf", urdf(laser)), {});
   const robot_formats::SensorDescription& sensor = description.sensors.at(0);
   const std::map<std::string, double> numbers{
       {"rays", 22}, {"fov", 3}, {"first_angle", -1}, {"range_min", 0.2}, {"range_max", 20}};

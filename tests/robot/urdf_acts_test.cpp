@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/robot/robot_reader.h"
 #include "murosimf/robot_formats/urdf/gazebo_schema.h"
 #include "murosimf/robot_formats/urdf/urdf_schema.h"
-#include "murosimf/robot/robot_reader.h"
 #include "tests/robot_formats/urdf/urdf_files.h"
 
 namespace murosimf::robot {

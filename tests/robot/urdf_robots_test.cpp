@@ -1,6 +1,6 @@
 /// urdf_robots_test - robots of teams are read as they are, without leniency.
-#include "tests/robot_formats/urdf/urdf_files.h"
 #include "tests/robot_data.h"
+#include "tests/robot_formats/urdf/urdf_files.h"
 
 namespace murosimf::robot {
 namespace {

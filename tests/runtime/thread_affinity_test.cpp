@@ -20,7 +20,8 @@ class HomesTest : public testing::Test {
     for (std::size_t i = 0; i < count; ++i) result.push_back(&entities_.emplace_back("robot", model));
     return result;
   }
-  static std::vector<std::size_t> of(const ThreadAffinity& thread_affinity, const std::vector<const Entity*>& entities) {
+  static std::vector<std::size_t> of(const ThreadAffinity& thread_affinity,
+                                     const std::vector<const Entity*>& entities) {
     std::vector<std::size_t> result;
     for (const Entity* entity : entities) result.push_back(thread_affinity.of(*entity));
     return result;
@@ -59,7 +60,9 @@ TEST_F(HomesTest, MoreThreadsThanEntities) {
   EXPECT_EQ(of(thread_affinity, second), (Threads{2, 3, 4}));
 }
 
-TEST_F(HomesTest, WhoWasNotSharedOutIsAtHomeInTheCallingThread) { EXPECT_EQ(of(ThreadAffinity(4), more(1)), (Threads{0})); }
+TEST_F(HomesTest, WhoWasNotSharedOutIsAtHomeInTheCallingThread) {
+  EXPECT_EQ(of(ThreadAffinity(4), more(1)), (Threads{0}));
+}
 
 }  // namespace
 }  // namespace murosimf

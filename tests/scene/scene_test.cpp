@@ -161,8 +161,7 @@ TEST(SceneMistakes, AreNamedWithTheirPlace) {
   expect_mistake(error(with("controller = \"walk\"", "controler = \"walk\"")),
                  {".toml:11:", "unknown key 'controler'; did you mean 'controller'?"});
   expect_mistake(error(with("model = \"kid21\"", "model = \"kid22\"")), {".toml:", "no file 'kid22'"});
-  expect_mistake(error(with("name = \"red1\"", "name = \"blue1\"")),
-                 {".toml:22:", "two entities are called 'blue1'"});
+  expect_mistake(error(with("name = \"red1\"", "name = \"blue1\"")), {".toml:22:", "two entities are called 'blue1'"});
   expect_mistake(error(with("name = \"red1\"", "name = \"ball\"")), {"two entities are called 'ball'"});
   expect_mistake(error(with("name = \"red1\"", "name = \"red 1\"")), {"entity name 'red 1'"});
   expect_mistake(error(with("team = \"red\"", "team = \"rad\"")), {".toml:23:", "unknown team 'rad'"});

@@ -7,8 +7,8 @@
 #include <fstream>
 #include <thread>
 
-#include "tests/serial/serial_port.h"
 #include "tests/fixtures.h"
+#include "tests/serial/serial_port.h"
 #include "tests/temp_folder.h"
 
 namespace murosimf::serial {

@@ -14,9 +14,9 @@
 #include "murosimf/motion/servo_law.h"
 #include "murosimf/scene/scene.h"
 #include "murosimf/session/live_source.h"
-#include "tests/serial/serial_port.h"
 #include "tests/fixtures.h"
 #include "tests/recording/repeatable_run.h"
+#include "tests/serial/serial_port.h"
 #include "tests/temp_folder.h"
 
 namespace murosimf::serial {

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/soccer/planar.h"
 #include "murosimf/scene_file/field.h"
+#include "murosimf/soccer/planar.h"
 #include "tests/fixtures.h"
 #include "tests/law.h"
 #include "tests/soccer/vision_rig.h"

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/model/error.h"
-#include "murosimf/soccer/dead_reckoning.h"
 #include "murosimf/scene_file/field.h"
+#include "murosimf/soccer/dead_reckoning.h"
 #include "tests/fixtures.h"
 #include "tests/law.h"
 

@@ -6,11 +6,11 @@
 
 #include <gtest/gtest.h>
 
+#include "murosimf/collision/queries.h"
+#include "murosimf/scene/scene.h"
 #include "murosimf/soccer/behavior_properties.h"
 #include "murosimf/soccer/localize.h"
 #include "murosimf/soccer/obstacle_course.h"
-#include "murosimf/collision/queries.h"
-#include "murosimf/scene/scene.h"
 #include "tests/law.h"
 #include "tests/render/drawn.h"
 

@@ -16,10 +16,10 @@ TEST(Branches, FirstOneIsTheRunItself) {
   const recording::RecordedRun run(fixtures::record("whole.mcap", {.scene = "walk", .time = 2s}));
   const Branches result =
       studies::branch(run, {.time = 500ms,
-                           .duration = 1500ms,
-                           .changes = {"walker.command=[0,0,0]", "walker.command=[0.3,0,0];walker.command=[0,0,0]"},
-                           .results = {"walker.distance"},
-                           .repeat = {.threads = 2}});
+                            .duration = 1500ms,
+                            .changes = {"walker.command=[0,0,0]", "walker.command=[0.3,0,0];walker.command=[0,0,0]"},
+                            .results = {"walker.distance"},
+                            .repeat = {.threads = 2}});
   ASSERT_EQ(result.branches.size(), 3U);
   EXPECT_EQ(result.from, 500ms);
   EXPECT_EQ(result.to, 2s);

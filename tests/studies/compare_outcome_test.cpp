@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "murosimf/studies/compare_verdict.h"
 #include "murosimf/scene/scene.h"
+#include "murosimf/studies/compare_verdict.h"
 #include "tests/written_scene.h"
 
 namespace murosimf::studies {

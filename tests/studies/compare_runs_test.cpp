@@ -8,9 +8,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "murosimf/studies/compare_verdict.h"
 #include "murosimf/model/error.h"
 #include "murosimf/scene/scene.h"
+#include "murosimf/studies/compare_verdict.h"
 #include "tests/temp_folder.h"
 
 namespace murosimf::studies {

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "murosimf/studies/compare_verdict.h"
 #include "murosimf/model/error.h"
+#include "murosimf/studies/compare_verdict.h"
 
 namespace murosimf::studies {
 namespace {

@@ -9,8 +9,8 @@
 #include "examples/controllers/course_tcp.h"
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/runtime/clock.h"
-#include "tests/wire/tcp_fixture.h"
 #include "tests/temp_folder.h"
+#include "tests/wire/tcp_fixture.h"
 
 namespace murosimf::connect {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "murosimf/recording/mcap/mcap_reader.h"
 #include "murosimf/recording/recorded_external_input.h"
-#include "tests/wire/tcp_fixture.h"
 #include "tests/recording/repeatable_run.h"
+#include "tests/wire/tcp_fixture.h"
 
 namespace murosimf::connect {
 namespace {

@@ -12,13 +12,13 @@
 #include <vector>
 
 #include "examples/controllers/walk_to_ball_tcp.h"
-#include "murosimf/wire/robot_client.h"
 #include "murosimf/connect/controller_task.h"
-#include "murosimf/connect/tcp_server.h"
+#include "murosimf/connect/tcp/tcp_server.h"
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/scene/scene.h"
 #include "murosimf/scene/scene_report.h"
 #include "murosimf/wire/connection.h"
+#include "murosimf/wire/robot_client.h"
 #include "tests/fixtures.h"
 
 namespace murosimf::connect::fixtures {

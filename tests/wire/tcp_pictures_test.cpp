@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/sensors/camera_frame.h"
-#include "tests/wire/tcp_fixture.h"
 #include "tests/render/drawn.h"
+#include "tests/wire/tcp_fixture.h"
 #include "tests/written_scene.h"
 
 namespace murosimf::connect {

@@ -2,7 +2,7 @@
 /// RobotDescription.
 #pragma once
 
-#include "murosimf/robot_formats/reader_options.h"
-#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/plugin/interface.h"
 #include "murosimf/robot/robot_reader.h"
+#include "murosimf/robot_formats/reader_options.h"
+#include "murosimf/robot_formats/robot_description.h"

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/robot_formats/mesh/dae_geometry.h"
 #include "murosimf/model/error.h"
+#include "murosimf/robot_formats/mesh/dae_geometry.h"
 
 namespace murosimf::robot_formats::mesh {
 namespace {

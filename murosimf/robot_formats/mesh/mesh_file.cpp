@@ -5,11 +5,11 @@
 #include "murosimf/files/input_file.h"
 #include "murosimf/files/lower_case.h"
 #include "murosimf/files/xml_element.h"
+#include "murosimf/model/error.h"
 #include "murosimf/robot_formats/mesh/dae_file.h"
 #include "murosimf/robot_formats/mesh/msh_file.h"
 #include "murosimf/robot_formats/mesh/obj_file.h"
 #include "murosimf/robot_formats/mesh/stl_file.h"
-#include "murosimf/model/error.h"
 
 namespace murosimf::robot_formats::mesh {
 namespace {

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "murosimf/robot_formats/mesh/mesh_file.h"
 #include "murosimf/geometry/mesh_mass.h"
 #include "murosimf/model/shape.h"
+#include "murosimf/robot_formats/mesh/mesh_file.h"
 
 namespace murosimf::robot_formats::mesh {
 

@@ -9,9 +9,9 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/model/error.h"
 #include "murosimf/robot_formats/mjcf/mjcf_gains.h"
 #include "murosimf/robot_formats/mjcf/mjcf_schema.h"
-#include "murosimf/model/error.h"
 
 namespace murosimf::robot_formats::mjcf {
 namespace {

@@ -18,11 +18,11 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/robot_formats/robot_description.h"
+#include "murosimf/model/servo.h"
 #include "murosimf/robot_formats/mjcf/mjcf_frame.h"
 #include "murosimf/robot_formats/mjcf/mjcf_names.h"
 #include "murosimf/robot_formats/mjcf/mjcf_tendons.h"
-#include "murosimf/model/servo.h"
+#include "murosimf/robot_formats/robot_description.h"
 
 namespace murosimf::robot_formats::mjcf {
 

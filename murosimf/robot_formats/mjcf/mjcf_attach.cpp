@@ -7,10 +7,10 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/model/error.h"
 #include "murosimf/robot_formats/mjcf/mjcf_references.h"
 #include "murosimf/robot_formats/mjcf/mjcf_replicate.h"
 #include "murosimf/robot_formats/mjcf/mjcf_schema.h"
-#include "murosimf/model/error.h"
 
 namespace murosimf::robot_formats::mjcf {
 namespace {

@@ -7,9 +7,9 @@
 /// Source: MuJoCo documentation, XML reference, "attach"; orders and names as MuJoCo 4.0 writes such a file.
 #pragma once
 
-#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/files/xml_element.h"
 #include "murosimf/robot_formats/mjcf/mjcf_frame.h"
+#include "murosimf/robot_formats/robot_description.h"
 
 namespace murosimf::robot_formats::mjcf {
 

@@ -111,7 +111,7 @@ class BodyReader {
   }
 
   [[nodiscard]] robot_formats::ShapeDescription make_shape(const MjcfChild& child, const MjcfAttributes& attributes,
-                                                         PlacedShape placed) const {
+                                                           PlacedShape placed) const {
     if (std::holds_alternative<Plane>(placed.shape)) {
       child.element.fail("a plane cannot be part of a robot; use a box");
     }
@@ -122,7 +122,7 @@ class BodyReader {
   }
 
   [[nodiscard]] static robot_formats::VisualDescription placed_visual(const MjcfChild& child,
-                                                                    robot_formats::VisualDescription visual) {
+                                                                      robot_formats::VisualDescription visual) {
     visual.place = child.frame * visual.place;
     return visual;
   }

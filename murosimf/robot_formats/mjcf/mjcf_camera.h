@@ -8,9 +8,9 @@
 /// Source: XML reference of the MuJoCo documentation, "body/camera".
 #pragma once
 
-#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/files/xml_text.h"
 #include "murosimf/robot_formats/mjcf/mjcf_defaults.h"
+#include "murosimf/robot_formats/robot_description.h"
 
 namespace murosimf::robot_formats::mjcf {
 
@@ -20,7 +20,7 @@ constexpr Mat3d camera_axes{{0, 0, -1}, {-1, 0, 0}, {0, 1, 0}};
 /// The sensor that a camera becomes, on a frame that has the camera's place, called `frame`. Cameras that are not fixed
 /// to their bodies, and those without perspective, get an obstacle. Throws SetupError with file:line for impossible numbers.
 [[nodiscard]] robot_formats::SensorDescription read_mjcf_camera(const MjcfAttributes& attributes,
-                                                              const std::string& frame);
+                                                                const std::string& frame);
 
 /// It is a camera that MJCF has words for, with a frame of its own.
 [[nodiscard]] bool is_mjcf_camera(const robot_formats::SensorDescription& sensor);

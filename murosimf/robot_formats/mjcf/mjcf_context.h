@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/robot_formats/mjcf/mjcf_actuator.h"
 #include "murosimf/robot_formats/mjcf/mjcf_defaults.h"
 #include "murosimf/robot_formats/mjcf/mjcf_frame.h"
 #include "murosimf/robot_formats/mjcf/mjcf_material.h"
 #include "murosimf/robot_formats/mjcf/mjcf_mesh.h"
 #include "murosimf/robot_formats/mjcf/mjcf_names.h"
+#include "murosimf/robot_formats/robot_description.h"
 
 namespace murosimf::robot_formats::mjcf {
 

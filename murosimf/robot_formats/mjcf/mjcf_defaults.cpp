@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/robot_formats/mjcf/mjcf_schema.h"
 #include "murosimf/model/error.h"
+#include "murosimf/robot_formats/mjcf/mjcf_schema.h"
 
 namespace murosimf::robot_formats::mjcf {
 namespace {

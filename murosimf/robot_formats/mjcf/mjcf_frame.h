@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/robot_formats/mjcf/mjcf_defaults.h"
 #include "murosimf/math/mat3.h"
+#include "murosimf/robot_formats/mjcf/mjcf_defaults.h"
 
 namespace murosimf::robot_formats::mjcf {
 

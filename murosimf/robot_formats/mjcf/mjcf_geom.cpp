@@ -86,7 +86,7 @@ void read_surface(const MjcfAttributes& attributes, const Color& color, PlacedSh
 
 /// Zero where nothing of it counts, so that a visual mesh needs no volume.
 robot_formats::MassProperties read_mesh_solid(const MjcfAttributes& attributes, const PlacedShape& placed,
-                                            const MjcfGeomContext& context) {
+                                              const MjcfGeomContext& context) {
   const bool silent =
       attributes.number("mass", 1) == 0 || (!attributes.has("mass") && attributes.number("density", 1) == 0);
   if (!context.mass_counts || silent) return {};

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/robot_formats/mjcf/mjcf_material.h"
 #include "murosimf/robot_formats/mjcf/mjcf_mesh.h"
+#include "murosimf/robot_formats/robot_description.h"
 
 namespace murosimf::robot_formats::mjcf {
 

@@ -9,8 +9,8 @@
 #include <fmt/ranges.h>
 
 #include "murosimf/files/lower_case.h"
-#include "murosimf/robot_formats/mesh/mesh_file.h"
 #include "murosimf/math/quaternion.h"
+#include "murosimf/robot_formats/mesh/mesh_file.h"
 
 namespace murosimf::robot_formats::mjcf {
 namespace {

@@ -6,8 +6,8 @@
 #include <set>
 #include <string>
 
-#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/files/xml_text.h"
+#include "murosimf/robot_formats/robot_description.h"
 
 namespace murosimf::robot_formats::mjcf {
 
@@ -35,8 +35,8 @@ class MjcfGeomWriter {
   const std::filesystem::path& folder_;
   files::XmlText& xml_;
   std::map<std::string, const robot_formats::ShapeDescription*> inline_meshes_;  ///< a shape that has the hull, by mesh
-  std::set<std::string> unusable_;                                             ///< meshes that are left out
-  std::set<std::string> taken_;                                                ///< names of geoms so far
+  std::set<std::string> unusable_;                                               ///< meshes that are left out
+  std::set<std::string> taken_;                                                  ///< names of geoms so far
 };
 
 }  // namespace murosimf::robot_formats::mjcf

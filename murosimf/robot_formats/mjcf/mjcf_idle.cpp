@@ -83,7 +83,8 @@ bool is_idle_equality(const files::XmlElement& element, const MjcfNames& names) 
 }
 
 void name_idle_relations(const files::XmlElement& root, const MjcfContext& context,
-                         const std::map<std::string, MjcfTendon>& tendons, robot_formats::RobotDescription& description) {
+                         const std::map<std::string, MjcfTendon>& tendons,
+                         robot_formats::RobotDescription& description) {
   for (const files::XmlElement& section : root.children("tendon")) {
     for (const files::XmlElement& element : section.children()) {
       const std::string name = element.attribute("name").value_or(element.where());

@@ -4,9 +4,9 @@
 /// of it. A tendon without all that only measures a length and is a line in `unused`.
 #pragma once
 
-#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/robot_formats/mjcf/mjcf_context.h"
 #include "murosimf/robot_formats/mjcf/mjcf_tendons.h"
+#include "murosimf/robot_formats/robot_description.h"
 
 namespace murosimf::robot_formats::mjcf {
 
@@ -16,6 +16,7 @@ namespace murosimf::robot_formats::mjcf {
 
 /// `tendons`: those that act.
 void name_idle_relations(const files::XmlElement& root, const MjcfContext& context,
-                         const std::map<std::string, MjcfTendon>& tendons, robot_formats::RobotDescription& description);
+                         const std::map<std::string, MjcfTendon>& tendons,
+                         robot_formats::RobotDescription& description);
 
 }  // namespace murosimf::robot_formats::mjcf

@@ -44,7 +44,8 @@ robot_formats::MassProperties bounded(robot_formats::MassProperties body, const 
 }
 
 /// `moves`: the body has joints of its own; one that goes along with its parent may have no mass.
-robot_formats::MassProperties read_inertial(const files::XmlElement& element, bool moves, const MjcfCompiler& compiler) {
+robot_formats::MassProperties read_inertial(const files::XmlElement& element, bool moves,
+                                            const MjcfCompiler& compiler) {
   MjcfAttributes attributes(element);
   attributes.overlay(element);
   if (!attributes.has("mass")) element.fail("inertial without mass; add mass=\"...\" in kg");
@@ -73,8 +74,8 @@ bool mass_from_geoms(const files::XmlElement& body, const MjcfCompiler& compiler
 }
 
 robot_formats::MassProperties read_mass(const files::XmlElement& body,
-                                      const std::vector<robot_formats::MassProperties>& solids,
-                                      const MjcfCompiler& compiler, std::vector<std::string>& warnings) {
+                                        const std::vector<robot_formats::MassProperties>& solids,
+                                        const MjcfCompiler& compiler, std::vector<std::string>& warnings) {
   const auto inertials = body.children("inertial");
   if (inertials.size() > 1) inertials[1].fail("second inertial of the same body; keep one");
   if (mass_from_geoms(body, compiler)) return bounded(robot_formats::combined(solids), compiler);

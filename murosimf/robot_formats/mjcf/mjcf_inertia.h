@@ -16,7 +16,7 @@ namespace murosimf::robot_formats::mjcf {
 /// it has neither. Throws SetupError for a mass or inertia that no body can have; an inertia that breaks the triangle
 /// inequality (the sum of two principal moments is less than the third) is a line in `warnings`.
 [[nodiscard]] robot_formats::MassProperties read_mass(const files::XmlElement& body,
-                                                    const std::vector<robot_formats::MassProperties>& solids,
-                                                    const MjcfCompiler& compiler, std::vector<std::string>& warnings);
+                                                      const std::vector<robot_formats::MassProperties>& solids,
+                                                      const MjcfCompiler& compiler, std::vector<std::string>& warnings);
 
 }  // namespace murosimf::robot_formats::mjcf

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/robot_formats/joint_inertia.h"
 #include "murosimf/model/error.h"
+#include "murosimf/robot_formats/joint_inertia.h"
 
 namespace murosimf::robot_formats::mjcf {
 namespace {
@@ -38,7 +38,8 @@ void read_spring(const MjcfAttributes& attributes, robot_formats::JointDescripti
 }
 
 /// What limits the torque of all actuators together.
-void limit_effort(const MjcfAttributes& attributes, robot_formats::JointDescription& joint, const MjcfContext& context) {
+void limit_effort(const MjcfAttributes& attributes, robot_formats::JointDescription& joint,
+                  const MjcfContext& context) {
   if (!is_limited(attributes, "actuatorfrclimited", "actuatorfrcrange", context.compiler)) return;
   const auto range = attributes.numbers("actuatorfrcrange", 2, 2);
   joint.effort_limit = std::max(std::abs(range[0]), std::abs(range[1]));
@@ -82,7 +83,7 @@ void remember_spring(const MjcfAttributes& attributes, const std::string& joint,
 }
 
 robot_formats::JointDescription read_single(const MjcfChild& child, const MjcfAttributes& attributes, Kind kind,
-                                          const MjcfContext& context) {
+                                            const MjcfContext& context) {
   robot_formats::JointDescription joint;
   joint.kind = kind;
   read_constants(child, attributes, context, joint);
@@ -147,7 +148,8 @@ Vec3d ball_angles(const Mat3d& turn) {
   return {std::atan2(-turn.z.y, turn.z.z), std::atan2(sine, cosine), std::atan2(-turn.y.x, turn.x.x)};
 }
 
-void resolve_spring_dampers(const std::vector<MjcfSpringDamper>& springs, robot_formats::RobotDescription& description) {
+void resolve_spring_dampers(const std::vector<MjcfSpringDamper>& springs,
+                            robot_formats::RobotDescription& description) {
   if (springs.empty()) return;
   const std::vector<double> inertias = robot_formats::free_inertias(description);
   std::size_t number = 0;

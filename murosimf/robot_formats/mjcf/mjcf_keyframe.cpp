@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/quaternion.h"
 #include "murosimf/robot_formats/mjcf/mjcf_children.h"
 #include "murosimf/robot_formats/mjcf/mjcf_joint.h"
-#include "murosimf/math/quaternion.h"
 
 namespace murosimf::robot_formats::mjcf {
 namespace {

@@ -6,10 +6,10 @@
 /// Source: MuJoCo documentation, XML reference, "keyframe".
 #pragma once
 
-#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/robot_formats/mjcf/mjcf_actuator.h"
 #include "murosimf/robot_formats/mjcf/mjcf_context.h"
 #include "murosimf/robot_formats/mjcf/mjcf_trees.h"
+#include "murosimf/robot_formats/robot_description.h"
 
 namespace murosimf::robot_formats::mjcf {
 

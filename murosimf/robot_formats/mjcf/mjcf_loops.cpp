@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/quaternion.h"
+#include "murosimf/model/error.h"
 #include "murosimf/robot_formats/mjcf/mjcf_defaults.h"
 #include "murosimf/robot_formats/mjcf/mjcf_frame.h"
 #include "murosimf/robot_formats/mjcf/mjcf_idle.h"
-#include "murosimf/math/quaternion.h"
-#include "murosimf/model/error.h"
 
 namespace murosimf::robot_formats::mjcf {
 namespace {

@@ -6,9 +6,9 @@
 /// Source: XML reference of the MuJoCo documentation, equality.
 #pragma once
 
-#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/files/xml_element.h"
 #include "murosimf/robot_formats/mjcf/mjcf_names.h"
+#include "murosimf/robot_formats/robot_description.h"
 
 namespace murosimf::robot_formats::mjcf {
 

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/robot_formats/mjcf/mjcf_texture.h"
 #include "murosimf/model/error.h"
+#include "murosimf/robot_formats/mjcf/mjcf_texture.h"
 
 namespace murosimf::robot_formats::mjcf {
 namespace {

@@ -8,8 +8,8 @@
 #include <map>
 #include <string>
 
-#include "murosimf/robot_formats/mjcf/mjcf_defaults.h"
 #include "murosimf/model/shape.h"
+#include "murosimf/robot_formats/mjcf/mjcf_defaults.h"
 
 namespace murosimf::robot_formats::mjcf {
 

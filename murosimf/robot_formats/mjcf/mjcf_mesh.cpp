@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include "murosimf/files/file_spelling.h"
-#include "murosimf/robot_formats/mjcf/mjcf_mesh_source.h"
 #include "murosimf/geometry/hull.h"
 #include "murosimf/model/error.h"
+#include "murosimf/robot_formats/mjcf/mjcf_mesh_source.h"
 
 namespace murosimf::robot_formats::mjcf {
 namespace {
@@ -70,7 +70,7 @@ std::vector<robot_formats::MeshDescription> MjcfMeshes::descriptions() const {
 }
 
 const std::vector<robot_formats::mesh::ConvexPart>& MjcfMeshes::parts(const std::string& name,
-                                                                const files::XmlElement& user) {
+                                                                      const files::XmlElement& user) {
   const Mesh& mesh = loaded(name, user);
   if (!mesh.solid.flat.empty()) mesh.fail(mesh.solid.flat);
   for (const std::string& doubt : robot_formats::mesh::mesh_doubts(mesh.solid)) warn(mesh, doubt);

@@ -13,11 +13,11 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/robot_formats/robot_description.h"
-#include "murosimf/robot_formats/mesh/mesh_library.h"
-#include "murosimf/robot_formats/mjcf/mjcf_frame.h"
 #include "murosimf/geometry/mesh_mass.h"
 #include "murosimf/model/shape.h"
+#include "murosimf/robot_formats/mesh/mesh_library.h"
+#include "murosimf/robot_formats/mjcf/mjcf_frame.h"
+#include "murosimf/robot_formats/robot_description.h"
 
 namespace murosimf::robot_formats::mjcf {
 
@@ -36,7 +36,7 @@ class MjcfMeshes {
   /// Convex parts for the geom `user`, which collides.
   /// Throws SetupError: the line of the mesh, the mesh file and its line, what is wrong.
   [[nodiscard]] const std::vector<robot_formats::mesh::ConvexPart>& parts(const std::string& name,
-                                                                    const files::XmlElement& user);
+                                                                          const files::XmlElement& user);
 
   /// For a geom that is only looked at: the mesh is not read. Throws SetupError for an unknown mesh; a missing file is a
   /// warning.
@@ -64,7 +64,7 @@ class MjcfMeshes {
 
   std::map<std::string, std::unique_ptr<Mesh>> meshes_;
   std::map<std::filesystem::path, robot_formats::mesh::MeshFile> files_;  ///< read so far
-  std::filesystem::path folder_;                                    ///< of mesh files
+  std::filesystem::path folder_;                                          ///< of mesh files
   bool strip_path_;
   const std::vector<std::string>& part_per_group_;
   std::vector<std::string>& warnings_;

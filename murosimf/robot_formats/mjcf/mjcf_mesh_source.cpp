@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/robot_formats/mesh/mesh_library.h"
 #include "murosimf/geometry/hull.h"
 #include "murosimf/geometry/mesh_mass.h"
 #include "murosimf/model/error.h"
+#include "murosimf/robot_formats/mesh/mesh_library.h"
 
 namespace murosimf::robot_formats::mjcf {
 namespace {

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/model/error.h"
 #include "murosimf/robot_formats/joint_inertia.h"
 #include "murosimf/robot_formats/mjcf/mjcf_actuator.h"
 #include "murosimf/robot_formats/mjcf/mjcf_attach.h"
@@ -19,7 +20,6 @@
 #include "murosimf/robot_formats/mjcf/mjcf_schema.h"
 #include "murosimf/robot_formats/mjcf/mjcf_tendons.h"
 #include "murosimf/robot_formats/mjcf/mjcf_trees.h"
-#include "murosimf/model/error.h"
 
 namespace murosimf::robot_formats::mjcf {
 namespace {
@@ -54,7 +54,8 @@ void scale_masses(const MjcfCompiler& compiler, robot_formats::RobotDescription&
 
 }  // namespace
 
-robot_formats::RobotDescription read_mjcf(const std::filesystem::path& file, const robot_formats::ReaderOptions& options) {
+robot_formats::RobotDescription read_mjcf(const std::filesystem::path& file,
+                                          const robot_formats::ReaderOptions& options) {
   files::XmlFile xml(file);
   const files::XmlElement root = xml.root();
   if (root.tag() != "mujoco") {

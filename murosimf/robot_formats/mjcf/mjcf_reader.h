@@ -15,6 +15,6 @@ namespace murosimf::robot_formats::mjcf {
 
 /// Throws SetupError: file, line, what is wrong, what to do.
 [[nodiscard]] robot_formats::RobotDescription read_mjcf(const std::filesystem::path& file,
-                                                      const robot_formats::ReaderOptions& options = {});
+                                                        const robot_formats::ReaderOptions& options = {});
 
 }  // namespace murosimf::robot_formats::mjcf

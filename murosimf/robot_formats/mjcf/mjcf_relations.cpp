@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/model/error.h"
 #include "murosimf/robot_formats/mjcf/mjcf_children.h"
 #include "murosimf/robot_formats/mjcf/mjcf_defaults.h"
 #include "murosimf/robot_formats/mjcf/mjcf_sensor.h"
-#include "murosimf/model/error.h"
 
 namespace murosimf::robot_formats::mjcf {
 namespace {
@@ -41,7 +41,7 @@ bool is_beside(const files::XmlElement& element, const MjcfNames& names, const s
 
 /// Position of joint1 = polynomial of the position of joint2, both from their reference.
 robot_formats::MimicDescription read_mimic(const files::XmlElement& element, const MjcfNames& names,
-                                         const robot_formats::RobotDescription& description) {
+                                           const robot_formats::RobotDescription& description) {
   MjcfAttributes attributes(element);
   attributes.overlay(element);
   auto polynomial = attributes.numbers("polycoef", 1, 5);
@@ -51,8 +51,8 @@ robot_formats::MimicDescription read_mimic(const files::XmlElement& element, con
     element.fail("only joints that are coupled linearly are supported; set the last three of polycoef to 0");
   }
   robot_formats::MimicDescription mimic{name_in(element, "joint1", "joint", names.joints()),
-                                      name_in(element, "joint2", "joint", names.joints()), element.where(),
-                                      polynomial[1]};
+                                        name_in(element, "joint2", "joint", names.joints()), element.where(),
+                                        polynomial[1]};
   mimic.offset = polynomial[0] + robot_formats::reference_of(description, mimic.joint) -
                  mimic.ratio * robot_formats::reference_of(description, mimic.leader);
   return mimic;

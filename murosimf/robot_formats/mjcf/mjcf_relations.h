@@ -2,9 +2,9 @@
 /// that are excluded or wanted (`contact`), and sensors.
 #pragma once
 
-#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/robot_formats/mjcf/mjcf_defaults.h"
 #include "murosimf/robot_formats/mjcf/mjcf_names.h"
+#include "murosimf/robot_formats/robot_description.h"
 
 namespace murosimf::robot_formats::mjcf {
 

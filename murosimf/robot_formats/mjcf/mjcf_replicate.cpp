@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/robot_formats/mjcf/mjcf_references.h"
 #include "murosimf/math/quaternion.h"
 #include "murosimf/math/transform.h"
+#include "murosimf/robot_formats/mjcf/mjcf_references.h"
 
 namespace murosimf::robot_formats::mjcf {
 namespace {

@@ -36,7 +36,7 @@ const char* attribute_of(std::string_view kind) {
 }
 
 const robot_formats::BodyDescription* find_body(const robot_formats::RobotDescription& description,
-                                              const std::string& name) {
+                                                const std::string& name) {
   const auto body = std::ranges::find(description.bodies, name, &robot_formats::BodyDescription::name);
   return body == description.bodies.end() ? nullptr : &*body;
 }
@@ -99,7 +99,8 @@ void read_signal(const MjcfAttributes& attributes, robot_formats::SensorDescript
 }
 
 /// The object is in the file that is written.
-bool object_is_there(const robot_formats::SensorDescription& sensor, const robot_formats::RobotDescription& description) {
+bool object_is_there(const robot_formats::SensorDescription& sensor,
+                     const robot_formats::RobotDescription& description) {
   const std::string &kind = sensor.object_kind, &name = sensor.frame;
   if (kind == "joint") return has_joint(description, name);
   if (kind == "body" || kind == "xbody") return find_body(description, name) || has_frame(description, name, "body");
@@ -127,8 +128,8 @@ void write_sensor(files::XmlText& xml, const robot_formats::SensorDescription& s
 }  // namespace
 
 robot_formats::SensorDescription read_mjcf_sensor(const files::XmlElement& element, const files::XmlElement& root,
-                                                const MjcfDefaults& defaults,
-                                                const robot_formats::RobotDescription& description) {
+                                                  const MjcfDefaults& defaults,
+                                                  const robot_formats::RobotDescription& description) {
   robot_formats::SensorDescription sensor{element.tag(), element.attribute("name").value_or(""), "", element.where()};
   for (const char* attribute : {"site", "objname", "joint", "body", "actuator", "geom", "camera"}) {
     const auto name = element.attribute(attribute);
@@ -147,7 +148,8 @@ robot_formats::SensorDescription read_mjcf_sensor(const files::XmlElement& eleme
   return sensor;
 }
 
-bool is_mjcf_sensor(const robot_formats::SensorDescription& sensor, const robot_formats::RobotDescription& description) {
+bool is_mjcf_sensor(const robot_formats::SensorDescription& sensor,
+                    const robot_formats::RobotDescription& description) {
   if (is_mjcf_camera(sensor)) return object_is_there(sensor, description);
   const bool complete = sensor.obstacle.empty() && !sensor.object_kind.empty();
   return complete && attribute_of(written_kind(sensor)) && object_is_there(sensor, description);

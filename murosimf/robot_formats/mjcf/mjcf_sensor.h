@@ -5,18 +5,18 @@
 /// Source: XML reference of the MuJoCo documentation, "sensor".
 #pragma once
 
-#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/files/xml_element.h"
 #include "murosimf/files/xml_text.h"
 #include "murosimf/robot_formats/mjcf/mjcf_defaults.h"
+#include "murosimf/robot_formats/robot_description.h"
 
 namespace murosimf::robot_formats::mjcf {
 
 /// `description`: its bodies are read already. A sensor of an actuator becomes one of the actuator's joint.
 [[nodiscard]] robot_formats::SensorDescription read_mjcf_sensor(const files::XmlElement& element,
-                                                              const files::XmlElement& root,
-                                                              const MjcfDefaults& defaults,
-                                                              const robot_formats::RobotDescription& description);
+                                                                const files::XmlElement& root,
+                                                                const MjcfDefaults& defaults,
+                                                                const robot_formats::RobotDescription& description);
 
 /// The section `sensor`: an element for each sensor that MJCF has and whose object is in the description, a comment for the
 /// others. Cameras of MJCF are not among them: they stand in bodies (mjcf_camera.h).

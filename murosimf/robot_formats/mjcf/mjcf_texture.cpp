@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/robot_formats/mjcf/mjcf_defaults.h"
 #include "murosimf/model/error.h"
+#include "murosimf/robot_formats/mjcf/mjcf_defaults.h"
 
 namespace murosimf::robot_formats::mjcf {
 namespace {

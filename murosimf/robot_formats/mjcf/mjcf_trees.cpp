@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/model/error.h"
 #include "murosimf/robot_formats/mjcf/mjcf_body.h"
 #include "murosimf/robot_formats/mjcf/mjcf_children.h"
-#include "murosimf/model/error.h"
 
 namespace murosimf::robot_formats::mjcf {
 namespace {

@@ -9,10 +9,10 @@
 #include <fmt/format.h>
 
 #include "murosimf/files/xml_text.h"
+#include "murosimf/math/quaternion.h"
 #include "murosimf/robot_formats/mjcf/mjcf_camera.h"
 #include "murosimf/robot_formats/mjcf/mjcf_geom_writer.h"
 #include "murosimf/robot_formats/mjcf/mjcf_sensor.h"
-#include "murosimf/math/quaternion.h"
 
 namespace murosimf::robot_formats::mjcf {
 namespace {
@@ -269,7 +269,7 @@ class Writer {
   files::XmlText xml_;
   MjcfGeomWriter geoms_;
   std::vector<std::vector<std::size_t>> children_;
-  std::vector<std::string> joints_;                           // as they are written
+  std::vector<std::string> joints_;                             // as they are written
   std::vector<const robot_formats::JointDescription*> driven_;  // as their actuators are written
 };
 

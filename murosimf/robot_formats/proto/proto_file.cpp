@@ -9,9 +9,9 @@
 
 #include "murosimf/files/file_spelling.h"
 #include "murosimf/files/xml_element.h"
+#include "murosimf/model/error.h"
 #include "murosimf/robot_formats/proto/proto_parser.h"
 #include "murosimf/robot_formats/proto/proto_schema.h"
-#include "murosimf/model/error.h"
 
 namespace murosimf::robot_formats::proto {
 namespace {

@@ -5,12 +5,12 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/robot_formats/mesh_entry.h"
 #include "murosimf/files/file_spelling.h"
-#include "murosimf/robot_formats/proto/proto_schema.h"
 #include "murosimf/geometry/hull.h"
 #include "murosimf/geometry/mesh_mass.h"
 #include "murosimf/model/error.h"
+#include "murosimf/robot_formats/mesh_entry.h"
+#include "murosimf/robot_formats/proto/proto_schema.h"
 
 namespace murosimf::robot_formats::proto {
 namespace {
@@ -153,7 +153,7 @@ void ProtoGeometry::count(const Node& node) {
 }
 
 std::vector<robot_formats::MassProperties> ProtoGeometry::add_bounding(const Node& node, const Placing& at,
-                                                                     robot_formats::BodyDescription& body) {
+                                                                       robot_formats::BodyDescription& body) {
   count(node);
   log_.check_fields(node);
   std::vector<robot_formats::MassProperties> solids;

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "murosimf/robot_formats/mass_properties.h"
-#include "murosimf/robot_formats/reader_options.h"
-#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/robot_formats/mesh/mesh_library.h"
 #include "murosimf/robot_formats/proto/proto_log.h"
+#include "murosimf/robot_formats/reader_options.h"
+#include "murosimf/robot_formats/robot_description.h"
 
 namespace murosimf::robot_formats::proto {
 
@@ -39,7 +39,7 @@ class ProtoGeometry {
 
   /// Adds the shapes of a boundingObject to the body. Each as a solid of density 1 kg/m^3, body axes.
   std::vector<robot_formats::MassProperties> add_bounding(const Node& node, const Placing& at,
-                                                        robot_formats::BodyDescription& body);
+                                                          robot_formats::BodyDescription& body);
   /// Adds a Shape for the eye.
   void add_visual(const Node& shape, const Placing& at, robot_formats::BodyDescription& body);
   /// Throws SetupError if more nodes are counted than a robot has: a few lines with USE can mean billions.

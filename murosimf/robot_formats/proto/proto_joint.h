@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/robot_formats/proto/proto_log.h"
+#include "murosimf/robot_formats/robot_description.h"
 
 namespace murosimf::robot_formats::proto {
 
@@ -23,6 +23,6 @@ struct JointPlace {
 
 /// One joint, of a Hinge2Joint two, the outer one first, in body axes. Throws SetupError, and for a BallJoint.
 [[nodiscard]] std::vector<robot_formats::JointDescription> read_joints(const Node& joint, const JointPlace& place,
-                                                                     ProtoLog& log);
+                                                                       ProtoLog& log);
 
 }  // namespace murosimf::robot_formats::proto

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/robot_formats/proto/proto_schema.h"
 #include "murosimf/model/error.h"
+#include "murosimf/robot_formats/proto/proto_schema.h"
 
 namespace murosimf::robot_formats::proto {
 

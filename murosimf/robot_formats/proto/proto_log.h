@@ -1,8 +1,8 @@
 /// proto_log.h - where the reader of PROTO files puts what it has to say about a file (robot_formats/reader_log.h).
 #pragma once
 
-#include "murosimf/robot_formats/reader_log.h"
 #include "murosimf/robot_formats/proto/proto_node.h"
+#include "murosimf/robot_formats/reader_log.h"
 
 namespace murosimf::robot_formats::proto {
 

@@ -41,8 +41,8 @@ void check_inertia(const Node& physics, const SymMat3d& inertia, ProtoLog& log) 
 
 }  // namespace
 
-robot_formats::MassProperties read_physics(const Node& physics, const std::vector<robot_formats::MassProperties>& bounding,
-                                         ProtoLog& log) {
+robot_formats::MassProperties read_physics(const Node& physics,
+                                           const std::vector<robot_formats::MassProperties>& bounding, ProtoLog& log) {
   if (physics.type != "Physics") physics.fail(fmt::format("{} stands where Physics should", physics.type));
   log.check_fields(physics);
   if (physics.child("damping")) log.unused(physics.where, "Physics.damping", "damping of Physics is not used");

@@ -16,7 +16,7 @@ namespace murosimf::robot_formats::proto {
 /// `bounding`: the parts of the boundingObject at density 1 kg/m^3, axes of the Solid. Throws SetupError (file:line) for masses that no
 /// body has.
 [[nodiscard]] robot_formats::MassProperties read_physics(const Node& physics,
-                                                       const std::vector<robot_formats::MassProperties>& bounding,
-                                                       ProtoLog& log);
+                                                         const std::vector<robot_formats::MassProperties>& bounding,
+                                                         ProtoLog& log);
 
 }  // namespace murosimf::robot_formats::proto

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/model/error.h"
 #include "murosimf/robot_formats/proto/proto_file.h"
 #include "murosimf/robot_formats/proto/proto_schema.h"
 #include "murosimf/robot_formats/proto/proto_walk.h"
-#include "murosimf/model/error.h"
 
 namespace murosimf::robot_formats::proto {
 namespace {
@@ -27,7 +27,8 @@ const Node& robot_of(const ProtoFile& proto) {
 
 }  // namespace
 
-robot_formats::RobotDescription read_proto(const std::filesystem::path& file, const robot_formats::ReaderOptions& options) {
+robot_formats::RobotDescription read_proto(const std::filesystem::path& file,
+                                           const robot_formats::ReaderOptions& options) {
   const ProtoFile proto = read_proto_file(file, options.lenient);
   const Node& robot = robot_of(proto);
   if (!is_solid(robot.type)) {

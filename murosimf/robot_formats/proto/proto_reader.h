@@ -17,6 +17,6 @@ namespace murosimf::robot_formats::proto {
 
 /// Throws SetupError: file, line, what is wrong, what to do.
 [[nodiscard]] robot_formats::RobotDescription read_proto(const std::filesystem::path& file,
-                                                       const robot_formats::ReaderOptions& options = {});
+                                                         const robot_formats::ReaderOptions& options = {});
 
 }  // namespace murosimf::robot_formats::proto

@@ -43,7 +43,7 @@ void read_camera(const Node& camera, bool old, robot_formats::SensorDescription&
 }  // namespace
 
 std::optional<robot_formats::SensorDescription> read_sensor(const Node& device, const std::string& body, bool old,
-                                                          ProtoLog& log) {
+                                                            ProtoLog& log) {
   for (const Device& known : devices) {
     if (known.type != device.type) continue;
     robot_formats::SensorDescription sensor{known.kind, device.text("name", ""), body, device.where};

@@ -12,14 +12,14 @@
 #include <optional>
 #include <string>
 
-#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/robot_formats/proto/proto_log.h"
+#include "murosimf/robot_formats/robot_description.h"
 
 namespace murosimf::robot_formats::proto {
 
 /// Of a device that is a Solid, called `body`; nothing if it measures nothing that is simulated. `old`: before R2022a.
 [[nodiscard]] std::optional<robot_formats::SensorDescription> read_sensor(const Node& device, const std::string& body,
-                                                                        bool old, ProtoLog& log);
+                                                                          bool old, ProtoLog& log);
 /// Of the PositionSensor of a joint.
 [[nodiscard]] robot_formats::SensorDescription read_position_sensor(const Node& sensor, const std::string& joint);
 

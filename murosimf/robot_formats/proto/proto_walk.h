@@ -5,9 +5,9 @@
 #include <set>
 #include <string>
 
-#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/robot_formats/proto/proto_geometry.h"
 #include "murosimf/robot_formats/proto/proto_log.h"
+#include "murosimf/robot_formats/robot_description.h"
 
 namespace murosimf::robot_formats::proto {
 

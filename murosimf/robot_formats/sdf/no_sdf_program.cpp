@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "murosimf/robot_formats/sdf/sdf_program.h"
 #include "murosimf/model/error.h"
+#include "murosimf/robot_formats/sdf/sdf_program.h"
 
 namespace murosimf::robot_formats::sdf {
 

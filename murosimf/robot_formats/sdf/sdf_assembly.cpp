@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/robot_formats/urdf/urdf_sensor.h"
 #include "murosimf/model/error.h"
+#include "murosimf/robot_formats/urdf/urdf_sensor.h"
 
 namespace murosimf::robot_formats::sdf {
 namespace {

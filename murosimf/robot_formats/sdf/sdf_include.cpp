@@ -5,8 +5,8 @@
 #include "murosimf/files/allowed_files.h"
 #include "murosimf/files/file_spelling.h"
 #include "murosimf/files/xml_element.h"
-#include "murosimf/robot_formats/urdf/package_folders.h"
 #include "murosimf/model/error.h"
+#include "murosimf/robot_formats/urdf/package_folders.h"
 
 namespace murosimf::robot_formats::sdf {
 namespace {

@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/model/error.h"
 #include "murosimf/robot_formats/sdf/sdf_value.h"
 #include "murosimf/robot_formats/urdf/urdf_value.h"
-#include "murosimf/model/error.h"
 
 namespace murosimf::robot_formats::sdf {
 namespace {
@@ -34,7 +34,8 @@ double limit_of(const files::XmlElement& limit, const char* tag) {
   return value < 0 || std::isinf(value) ? 0 : value;
 }
 
-void read_axis(const files::XmlElement& axis, bool endless, robot_formats::JointDescription& joint, urdf::UrdfLog& log) {
+void read_axis(const files::XmlElement& axis, bool endless, robot_formats::JointDescription& joint,
+               urdf::UrdfLog& log) {
   if (const auto limit = urdf::only_child(axis, "limit")) {
     if (!endless) read_range(*limit, joint);
     joint.effort_limit = limit_of(*limit, "effort");
@@ -75,7 +76,7 @@ void hold(const robot_formats::JointDescription& joint, SdfJointSpot& spot, urdf
 }
 
 robot_formats::JointDescription hinge(const SdfPart& part, const SdfJointPose& pose, const SdfJointSpot& spot,
-                                    const Vec3d& axis) {
+                                      const Vec3d& axis) {
   robot_formats::JointDescription joint;
   joint.name = part.name;
   joint.where = part.element.where();
@@ -89,7 +90,7 @@ robot_formats::JointDescription hinge(const SdfPart& part, const SdfJointPose& p
 }
 
 std::vector<robot_formats::JointDescription> read_ball(const SdfPart& part, const SdfJointPose& pose,
-                                                     const SdfJointSpot& spot, urdf::UrdfLog& log) {
+                                                       const SdfJointSpot& spot, urdf::UrdfLog& log) {
   log.note(part.element,
            fmt::format("ball joint '{0}' is read as three hinges, {0}.x, .y and .z; with .y at 90 degrees the other "
                        "two are one",
@@ -106,7 +107,7 @@ std::vector<robot_formats::JointDescription> read_ball(const SdfPart& part, cons
 
 /// The first axis is fixed to the parent, the second to the child.
 std::vector<robot_formats::JointDescription> read_two_axes(const SdfPart& part, const SdfJointPose& pose,
-                                                         const SdfJointSpot& spot, urdf::UrdfLog& log) {
+                                                           const SdfJointSpot& spot, urdf::UrdfLog& log) {
   if (pose.axes.size() != 2)
     part.element.fail(fmt::format("{} joint '{}' needs two axes", type_of(part.element), part.name));
   std::vector<robot_formats::JointDescription> joints;
@@ -182,7 +183,7 @@ bool is_known_type(const std::string& type) {
 }
 
 std::vector<robot_formats::JointDescription> read_joints(const SdfPart& part, const SdfJointPose& pose,
-                                                       SdfJointSpot& spot, urdf::UrdfLog& log) {
+                                                         SdfJointSpot& spot, urdf::UrdfLog& log) {
   const std::string type = type_of(part.element);
   if (type == "fixed") return {};
   if (type == "ball") return read_ball(part, pose, spot, log);

@@ -23,7 +23,7 @@ struct SdfJointSpot {
 
 /// What moves a body: none of a fixed joint. A joint that its limits hold at an angle or a way other than 0 turns `spot.body`.
 [[nodiscard]] std::vector<robot_formats::JointDescription> read_joints(const SdfPart& joint, const SdfJointPose& pose,
-                                                                     SdfJointSpot& spot, urdf::UrdfLog& log);
+                                                                       SdfJointSpot& spot, urdf::UrdfLog& log);
 
 /// What follows what: `mimic` of the axes of all joints that are among the bodies' joints. Throws SetupError for a circle.
 void read_mimics(const std::vector<SdfPart>& joints, robot_formats::RobotDescription& description, urdf::UrdfLog& log);

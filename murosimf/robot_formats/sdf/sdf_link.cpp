@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/model/error.h"
 #include "murosimf/robot_formats/sdf/sdf_value.h"
 #include "murosimf/robot_formats/urdf/urdf_shape.h"
 #include "murosimf/robot_formats/urdf/urdf_value.h"
-#include "murosimf/model/error.h"
 
 namespace murosimf::robot_formats::sdf {
 namespace {

@@ -17,7 +17,8 @@ namespace murosimf::robot_formats::sdf {
 
 class SdfLinks {
  public:
-  SdfLinks(const robot_formats::ReaderOptions& options, robot_formats::RobotDescription& description, urdf::UrdfLog& log)
+  SdfLinks(const robot_formats::ReaderOptions& options, robot_formats::RobotDescription& description,
+           urdf::UrdfLog& log)
       : options_(options), description_(description), log_(log) {}
 
   /// The body of a link, in its frame, without place and joints. Throws SetupError: impossible sizes and masses, a mesh that collides is

@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/robot_formats/reader_options.h"
 #include "murosimf/files/xml_element.h"
+#include "murosimf/robot_formats/reader_options.h"
 #include "murosimf/robot_formats/urdf/urdf_log.h"
 
 namespace murosimf::robot_formats::sdf {

@@ -7,9 +7,9 @@
 
 #include "murosimf/files/child_process.h"
 #include "murosimf/files/xml_element.h"
-#include "murosimf/robot_formats/sdf/sdf_program.h"
 #include "murosimf/math/quaternion.h"
 #include "murosimf/model/error.h"
+#include "murosimf/robot_formats/sdf/sdf_program.h"
 
 namespace murosimf::robot_formats::sdf {
 namespace {

@@ -4,13 +4,13 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/model/error.h"
 #include "murosimf/robot_formats/sdf/sdf_assembly.h"
 #include "murosimf/robot_formats/sdf/sdf_parts.h"
 #include "murosimf/robot_formats/sdf/sdf_poses.h"
 #include "murosimf/robot_formats/sdf/sdf_program.h"
 #include "murosimf/robot_formats/sdf/sdf_schema.h"
 #include "murosimf/robot_formats/sdf/sdf_value.h"
-#include "murosimf/model/error.h"
 
 namespace murosimf::robot_formats::sdf {
 namespace {
@@ -44,7 +44,8 @@ void tell(const std::vector<SdfError>& errors, const SdfModel& model, urdf::Urdf
 
 }  // namespace
 
-robot_formats::RobotDescription read_sdf(const std::filesystem::path& file, const robot_formats::ReaderOptions& options) {
+robot_formats::RobotDescription read_sdf(const std::filesystem::path& file,
+                                         const robot_formats::ReaderOptions& options) {
   robot_formats::RobotDescription description;
   description.file = file;
   urdf::UrdfLog log(description, options.lenient);

@@ -17,6 +17,6 @@ namespace murosimf::robot_formats::sdf {
 
 /// Throws SetupError: file, line, what is wrong, what to do; also if this build has no libsdformat.
 [[nodiscard]] robot_formats::RobotDescription read_sdf(const std::filesystem::path& file,
-                                                     const robot_formats::ReaderOptions& options = {});
+                                                       const robot_formats::ReaderOptions& options = {});
 
 }  // namespace murosimf::robot_formats::sdf

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/robot_formats/urdf/urdf_value.h"
 #include "murosimf/model/error.h"
+#include "murosimf/robot_formats/urdf/urdf_value.h"
 
 namespace murosimf::robot_formats::urdf {
 namespace {
@@ -62,9 +62,9 @@ void warn_of_leader(const UrdfTree& tree, const UrdfJoint& follower, const std::
 
 /// Nothing if there is no such leader: others that read the file let the joint move by itself, too.
 std::optional<robot_formats::MimicDescription> read_mimic(const UrdfTree& tree, const UrdfJoint& follower,
-                                                        const files::XmlElement& element, UrdfLog& log) {
+                                                          const files::XmlElement& element, UrdfLog& log) {
   robot_formats::MimicDescription mimic{follower.name, needed_text(element, "joint"), element.where(),
-                                      number_or(element, "multiplier", 1), number_or(element, "offset", 0)};
+                                        number_or(element, "multiplier", 1), number_or(element, "offset", 0)};
   const int leader = tree.find_joint(mimic.leader);
   if (leader < 0) {
     warn_of_leader(tree, follower, mimic.leader, element, log);

@@ -1,9 +1,9 @@
 /// urdf_log.h - where the readers of URDF put what they have to say about a file (robot_formats/reader_log.h).
 #pragma once
 
-#include "murosimf/robot_formats/reader_log.h"
 #include "murosimf/files/xml_element.h"
 #include "murosimf/files/xml_schema.h"
+#include "murosimf/robot_formats/reader_log.h"
 
 namespace murosimf::robot_formats::urdf {
 

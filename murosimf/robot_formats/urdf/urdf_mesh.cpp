@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/model/error.h"
 #include "murosimf/robot_formats/mesh_entry.h"
 #include "murosimf/robot_formats/urdf/urdf_value.h"
-#include "murosimf/model/error.h"
 
 namespace murosimf::robot_formats::urdf {
 namespace {
@@ -25,14 +25,14 @@ std::optional<robot_formats::MeshDescription> UrdfMeshes::find(const files::XmlE
 }
 
 std::optional<robot_formats::MeshDescription> UrdfMeshes::find(const std::string& name, const Vec3d& scale,
-                                                             const std::string& where) {
+                                                               const std::string& where) {
   const auto file = paths_.find(name);
   if (!file) return std::nullopt;
   return robot_formats::mesh_entry(description_, *file, scale, where);
 }
 
 const std::vector<robot_formats::mesh::ConvexPart>& UrdfMeshes::parts(const robot_formats::MeshDescription& mesh,
-                                                                const files::XmlElement& user) {
+                                                                      const files::XmlElement& user) {
   const bool split = std::ranges::find(part_per_group_, mesh.name) != part_per_group_.end();
   const std::string where = fmt::format("{}: mesh '{}'", user.where(), mesh.name);
   const robot_formats::mesh::SolidMesh& solid = with_context(where, [&]() -> const robot_formats::mesh::SolidMesh& {

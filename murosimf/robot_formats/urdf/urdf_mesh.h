@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "murosimf/robot_formats/mesh/mesh_library.h"
 #include "murosimf/robot_formats/reader_options.h"
 #include "murosimf/robot_formats/robot_description.h"
-#include "murosimf/robot_formats/mesh/mesh_library.h"
 #include "murosimf/robot_formats/urdf/urdf_log.h"
 #include "murosimf/robot_formats/urdf/urdf_mesh_path.h"
 
@@ -25,11 +25,11 @@ class UrdfMeshes {
   [[nodiscard]] std::optional<robot_formats::MeshDescription> find(const files::XmlElement& mesh);
   /// The same of a file by its name, at a scale; `where` [file:line] names it.
   [[nodiscard]] std::optional<robot_formats::MeshDescription> find(const std::string& name, const Vec3d& scale,
-                                                                 const std::string& where);
+                                                                   const std::string& where);
 
   /// What contact sees of it. Throws SetupError: the line of the element, then what is wrong with the mesh.
   [[nodiscard]] const std::vector<robot_formats::mesh::ConvexPart>& parts(const robot_formats::MeshDescription& mesh,
-                                                                    const files::XmlElement& user);
+                                                                          const files::XmlElement& user);
 
   /// That there is no such file, and what to do. Of the element looked for last.
   [[nodiscard]] std::string complaint(const files::XmlElement& mesh) const;

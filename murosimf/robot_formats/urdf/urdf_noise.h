@@ -11,8 +11,8 @@
 
 #include <string>
 
-#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/files/xml_element.h"
+#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/robot_formats/urdf/urdf_log.h"
 
 namespace murosimf::robot_formats::urdf {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/model/error.h"
 #include "murosimf/robot_formats/urdf/urdf_gazebo.h"
 #include "murosimf/robot_formats/urdf/urdf_inertial.h"
 #include "murosimf/robot_formats/urdf/urdf_joint.h"
@@ -9,7 +10,6 @@
 #include "murosimf/robot_formats/urdf/urdf_shape.h"
 #include "murosimf/robot_formats/urdf/urdf_transmission.h"
 #include "murosimf/robot_formats/urdf/urdf_value.h"
-#include "murosimf/model/error.h"
 
 namespace murosimf::robot_formats::urdf {
 namespace {
@@ -84,7 +84,7 @@ void read_bodies(const UrdfTree& tree, bool balance, UrdfShapes& shapes, robot_f
 }
 
 robot_formats::RobotDescription read_root(const std::filesystem::path& file, const files::XmlElement& robot,
-                                        const robot_formats::ReaderOptions& options) {
+                                          const robot_formats::ReaderOptions& options) {
   check_root(robot);
   robot_formats::RobotDescription description;
   description.name = robot.attribute("name").value_or(file.stem().string());
@@ -108,12 +108,13 @@ robot_formats::RobotDescription read_root(const std::filesystem::path& file, con
 
 }  // namespace
 
-robot_formats::RobotDescription read_urdf(const std::filesystem::path& file, const robot_formats::ReaderOptions& options) {
+robot_formats::RobotDescription read_urdf(const std::filesystem::path& file,
+                                          const robot_formats::ReaderOptions& options) {
   return read_root(file, files::XmlFile(file).root(), options);
 }
 
 robot_formats::RobotDescription read_urdf_text(const std::filesystem::path& file, const std::string& text,
-                                             const robot_formats::ReaderOptions& options) {
+                                               const robot_formats::ReaderOptions& options) {
   return read_root(file, files::XmlFile(file, text).root(), options);
 }
 

@@ -20,9 +20,9 @@ namespace murosimf::robot_formats::urdf {
 
 /// Throws SetupError: file, line, what is wrong, what to do.
 [[nodiscard]] robot_formats::RobotDescription read_urdf(const std::filesystem::path& file,
-                                                      const robot_formats::ReaderOptions& options = {});
+                                                        const robot_formats::ReaderOptions& options = {});
 /// The same of a text that stands for the file (xacro_file.h): names in it are relative to the file's folder.
 [[nodiscard]] robot_formats::RobotDescription read_urdf_text(const std::filesystem::path& file, const std::string& text,
-                                                           const robot_formats::ReaderOptions& options);
+                                                             const robot_formats::ReaderOptions& options);
 
 }  // namespace murosimf::robot_formats::urdf

@@ -6,11 +6,11 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/roll_pitch_yaw.h"
+#include "murosimf/model/error.h"
 #include "murosimf/robot_formats/urdf/gazebo_schema.h"
 #include "murosimf/robot_formats/urdf/urdf_noise.h"
 #include "murosimf/robot_formats/urdf/urdf_value.h"
-#include "murosimf/math/roll_pitch_yaw.h"
-#include "murosimf/model/error.h"
 
 namespace murosimf::robot_formats::urdf {
 namespace {

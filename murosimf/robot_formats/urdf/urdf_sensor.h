@@ -9,8 +9,8 @@
 #include <optional>
 #include <string>
 
-#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/files/xml_element.h"
+#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/robot_formats/urdf/urdf_log.h"
 
 namespace murosimf::robot_formats::urdf {
@@ -29,6 +29,6 @@ struct SensorPlace {
 
 /// A sensor on a link or joint. Throws SetupError with file:line for numbers and words that are impossible.
 [[nodiscard]] robot_formats::SensorDescription read_sensor(const files::XmlElement& sensor, const SensorPlace& at,
-                                                         UrdfLog& log);
+                                                           UrdfLog& log);
 
 }  // namespace murosimf::robot_formats::urdf

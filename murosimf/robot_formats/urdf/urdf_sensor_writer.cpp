@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/roll_pitch_yaw.h"
 #include "murosimf/robot_formats/urdf/urdf_place_writer.h"
 #include "murosimf/robot_formats/urdf/urdf_writer.h"
-#include "murosimf/math/roll_pitch_yaw.h"
 
 namespace murosimf::robot_formats::urdf {
 namespace {

@@ -1,9 +1,9 @@
 /// urdf_sensor_writer.h - sensors of a description as gazebo blocks of a URDF file.
 #pragma once
 
-#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/files/xml_text.h"
 #include "murosimf/math/transform.h"
+#include "murosimf/robot_formats/robot_description.h"
 
 namespace murosimf::robot_formats::urdf {
 

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/robot_formats/urdf/urdf_value.h"
 #include "murosimf/model/error.h"
+#include "murosimf/robot_formats/urdf/urdf_value.h"
 
 namespace murosimf::robot_formats::urdf {
 namespace {
@@ -119,7 +119,8 @@ void UrdfShapes::add_mesh(const Part& part, const files::XmlElement& mesh, robot
   }
 }
 
-void UrdfShapes::add_visual_mesh(const Part& part, const files::XmlElement& mesh, robot_formats::BodyDescription& body) {
+void UrdfShapes::add_visual_mesh(const Part& part, const files::XmlElement& mesh,
+                                 robot_formats::BodyDescription& body) {
   const auto found = meshes_.find(mesh);
   if (!found) return log_.warn(mesh, fmt::format("for the eye, {}; it is left out", meshes_.complaint(mesh)));
   body.visuals.push_back({part.element.attribute("name").value_or(""), part.element.where(), found->name,

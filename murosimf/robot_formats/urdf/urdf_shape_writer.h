@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/files/xml_text.h"
+#include "murosimf/robot_formats/robot_description.h"
 #include "murosimf/robot_formats/urdf/urdf_writer.h"
 
 namespace murosimf::robot_formats::urdf {

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/robot_formats/urdf/urdf_value.h"
 #include "murosimf/model/error.h"
+#include "murosimf/robot_formats/urdf/urdf_value.h"
 
 namespace murosimf::robot_formats::urdf {
 namespace {

@@ -28,7 +28,8 @@ struct UrdfText {
 };
 
 /// Bodies without joints may be welded already.
-[[nodiscard]] UrdfText to_urdf(const robot_formats::RobotDescription& description, const UrdfWriterOptions& options = {});
+[[nodiscard]] UrdfText to_urdf(const robot_formats::RobotDescription& description,
+                               const UrdfWriterOptions& options = {});
 
 /// It is a sensor that the writer puts into the file, all of it.
 [[nodiscard]] bool is_urdf_sensor(const robot_formats::SensorDescription& sensor);

@@ -9,9 +9,9 @@
 #include "murosimf/files/child_process.h"
 #include "murosimf/files/input_file.h"
 #include "murosimf/files/xml_element.h"
+#include "murosimf/model/error.h"
 #include "murosimf/robot_formats/urdf/package_folders.h"
 #include "murosimf/robot_formats/urdf/urdf_reader.h"
-#include "murosimf/model/error.h"
 
 namespace murosimf::robot_formats::urdf {
 namespace {

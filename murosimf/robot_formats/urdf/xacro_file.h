@@ -18,6 +18,6 @@ namespace murosimf::robot_formats::urdf {
 
 /// Throws SetupError as expand_xacro and read_urdf.
 [[nodiscard]] robot_formats::RobotDescription read_xacro(const std::filesystem::path& file,
-                                                       const robot_formats::ReaderOptions& options = {});
+                                                         const robot_formats::ReaderOptions& options = {});
 
 }  // namespace murosimf::robot_formats::urdf

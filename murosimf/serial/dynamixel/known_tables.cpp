@@ -4,9 +4,9 @@
 #include <mutex>
 #include <system_error>
 
-#include "murosimf/serial/dynamixel/control_table_file.h"
 #include "murosimf/files/data_path.h"
 #include "murosimf/files/files_read.h"
+#include "murosimf/serial/dynamixel/control_table_file.h"
 
 namespace murosimf::serial::dynamixel {
 namespace {

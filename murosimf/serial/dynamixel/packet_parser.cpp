@@ -1,7 +1,7 @@
 #include "murosimf/serial/dynamixel/packet_parser.h"
 
-#include "murosimf/serial/dynamixel/packet_checksum.h"
 #include "murosimf/model/error.h"
+#include "murosimf/serial/dynamixel/packet_checksum.h"
 
 namespace murosimf::serial::dynamixel {
 namespace {

@@ -4,8 +4,8 @@
 #include <array>
 #include <functional>
 
-#include "murosimf/serial/dynamixel/control_table.h"
 #include "murosimf/model/state_archive.h"
+#include "murosimf/serial/dynamixel/control_table.h"
 
 namespace murosimf::serial::dynamixel {
 

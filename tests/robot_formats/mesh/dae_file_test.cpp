@@ -30,7 +30,9 @@ std::string file_of(const std::string& library, const std::string& nodes, const 
 
 const std::string plain_node = "<node><instance_geometry url='#g'/></node>";
 
-MeshFile read(const std::string& text) { return read_mesh_file(robot_formats::urdf::urdf_files::write("mesh.dae", text)); }
+MeshFile read(const std::string& text) {
+  return read_mesh_file(robot_formats::urdf::urdf_files::write("mesh.dae", text));
+}
 
 MeshFile read_primitive(const std::string& primitive) { return read(file_of(library(primitive), plain_node)); }
 

@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "murosimf/robot_formats/mjcf/mjcf_geom.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/robot/robot_reader.h"
+#include "murosimf/robot_formats/mjcf/mjcf_geom.h"
 #include "tests/fixtures.h"
 #include "tests/temp_folder.h"
 

@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/robot_formats/mjcf/mjcf_frame.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/robot/robot_reader.h"
+#include "murosimf/robot_formats/mjcf/mjcf_frame.h"
 #include "tests/fixtures.h"
 #include "tests/temp_folder.h"
 

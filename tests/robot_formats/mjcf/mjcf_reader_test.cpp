@@ -10,10 +10,10 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/robot_formats/mjcf/mjcf_geom.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/multibody/kinematics.h"
+#include "murosimf/robot_formats/mjcf/mjcf_geom.h"
 #include "tests/temp_folder.h"
 
 namespace murosimf::robot_formats::mjcf {

@@ -17,7 +17,7 @@ using description_checks::any_contains;
 
 /// Three hinges in a row, i, j and k; `coupled`: j = -0.5 i.
 robot_formats::RobotDescription read(const std::string& tendon, const std::string& after = "", bool coupled = true,
-                                   const std::string& of_i = "") {
+                                     const std::string& of_i = "") {
   const auto file = fixtures::temp_folder() / "tendons.xml";
   std::ofstream(file)
       << "<mujoco><compiler angle='radian'/><worldbody><body name='b'><freejoint/><geom size='.1'/><body><joint "

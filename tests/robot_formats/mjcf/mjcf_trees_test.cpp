@@ -7,12 +7,12 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/robot_formats/mjcf/mjcf_joint.h"
-#include "murosimf/robot_formats/mjcf/mjcf_writer.h"
 #include "murosimf/math/quaternion.h"
 #include "murosimf/model/fixed_base.h"
 #include "murosimf/model/keyframe.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/robot_formats/mjcf/mjcf_joint.h"
+#include "murosimf/robot_formats/mjcf/mjcf_writer.h"
 #include "tests/fixtures.h"
 #include "tests/temp_folder.h"
 

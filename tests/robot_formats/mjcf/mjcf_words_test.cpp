@@ -9,9 +9,9 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/robot_formats/mjcf/mjcf_writer.h"
 #include "murosimf/model/keyframe.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/robot_formats/mjcf/mjcf_writer.h"
 #include "tests/fixtures.h"
 #include "tests/temp_folder.h"
 

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/robot_formats/urdf/urdf_reader.h"
 #include "murosimf/math/roll_pitch_yaw.h"
+#include "murosimf/robot_formats/urdf/urdf_reader.h"
 #include "tests/robot_formats/sdf/sdf_files.h"
 
 namespace murosimf::robot_formats::sdf {

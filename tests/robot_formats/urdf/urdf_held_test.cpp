@@ -9,7 +9,7 @@ namespace {
 using namespace urdf_files;
 
 const robot_formats::BodyDescription& body_named(const robot_formats::RobotDescription& description,
-                                               const std::string& name) {
+                                                 const std::string& name) {
   return *std::ranges::find(description.bodies, name, &robot_formats::BodyDescription::name);
 }
 

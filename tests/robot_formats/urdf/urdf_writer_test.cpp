@@ -6,11 +6,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "murosimf/robot_formats/urdf/urdf_place_writer.h"
-#include "murosimf/robot_formats/urdf/urdf_value.h"
 #include "murosimf/geometry/hull.h"
 #include "murosimf/geometry/mesh_mass.h"
 #include "murosimf/math/random.h"
+#include "murosimf/robot_formats/urdf/urdf_place_writer.h"
+#include "murosimf/robot_formats/urdf/urdf_value.h"
 #include "tests/fixtures.h"
 #include "tests/robot_formats/urdf/urdf_files.h"
 
@@ -182,7 +182,7 @@ TEST(UrdfWriter, SensorsComeBackAtTheirPlaces) {
   robot_formats::RobotDescription robot;
   robot.bodies = {body_of("base", -1, 1)};
   robot_formats::SensorDescription imu{"imu", "imu_1", "base", "robot:4", {{0.1, 0, 0}, rotation(Vec3d{0, 0, 1}, 0.5)},
-                                     200};
+                                       200};
   robot_formats::SensorDescription camera{"camera", "eye", "base", "robot:5", {{0, 0, 0.2}, {}}, 25};
   camera.numbers = {{"width", 640}, {"height", 480}, {"fx", 500}, {"fy", 501}, {"cx", 319.5}, {"cy", 239.5}};
   robot.sensors = {imu, camera};

@@ -11,9 +11,9 @@
 #include <string_view>
 #include <vector>
 
-#include "murosimf/runtime/external_input_log.h"
 #include "murosimf/connect/software_maker.h"
 #include "murosimf/model/error.h"
+#include "murosimf/runtime/external_input_log.h"
 #include "murosimf/runtime/pacer.h"
 #include "murosimf/wire/socket.h"
 

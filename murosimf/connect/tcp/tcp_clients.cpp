@@ -1,4 +1,4 @@
-#include "murosimf/connect/tcp_clients.h"
+#include "murosimf/connect/tcp/tcp_clients.h"
 
 #include <charconv>
 #include <utility>

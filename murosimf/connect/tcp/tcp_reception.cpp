@@ -1,4 +1,4 @@
-#include "murosimf/connect/tcp_reception.h"
+#include "murosimf/connect/tcp/tcp_reception.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "murosimf/connect/tcp_server.h"
+#include "murosimf/connect/tcp/tcp_server.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::connect {

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/connect/tcp_client.h"
-#include "murosimf/connect/tcp_server.h"
+#include "murosimf/connect/tcp/tcp_client.h"
+#include "murosimf/connect/tcp/tcp_server.h"
 #include "murosimf/wire/reception.h"
 
 namespace murosimf::connect {

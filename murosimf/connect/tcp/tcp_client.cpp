@@ -1,4 +1,4 @@
-#include "murosimf/connect/tcp_client.h"
+#include "murosimf/connect/tcp/tcp_client.h"
 
 #include <cmath>
 

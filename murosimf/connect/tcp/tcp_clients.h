@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "murosimf/connect/tcp/tcp_reception.h"
 #include "murosimf/runtime/external_input_log.h"
-#include "murosimf/connect/tcp_reception.h"
 #include "murosimf/wire/connection.h"
 
 namespace murosimf::connect {

@@ -1,4 +1,4 @@
-#include "murosimf/connect/tcp_session.h"
+#include "murosimf/connect/tcp/tcp_session.h"
 
 #include <algorithm>
 #include <chrono>
@@ -34,7 +34,8 @@ DrawnShape shape_of(const wire::Shape& shape) {
 
 }  // namespace
 
-TcpSession::TcpSession(std::unique_ptr<ClientLine> line, TcpRobot robot, RobotPort& port, SayLine say, ExternalInputRecorder& pen)
+TcpSession::TcpSession(std::unique_ptr<ClientLine> line, TcpRobot robot, RobotPort& port, SayLine say,
+                       ExternalInputRecorder& pen)
     : line_(std::move(line)),
       robot_(std::move(robot)),
       port_(&port),

@@ -10,10 +10,10 @@
 #include <string>
 
 #include "murosimf/connect/control_software.h"
+#include "murosimf/connect/tcp/tcp_clients.h"
+#include "murosimf/connect/tcp/tcp_server.h"
+#include "murosimf/connect/tcp/tcp_session.h"
 #include "murosimf/runtime/external_input_log.h"
-#include "murosimf/connect/tcp_clients.h"
-#include "murosimf/connect/tcp_server.h"
-#include "murosimf/connect/tcp_session.h"
 
 namespace murosimf::connect {
 

@@ -1,4 +1,4 @@
-#include "murosimf/connect/tcp_software.h"
+#include "murosimf/connect/tcp/tcp_software.h"
 
 #include <algorithm>
 #include <chrono>

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/runtime/external_input_log.h"
 #include "murosimf/connect/robot_port.h"
-#include "murosimf/connect/tcp_clients.h"
-#include "murosimf/connect/tcp_server.h"
+#include "murosimf/connect/tcp/tcp_clients.h"
+#include "murosimf/connect/tcp/tcp_server.h"
+#include "murosimf/runtime/external_input_log.h"
 
 namespace murosimf::wire {
 class Ask;
@@ -34,7 +34,8 @@ struct TcpRobot {
 class TcpSession {
  public:
   /// Welcomes the client. What it sends is written down with `pen`, which must outlive it, once it was found good.
-  TcpSession(std::unique_ptr<ClientLine> line, TcpRobot robot, RobotPort& port, SayLine say, ExternalInputRecorder& pen);
+  TcpSession(std::unique_ptr<ClientLine> line, TcpRobot robot, RobotPort& port, SayLine say,
+             ExternalInputRecorder& pen);
   ~TcpSession();
   TcpSession(const TcpSession&) = delete;
   TcpSession& operator=(const TcpSession&) = delete;

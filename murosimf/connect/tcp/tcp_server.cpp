@@ -1,12 +1,12 @@
-#include "murosimf/connect/tcp_server.h"
+#include "murosimf/connect/tcp/tcp_server.h"
 
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "murosimf/connect/tcp_clients.h"
-#include "murosimf/connect/tcp_reception.h"
-#include "murosimf/connect/tcp_software.h"
+#include "murosimf/connect/tcp/tcp_clients.h"
+#include "murosimf/connect/tcp/tcp_reception.h"
+#include "murosimf/connect/tcp/tcp_software.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::connect {
