@@ -1,4 +1,4 @@
-/// law.h - statements of what a test proves: each one asserts, and is a row of docs/validation.md.
+/// law.h - statements of what a test proves: each one asserts, and is a row of the table of docs/validation.md.
 ///
 ///     law::expect_below({.law = "free flight: drift of the center of mass",
 ///                        .level = "simplified_dynamics",

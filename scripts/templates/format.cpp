@@ -1,4 +1,4 @@
-#include "murosimf/formats/new_name/new_name_reader.h"
+#include "murosimf/robot_formats/new_name/new_name_reader.h"
 
 #include "murosimf/files/text_lines.h"
 

@@ -1,5 +1,5 @@
 // The format new_name: what is read of it, and what is said of errors.
-#include "murosimf/formats/new_name/new_name_reader.h"
+#include "murosimf/robot_formats/new_name/new_name_reader.h"
 
 #include <gtest/gtest.h>
 

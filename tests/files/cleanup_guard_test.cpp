@@ -31,7 +31,7 @@ TEST(CleanupGuards, FilesAreThereUntilTheyAreRemoved) {
   done.reset();
   run_cleanup();
   EXPECT_FALSE(fs::exists(half));
-  EXPECT_TRUE(fs::exists(whole)) << "it is nobody's leftover any more";
+  EXPECT_TRUE(fs::exists(whole)) << "the guard does not hold it any more";
   fs::remove(whole);
 }
 
