@@ -14,7 +14,7 @@
 #include "murosimf/drawing/drawn.h"
 #include "murosimf/drawing/roboviz_server.h"
 
-namespace murosimf::connect {
+namespace murosimf::drawing {
 namespace {
 
 using namespace std::chrono_literals;
@@ -34,12 +34,12 @@ std::string circle(const std::string& set, double radius = 0.5) {
   return "\1\0"s + numbers({1.25, -2.5, radius, 2}) + orange + words(set);
 }
 
-TEST(drawing::RobovizDrawings, NothingIsShownBeforeTheSwap) {
-  drawing::RobovizDrawings drawings;
+TEST(RobovizDrawings, NothingIsShownBeforeTheSwap) {
+  RobovizDrawings drawings;
   EXPECT_TRUE(drawings.take(circle("blue.1.ball")));
   EXPECT_TRUE(drawings.shown().groups.empty());
   EXPECT_TRUE(drawings.take(swap("blue.1")));
-  const drawing::ExternalDrawings shown = drawings.shown();
+  const ExternalDrawings shown = drawings.shown();
   ASSERT_EQ(shown.groups.size(), 1U);
   EXPECT_EQ(shown.groups[0].name, "blue.1.ball");
   EXPECT_FALSE(shown.groups[0].of_robot);
@@ -54,12 +54,12 @@ TEST(drawing::RobovizDrawings, NothingIsShownBeforeTheSwap) {
   EXPECT_EQ(shape.color.blue, 0);
 }
 
-TEST(drawing::RobovizDrawings, ASwapTakesAllSetsOfThatBeginningAndBeginsThemAnew) {
-  drawing::RobovizDrawings drawings;
+TEST(RobovizDrawings, ASwapTakesAllSetsOfThatBeginningAndBeginsThemAnew) {
+  RobovizDrawings drawings;
   EXPECT_TRUE(drawings.take(circle("blue.1") + circle("blue.2") + circle("red.1") + swap("blue")));
   EXPECT_EQ(drawings.shown().groups.size(), 2U);
   EXPECT_TRUE(drawings.take(circle("blue.1", 0.25) + swap("blue")));
-  const drawing::ExternalDrawings next = drawings.shown();
+  const ExternalDrawings next = drawings.shown();
   ASSERT_EQ(next.groups.size(), 1U) << "blue.2 was not drawn again";
   EXPECT_EQ(next.groups[0].shapes[0].size, 0.25);
   EXPECT_TRUE(drawings.take(swap("")));
@@ -68,8 +68,8 @@ TEST(drawing::RobovizDrawings, ASwapTakesAllSetsOfThatBeginningAndBeginsThemAnew
   EXPECT_TRUE(drawings.shown().groups.empty());
 }
 
-TEST(drawing::RobovizDrawings, AllKindsOfShapes) {
-  drawing::RobovizDrawings drawings;
+TEST(RobovizDrawings, AllKindsOfShapes) {
+  RobovizDrawings drawings;
   const std::string polygon = "\1\4\3"s + orange + "\x80" + numbers({0, 0, 0, 1, 0, 0, 1, 1, 0.5}) + words("a");
   EXPECT_TRUE(drawings.take("\1\1"s + numbers({1, 2, 3, -4, -5, -6, 3}) + orange + words("a")));
   EXPECT_TRUE(drawings.take("\1\2"s + numbers({1, 2, 3, 10}) + orange + words("a")));
@@ -77,7 +77,7 @@ TEST(drawing::RobovizDrawings, AllKindsOfShapes) {
   EXPECT_TRUE(drawings.take(polygon));
   EXPECT_TRUE(drawings.take("\2\0"s + numbers({1, 2, 3}) + orange + words("hello") + words("a")));
   EXPECT_TRUE(drawings.take(swap("a")));
-  const drawing::ExternalDrawings shown = drawings.shown();
+  const ExternalDrawings shown = drawings.shown();
   ASSERT_EQ(shown.groups.size(), 1U);
   const auto& shapes = shown.groups[0].shapes;
   ASSERT_EQ(shapes.size(), 5U);
@@ -94,12 +94,12 @@ TEST(drawing::RobovizDrawings, AllKindsOfShapes) {
   EXPECT_EQ(shapes[4].words, "hello");
 }
 
-TEST(drawing::RobovizDrawings, TextsAtRobots) {
-  drawing::RobovizDrawings drawings;
+TEST(RobovizDrawings, TextsAtRobots) {
+  RobovizDrawings drawings;
   EXPECT_TRUE(drawings.take("\2\1"s + '\1' + orange + words("striker")));
   EXPECT_TRUE(drawings.take("\2\1"s + '\x80' + orange + words("keeper")));
   const std::vector<std::string> teams{"", "blue", "blue", "", "red"};
-  const auto drawn = drawing::external_drawings(drawings.shown(), teams);
+  const auto drawn = external_drawings(drawings.shown(), teams);
   ASSERT_EQ(drawn.size(), 2U);
   EXPECT_EQ(drawn[0].entity, 2);
   EXPECT_EQ(drawn[0].groups[0].shapes[0].words, "striker");
@@ -110,60 +110,60 @@ TEST(drawing::RobovizDrawings, TextsAtRobots) {
   EXPECT_TRUE(drawings.take("\3\1"s)) << "selects a robot: taken, and nothing happens";
 }
 
-TEST(drawing::RobovizDrawings, NumbersAsJavaAndCWriteThem) {
+TEST(RobovizDrawings, NumbersAsJavaAndCWriteThem) {
   for (const char* text : {"1.5000", "  1.50", "1.5   ", "+1.500", "1.5e0 ", "1.5\0\0\0", "01.500"}) {
-    drawing::RobovizDrawings drawings;
+    RobovizDrawings drawings;
     const std::string x(text, 6);
     EXPECT_TRUE(drawings.take("\1\0"s + x + numbers({0, 1, 1}) + orange + words("a") + swap("a"))) << text;
     EXPECT_EQ(drawings.shown().groups.at(0).shapes[0].points[0].x, 1.5) << text;
   }
   for (const char* text : {"   nan", "inf   ", "1.5.00", "      ", "1e99  ", "--1.50", "0x1.80"}) {
-    drawing::RobovizDrawings drawings;
+    RobovizDrawings drawings;
     EXPECT_FALSE(drawings.take("\1\0"s + std::string(text, 6) + numbers({0, 1, 1}) + orange + words("a"))) << text;
   }
 }
 
-TEST(drawing::RobovizDrawings, WhatIsCutOffAnywhereIsRefused) {
+TEST(RobovizDrawings, WhatIsCutOffAnywhereIsRefused) {
   const std::string whole = circle("set") + swap("set");
   for (std::size_t size = 0; size < whole.size(); ++size) {
-    drawing::RobovizDrawings drawings;
+    RobovizDrawings drawings;
     EXPECT_EQ(drawings.take(whole.substr(0, size)), size == circle("set").size()) << size;
     EXPECT_TRUE(drawings.shown().groups.empty());
   }
 }
 
-TEST(drawing::RobovizDrawings, NonsenseIsNeverTooMuch) {
+TEST(RobovizDrawings, NonsenseIsNeverTooMuch) {
   std::mt19937 random(7);
-  drawing::RobovizDrawings drawings;
+  RobovizDrawings drawings;
   for (int i = 0; i < 20'000; ++i) {
     std::string packet = circle("s" + std::to_string(i)) + swap("");
     for (int k = 0; k < 3; ++k) packet[random() % packet.size()] = static_cast<char>(random());
     (void)drawings.take(packet);
   }
-  EXPECT_LE(drawings.shown().groups.size(), drawing::RobovizDrawings::most_sets);
-  drawing::RobovizDrawings full;
-  for (std::size_t i = 0; i < drawing::RobovizDrawings::most_shapes; ++i) EXPECT_TRUE(full.take(circle("a")));
+  EXPECT_LE(drawings.shown().groups.size(), RobovizDrawings::most_sets);
+  RobovizDrawings full;
+  for (std::size_t i = 0; i < RobovizDrawings::most_shapes; ++i) EXPECT_TRUE(full.take(circle("a")));
   EXPECT_FALSE(full.take(circle("a")));
   EXPECT_FALSE(full.take(circle("a") + swap("a"))) << "no place for one more";
   ASSERT_EQ(full.shown().groups.size(), 1U) << "but the swap behind it counts";
   EXPECT_TRUE(full.take(circle("a")));
 }
 
-TEST(drawing::RobovizDrawings, AllSetsTogetherAreNeverTooMuch) {
-  drawing::RobovizDrawings drawings;
+TEST(RobovizDrawings, AllSetsTogetherAreNeverTooMuch) {
+  RobovizDrawings drawings;
   const auto fill = [&](const std::string& set) {
     std::size_t taken = 0;
-    for (std::size_t i = 0; i < drawing::RobovizDrawings::most_shapes; ++i) taken += drawings.take(circle(set)) ? 1 : 0;
+    for (std::size_t i = 0; i < RobovizDrawings::most_shapes; ++i) taken += drawings.take(circle(set)) ? 1 : 0;
     return taken;
   };
   std::size_t waiting = 0;
   for (int set = 0; set < 30; ++set) waiting += fill("s" + std::to_string(set));
-  EXPECT_EQ(waiting, drawing::RobovizDrawings::most_in_all);
+  EXPECT_EQ(waiting, RobovizDrawings::most_in_all);
   EXPECT_FALSE(drawings.take(circle("other")));
   EXPECT_TRUE(drawings.take(swap("")));
   EXPECT_FALSE(drawings.take(circle("other"))) << "what is shown counts, too";
   EXPECT_TRUE(drawings.take(swap(""))) << "nothing was drawn since";
-  EXPECT_EQ(fill("other"), drawing::RobovizDrawings::most_shapes);
+  EXPECT_EQ(fill("other"), RobovizDrawings::most_shapes);
 }
 
 void send(std::uint16_t port, const std::string& packet) {
@@ -177,8 +177,8 @@ void send(std::uint16_t port, const std::string& packet) {
   ::close(socket);
 }
 
-TEST(drawing::RobovizServer, TakesPacketsAndCountsNonsense) {
-  drawing::RobovizServer door({"127.0.0.1", 0});
+TEST(RobovizServer, TakesPacketsAndCountsNonsense) {
+  RobovizServer door({"127.0.0.1", 0});
   ASSERT_NE(door.address().port, 0);
   send(door.address().port, "nonsense");
   send(door.address().port, "");
@@ -188,8 +188,8 @@ TEST(drawing::RobovizServer, TakesPacketsAndCountsNonsense) {
   EXPECT_EQ(door.ignored(), 2U);
   ASSERT_EQ(door.shown()->groups.size(), 1U);
   EXPECT_EQ(door.shown(), door.shown()) << "nothing new: the same";
-  EXPECT_THROW(drawing::RobovizServer({"127.0.0.1", door.address().port}), wire::WireError);
+  EXPECT_THROW(RobovizServer({"127.0.0.1", door.address().port}), wire::WireError);
 }
 
 }  // namespace
-}  // namespace murosimf::connect
+}  // namespace murosimf::drawing

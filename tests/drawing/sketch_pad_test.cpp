@@ -9,17 +9,17 @@
 #include "tests/fixtures.h"
 #include "tests/physics/rig.h"
 
-namespace murosimf::connect {
+namespace murosimf::drawing {
 namespace {
 
 using namespace std::chrono_literals;
 
 /// Control software that draws.
-class Painter final : public ControlSoftware {
+class Painter final : public connect::ControlSoftware {
  public:
   explicit Painter(std::function<void(Duration)> paint) : paint_(std::move(paint)) {}
-  CallOutcome start() override { return {}; }
-  CallOutcome step(Duration now) noexcept override {
+  connect::CallOutcome start() override { return {}; }
+  connect::CallOutcome step(Duration now) noexcept override {
     paint_(now);
     return {};
   }
@@ -31,23 +31,23 @@ class Painter final : public ControlSoftware {
 DrawnShape circle(double radius = 0.1) { return {.points = {{1, 2, 0}}, .size = radius}; }
 
 /// What stands there after `paint` was called with the port every 10 ms, for 50 ms.
-Drawings drawn(const std::function<void(RobotPort&, Duration)>& paint, std::uint64_t* hash = nullptr) {
+Drawings drawn(const std::function<void(connect::RobotPort&, Duration)>& paint, std::uint64_t* hash = nullptr) {
   test::Rig rig;
   Entity& robot = rig.add("robot", test::kid21());
-  rig.simulation.attach<ControllerTask>(
+  rig.simulation.attach<connect::ControllerTask>(
       "control_software", robot, 100,
-      [&](Setup&, RobotPort& port, const SayLine&) {
+      [&](Setup&, connect::RobotPort& port, const connect::SayLine&) {
         return std::make_unique<Painter>([&](Duration now) { paint(port, now); });
       },
-      ControllerTaskOptions{.software = "painter"});
+      connect::ControllerTaskOptions{.software = "painter"});
   rig.attach_dynamics(robot, {.level = "simplified_dynamics"});
   rig.simulation.run(50ms);
   if (hash) *hash = rig.simulation.state_hash();
   return robot.find(properties::drawings)->values[0];
 }
 
-TEST(drawing::SketchPad, KeepsTheLastGroupOfEachName) {
-  const Drawings all = drawn([](RobotPort& port, Duration now) {
+TEST(SketchPad, KeepsTheLastGroupOfEachName) {
+  const Drawings all = drawn([](connect::RobotPort& port, Duration now) {
     EXPECT_TRUE(port.draw({.name = "way", .shapes = {circle(seconds(now))}}));
     EXPECT_TRUE(now != 10ms || port.draw({.name = "ball", .of_robot = true, .shapes = {circle(), circle()}}));
     EXPECT_TRUE(now != 20ms || port.draw({.name = "gone", .shapes = {circle()}}));
@@ -64,15 +64,15 @@ TEST(drawing::SketchPad, KeepsTheLastGroupOfEachName) {
   EXPECT_EQ(all.changes, 8U);
 }
 
-TEST(drawing::SketchPad, IsNoPartOfTheState) {
+TEST(SketchPad, IsNoPartOfTheState) {
   std::uint64_t with = 0, without = 0;
-  (void)drawn([](RobotPort& port, Duration) { (void)port.draw({.name = "a", .shapes = {circle()}}); }, &with);
-  (void)drawn([](RobotPort&, Duration) {}, &without);
+  (void)drawn([](connect::RobotPort& port, Duration) { (void)port.draw({.name = "a", .shapes = {circle()}}); }, &with);
+  (void)drawn([](connect::RobotPort&, Duration) {}, &without);
   EXPECT_EQ(with, without);
 }
 
-TEST(drawing::SketchPad, RefusesWhatIsTooMuchOrHasNoSense) {
-  const Drawings all = drawn([](RobotPort& port, Duration now) {
+TEST(SketchPad, RefusesWhatIsTooMuchOrHasNoSense) {
+  const Drawings all = drawn([](connect::RobotPort& port, Duration now) {
     if (now != Duration{}) return;
     const auto refused = [&](DrawnShape shape) { return !port.draw({.name = "a", .shapes = {std::move(shape)}}); };
     EXPECT_TRUE(refused({.points = {}}));
@@ -82,17 +82,16 @@ TEST(drawing::SketchPad, RefusesWhatIsTooMuchOrHasNoSense) {
     EXPECT_TRUE(refused({.points = {{0, 0, 0}}, .opacity = std::nan("")}));
     EXPECT_TRUE(refused({.kind = static_cast<DrawnShape::Kind>(6), .points = {{0, 0, 0}}}));
     EXPECT_TRUE(refused({.kind = DrawnShape::text, .points = {{0, 0, 0}}, .words = std::string(1001, 'a')}));
-    EXPECT_TRUE(refused({.kind = DrawnShape::dots, .points = std::vector<Vec3d>(drawing::SketchPad::most_points + 1)}));
-    EXPECT_FALSE(
-        port.draw({.name = "a", .shapes = std::vector<DrawnShape>(drawing::SketchPad::most_shapes + 1, circle())}));
-    for (std::size_t i = 0; i < drawing::SketchPad::most_groups; ++i) {
+    EXPECT_TRUE(refused({.kind = DrawnShape::dots, .points = std::vector<Vec3d>(SketchPad::most_points + 1)}));
+    EXPECT_FALSE(port.draw({.name = "a", .shapes = std::vector<DrawnShape>(SketchPad::most_shapes + 1, circle())}));
+    for (std::size_t i = 0; i < SketchPad::most_groups; ++i) {
       EXPECT_TRUE(port.draw({.name = std::to_string(i), .shapes = {circle()}}));
     }
     EXPECT_FALSE(port.draw({.name = "one more", .shapes = {circle()}}));
     EXPECT_TRUE(port.draw({.name = "7", .shapes = {circle(0.5)}}));
   });
-  EXPECT_EQ(all.groups.size(), drawing::SketchPad::most_groups);
+  EXPECT_EQ(all.groups.size(), SketchPad::most_groups);
 }
 
 }  // namespace
-}  // namespace murosimf::connect
+}  // namespace murosimf::drawing

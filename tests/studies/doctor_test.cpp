@@ -14,7 +14,7 @@
 namespace murosimf {
 namespace {
 
-using namespace series;
+using namespace studies;
 
 DoctorOptions of(const std::string& text, std::vector<std::string> dimensions) {
   DoctorOptions options{.scene = fixtures::write_scene(text), .dimensions = std::move(dimensions)};

@@ -17,7 +17,7 @@
 namespace murosimf {
 namespace {
 
-using namespace series;
+using namespace studies;
 
 SweepOptions walks(const std::string& file = {}) {
   SweepOptions options{.scene = "walk",
