@@ -81,10 +81,10 @@ TEST(FirstDay, SaysWhichProgramItIs) {
 
 TEST(FirstDay, EveryJsonHasASchema) {
   EXPECT_TRUE(first_day_has(murosimf("run walk --duration 0.1 --json -").output, "\"schema\": \"murosimf/run/1\""));
-  EXPECT_TRUE(first_day_has(murosimf("check kid21 --json -").output, "\"murosimf/robot/1\""));
+  EXPECT_TRUE(first_day_has(murosimf("check kid21 --json -").output, "\"murosimf/check/1\""));
   EXPECT_TRUE(first_day_has(
       murosimf("compare walk --entity walker --levels kinematic_walking --duration 0.1 --repeat 1 --json -").output,
-      "\"murosimf/studies/1\""));
+      "\"murosimf/compare/1\""));
   EXPECT_TRUE(first_day_has(murosimf("replay-servo " + data_folder + "recordings --servo xl330 --json -").output,
                             "\"murosimf/replay-servo/1\""));
 }

@@ -227,8 +227,8 @@ TEST(LibrarySoftware, MayRefuseItsRobot) {
   EXPECT_TRUE(fixtures::says(refusal("controller_1.so", {"options.signal=imu.gyroscop"}),
                              {"unknown signal 'imu.gyroscop'; did you mean 'imu.gyroscope'?"}));
   EXPECT_TRUE(fixtures::says(refusal("controller_1.so", {"options.error=create"}), {"its create threw: no memory"}));
-  EXPECT_TRUE(fixtures::says(refusal("controller_1.so", {"options.mistak=far"}),
-                             {"unknown option of library '", "'mistak'; did you mean 'error'?"}));
+  EXPECT_TRUE(fixtures::says(refusal("controller_1.so", {"options.eror=far"}),
+                             {"unknown option of library '", "'eror'; did you mean 'error'?"}));
   EXPECT_TRUE(fixtures::says(refusal("controller_1.so", {"options.at=early"}),
                              {"the option 'at' is a text; it must be a number"}));
 }
