@@ -1,11 +1,11 @@
 #include "murosimf/motion/moving_tree.h"
 
 #include <algorithm>
-#include <cassert>
 
 #include <fmt/format.h>
 
 #include "murosimf/collision/contact_properties.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/fixed_base.h"
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/multibody/integrate.h"

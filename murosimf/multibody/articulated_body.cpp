@@ -1,7 +1,6 @@
 #include "murosimf/multibody/articulated_body.h"
 
-#include <cassert>
-
+#include "murosimf/math/assert.h"
 #include "murosimf/math/pack.h"
 #include "murosimf/multibody/articulated_parts.h"
 #include "murosimf/multibody/span_sizes.h"
@@ -27,7 +26,7 @@ void add_load(ArticulatedLink<S>& body, const Wrench<S>& force, const Sym6<S>& d
 template <class S>
 void sweep_to_base(const Tree& tree, std::span<const LinkMotion<S>> links,
                    std::span<ArticulatedLink<S>> bodies) noexcept {
-  assert(one_row_per_link(tree, links, bodies));
+  MUROSIMF_ASSERT(one_row_per_link(tree, links, bodies));
   for (std::size_t l = links.size() - 1; l > 0; --l) {
     ArticulatedLink<S>& body = bodies[l];
     const Twist<S>& s = links[l].axis;
@@ -44,7 +43,7 @@ void sweep_to_base(const Tree& tree, std::span<const LinkMotion<S>> links,
 template <class S>
 void accelerate(const Tree& tree, std::span<const LinkMotion<S>> links, std::span<ArticulatedLink<S>> bodies,
                 const Twist<S>& base) noexcept {
-  assert(one_row_per_link(tree, links, bodies));
+  MUROSIMF_ASSERT(one_row_per_link(tree, links, bodies));
   bodies[0].acceleration = base;
   for (std::size_t l = 1; l < links.size(); ++l) {
     ArticulatedLink<S>& body = bodies[l];

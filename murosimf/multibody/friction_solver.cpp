@@ -1,7 +1,6 @@
 #include "murosimf/multibody/friction_solver.h"
 
-#include <cassert>
-
+#include "murosimf/math/assert.h"
 #include "murosimf/math/pack.h"
 #include "murosimf/multibody/articulated_parts.h"
 #include "murosimf/multibody/gear_friction.h"
@@ -116,7 +115,7 @@ MUROSIMF_INLINE auto is_wrong(const FrictionalJoint<S>& j) {
 template <class S>
 void sweep_with_friction(const Tree& tree, std::span<const LinkMotion<S>> links, std::span<ArticulatedLink<S>> bodies,
                          std::span<FrictionalJoint<S>> joints, Loads loads, double dt) noexcept {
-  assert(one_row_per_link(tree, links, bodies, joints));
+  MUROSIMF_ASSERT(one_row_per_link(tree, links, bodies, joints));
   if (loads != Loads::of_repeated_pass) find_shares(joints);
   for (std::size_t l = links.size() - 1; l > 0; --l) {
     ArticulatedLink<S>& body = bodies[l];
@@ -138,7 +137,7 @@ void sweep_with_friction(const Tree& tree, std::span<const LinkMotion<S>> links,
 template <class S>
 S accelerate_with_friction(const Tree& tree, std::span<const LinkMotion<S>> links, std::span<ArticulatedLink<S>> bodies,
                            std::span<FrictionalJoint<S>> joints, const Twist<S>& base) noexcept {
-  assert(one_row_per_link(tree, links, bodies, joints));
+  MUROSIMF_ASSERT(one_row_per_link(tree, links, bodies, joints));
   bodies[0].acceleration = base;
   S wrong = 0.0;
   for (std::size_t l = 1; l < links.size(); ++l) {

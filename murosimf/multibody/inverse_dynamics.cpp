@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/math/pack.h"
 #include "murosimf/multibody/span_sizes.h"
 
@@ -14,7 +14,7 @@ void inverse_dynamics(const Tree& tree, std::span<const LinkMotion<S>> links, co
                       std::span<const S> qdd, std::span<const Wrench<S>> external, std::span<Wrench<S>> force,
                       std::span<S> torque) noexcept {
   // a'_i = a'_0 + sum of s qdd on the way; the sums are kept where the forces go: first as motions
-  assert(one_row_per_link(tree, links, qdd, external, force, torque));
+  MUROSIMF_ASSERT(one_row_per_link(tree, links, qdd, external, force, torque));
   const auto count = links.size();
   for (std::size_t l = 0; l < count; ++l) {
     const Link& link = tree.links[l];
@@ -39,7 +39,7 @@ void inverse_dynamics(const Tree& tree, std::span<const LinkMotion<S>> links, co
 template <class S>
 Wrench<S> base_bias(const Tree& tree, std::span<const LinkMotion<S>> links, std::span<const S> qdd,
                     std::span<Twist<S>> working) noexcept {
-  assert(one_row_per_link(tree, links, qdd, working));
+  MUROSIMF_ASSERT(one_row_per_link(tree, links, qdd, working));
   working[0] = {};
   Wrench<S> sum = links[0].bias_force;
   for (std::size_t l = 1; l < links.size(); ++l) {
@@ -60,7 +60,7 @@ std::array<double, 6> numbers(const Wrench<double>& force) {
 void mass_matrix(const Tree& tree, std::span<const LinkMotion<double>> links, std::span<RigidInertia<double>> composite,
                  std::span<double> M) noexcept {
   const std::size_t size = 6 + links.size() - 1;
-  assert(M.size() == size * size && one_row_per_link(tree, links, composite));
+  MUROSIMF_ASSERT(M.size() == size * size && one_row_per_link(tree, links, composite));
   std::fill(M.begin(), M.end(), 0.0);
   const auto set = [&](std::size_t row, std::size_t column, double value) {
     M[row * size + column] = M[column * size + row] = value;

@@ -1,7 +1,6 @@
 #include "murosimf/multibody/kinematics.h"
 
-#include <cassert>
-
+#include "murosimf/math/assert.h"
 #include "murosimf/math/pack.h"
 #include "murosimf/multibody/joint_axis.h"
 #include "murosimf/multibody/span_sizes.h"
@@ -48,7 +47,7 @@ MUROSIMF_INLINE void place_fixed(const FixedObject& fixed, const Vec3<S>& r_link
 
 template <class S>
 void poses(const Tree& tree, std::span<const S> q, std::span<Vec3<S>> r, std::span<Mat3<S>> R) noexcept {
-  assert(one_row_per_object(tree, q, r, R));
+  MUROSIMF_ASSERT(one_row_per_object(tree, q, r, R));
   for (std::size_t l = 1; l < tree.links.size(); ++l) {
     const Link& link = tree.links[l];
     const int p = tree.links[link.parent].object;
@@ -63,7 +62,7 @@ void poses(const Tree& tree, std::span<const S> q, std::span<Vec3<S>> r, std::sp
 template <class S>
 Transform<S> pose_in_base(const Tree& tree, std::span<const int> path, const FixedObject& object,
                           std::span<const S> q) noexcept {
-  assert(one_row_per_object(tree, q));
+  MUROSIMF_ASSERT(one_row_per_object(tree, q));
   Transform<S> link_pose;
   for (const int l : path) {
     Transform<S> next;
@@ -79,7 +78,7 @@ Transform<S> pose_in_base(const Tree& tree, std::span<const int> path, const Fix
 template <class S>
 Twist<S> twist_against_base(const Tree& tree, std::span<const int> path, const Vec3<S>& at, std::span<const S> qd,
                             std::span<const Vec3<S>> r, std::span<const Mat3<S>> R) noexcept {
-  assert(one_row_per_object(tree, qd, r, R));
+  MUROSIMF_ASSERT(one_row_per_object(tree, qd, r, R));
   Twist<S> twist;
   for (const int l : path) {
     const Link& link = tree.links[l];
@@ -97,7 +96,7 @@ Twist<S> twist_against_base(const Tree& tree, std::span<const int> path, const V
 template <class S>
 void velocities(const Tree& tree, std::span<const S> qd, std::span<const Vec3<S>> r, std::span<const Mat3<S>> R,
                 std::span<Vec3<S>> v, std::span<Vec3<S>> w) noexcept {
-  assert(one_row_per_object(tree, qd, r, R, v, w));
+  MUROSIMF_ASSERT(one_row_per_object(tree, qd, r, R, v, w));
   for (std::size_t l = 1; l < tree.links.size(); ++l) {
     const Link& link = tree.links[l];
     const int i = link.object;

@@ -1,8 +1,8 @@
 #include "murosimf/multibody/link_motion.h"
 
-#include <cassert>
 #include <vector>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/math/pack.h"
 #include "murosimf/multibody/joint_axis.h"
 #include "murosimf/multibody/span_sizes.h"
@@ -65,7 +65,7 @@ MUROSIMF_INLINE void add_mass(const Link& link, const Vec3<S>& d, const Mat3<S>&
 template <class S>
 void link_motions(const Tree& tree, std::span<const Vec3<S>> r, std::span<const Mat3<S>> R, const Vec3<S>& w,
                   std::span<const S> qd, std::span<LinkMotion<S>> links) noexcept {
-  assert(one_row_per_link(tree, links) && one_row_per_object(tree, r, R, qd));
+  MUROSIMF_ASSERT(one_row_per_link(tree, links) && one_row_per_object(tree, r, R, qd));
   links[0].axis = links[0].bias = {};
   links[0].velocity = {w, {}};
   add_mass(tree.links[0], Vec3<S>{}, R[0], links[0]);

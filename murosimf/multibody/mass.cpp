@@ -1,7 +1,6 @@
 #include "murosimf/multibody/mass.h"
 
-#include <cassert>
-
+#include "murosimf/math/assert.h"
 #include "murosimf/math/pack.h"
 #include "murosimf/multibody/span_sizes.h"
 
@@ -10,7 +9,7 @@ namespace murosimf::multibody {
 template <class S>
 CommonBody<S> common_body(const Tree& tree, std::span<const Vec3<S>> r, std::span<const Mat3<S>> R,
                           std::span<const Vec3<S>> v, std::span<const Vec3<S>> w) noexcept {
-  assert(one_row_per_object(tree, r, R, v, w));
+  MUROSIMF_ASSERT(one_row_per_object(tree, r, R, v, w));
   // moments of mass about the base first: one pass, then moved to the common center
   CommonBody<S> body;
   body.mass = tree.mass;
