@@ -10,7 +10,9 @@ template <class S>
 CommonBody<S> common_body(const Tree& tree, std::span<const Vec3<S>> r, std::span<const Mat3<S>> R,
                           std::span<const Vec3<S>> v, std::span<const Vec3<S>> w) noexcept {
   MUROSIMF_ASSERT(one_row_per_object(tree, r, R, v, w));
-  // moments of mass about the base first: one pass, then moved to the common center
+  MUROSIMF_ASSERT(tree.mass > 0);
+  // moments of mass about the base first: one pass, then moved to the common center; relative to the base, so that no digits
+  // are lost far from the world's origin
   CommonBody<S> body;
   body.mass = tree.mass;
   const Vec3<S> origin = r[0];
