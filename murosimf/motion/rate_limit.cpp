@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
@@ -12,6 +13,7 @@
 namespace murosimf::motion {
 
 RateLimit rate_limit(const Servo& servo, double rate) {
+  MUROSIMF_ASSERT(rate > 0);
   constexpr double share = 0.02;  // [1] of the rate in which the line falls to nothing
   RateLimit limit{.rate = rate};
   if (servo.stall_torque > 0) {

@@ -37,8 +37,8 @@ MUROSIMF_INLINE void place_joint(const Link& link, const S& q, const Vec3<S>& r_
   }
 }
 
-template <class S>
 /// Pose (r, R) of an object that is fixed to a link, from the link's pose.
+template <class S>
 MUROSIMF_INLINE void place_fixed(const FixedObject& fixed, const Vec3<S>& r_link, const Mat3<S>& R_link, Vec3<S>& r,
                                  Mat3<S>& R) {
   r = r_link + R_link * fixed.offset;

@@ -62,8 +62,8 @@ struct MotorInput {
   S limit = std::numeric_limits<double>::infinity();  ///< [N m] of the motor, by software
 };
 
-template <class S>
 /// x limited to the range from low to high; NaN stays NaN.
+template <class S>
 [[nodiscard]] S clamped(const S& x, const S& low, const S& high) {
   const S cut = select(x < low, low, x);
   return select(cut > high, high, cut);
