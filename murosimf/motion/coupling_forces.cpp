@@ -103,6 +103,7 @@ void CouplingForces::count_at_leaders(std::span<double> moved) noexcept {
                     static_cast<std::size_t>(rod.follower) < moved.size());
     const double leader = moved[rod.leader], ratio = joints_.pairs()[i].ratio;
     if (moved[rod.follower] > least_inertia || !(leader > least_inertia)) continue;
+    // seen from the leader, by the square of the ratio
     rod.trace = trace_share * leader / (ratio * ratio);
     moved[rod.follower] = leader;
   }
@@ -192,6 +193,7 @@ void CouplingForces::fill_right_side(const MovingTree& tree, std::span<const mul
   const PoseColumns& columns = tree.columns;
   for (std::size_t i = 0; i < rods_.size(); ++i) {
     const auto& pair = joints_.pairs()[i];
+    // implicit Euler of spring and damper: the error at the end of the step, see the header
     const double e = columns.q[pair.follower] - pair.offset - pair.ratio * columns.q[pair.leader];
     const double rate = columns.qd[pair.follower] + h * bodies[rods_[i].follower].joint_acceleration -
                         pair.ratio * (columns.qd[pair.leader] + h * bodies[rods_[i].leader].joint_acceleration);
@@ -263,6 +265,7 @@ void CouplingForces::hold(collision::ResponseRows& y, std::size_t first) const n
   }
   for (std::size_t k = 0; k < coordinates_; ++k) {
     for (std::size_t i = 0; i < size(); ++i) dense_[k] -= rows_[i * coordinates_ + k] * answer_[i];
+    // zeros stay out: sweeps of the island solver cost by the number
     if (!is_zero(dense_[k])) y.add(static_cast<int>(k), dense_[k]);
   }
 }

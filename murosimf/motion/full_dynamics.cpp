@@ -184,6 +184,7 @@ void FullDynamics::find_torques(const Instant& instant) noexcept {
   tree_.for_loads(seconds(instant.period), [&](int link, const Wrenchd& load, const Sym6d& damping) {
     link_force_[link] += damping * (base_ + joint_motion_[link]) - load;
   });
+  // children before parents: link_force_ then holds the whole load of the joint
   for (std::size_t l = links.size() - 1; l > 0; --l) {
     const int i = links[l].object;
     joint_torque_[i] = dot(tree_.links[l].axis, link_force_[l]) + rotor_[l] * joint_acceleration_[l] -

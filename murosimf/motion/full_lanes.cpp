@@ -83,6 +83,7 @@ void FullLanes::end(LaneMask lanes, const Instant& instant) noexcept {
     together &= ~lane_bit(lane);
     member(lane).tree_.halt(joints_insane);
   });
+  // before the bases move: torques belong to the poses at the beginning of the step
   find_torques(together);
   for_lanes(together, [&](int lane) {
     member(lane).watch_torques(instant);

@@ -33,6 +33,7 @@ JointDrives::JointDrives(Setup& setup, const std::string& law)
     joints_[i].stop = joint_stop(setup.model(), i, lowest, highest, bus_.coupled().pairs());
     const Servo* servo = setup.model().find(properties::servo, i);
     if (servo) joints_[i].rate_limit = rate_limit(*servo, bus_.coupled().rate_limit(i));
+    // few servos have memory: only these cost a call at the end of the step
     if (backlash_.at(i) || condition_.heats(i)) remembering_.push_back(i);
   }
 }
@@ -106,6 +107,7 @@ JointDrive JointDrives::drive(int i, double q, double qd, double dt,
 
 /// Explicit steps have no budget to spend: friction becomes a damper (passive_joint.h).
 void JointDrives::brake_explicitly(multibody::FrictionalJoint<double>& joint) noexcept {
+  // the share of F that the damper gives at this rate: 1 but near rest
   const double share = coulomb_damping(1, joint.rate) * std::abs(joint.rate);
   joint.budget = joint.coulomb *= share;
   if (joint.gear) {

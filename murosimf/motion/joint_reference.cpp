@@ -92,6 +92,7 @@ void JointReference::take_over(const PoseColumns& columns) noexcept {
   const double before = std::exchange(kind_, number_of(options_.kind));
   if (before == kind_) return;
   std::fill(offset_.begin(), offset_.end(), 0.0);
+  // servos let joints sag under load: catching up at once would throw the robot up
   const bool after_servos = !(before >= 1);  // a new column may hold NaN
   catch_up_time_ = after_servos && options_.carries ? catch_up_time : 0;
   for (const int i : turning_.others()) {
@@ -184,6 +185,7 @@ bool JointReference::is_sane(const PoseColumns& columns) const noexcept {
 bool JointReference::advance(PoseColumns& columns, double dt) noexcept {
   MUROSIMF_ASSERT(dt > 0 && columns.q.size() == target_.size());
   if (!is_sane(columns)) return false;
+  // before anything moves: passive joints continue on their present branch
   of_loops_.keep(columns.q);
   switch (options_.kind) {
     case ReferenceKind::filter:
@@ -228,6 +230,7 @@ void JointReference::check(Integrator integrator) const {
 
 void JointReference::filter(PoseColumns& columns, double dt) noexcept {
   const double wf = options_.filter_frequency;
+  // implicit in q and qd: stable for any product of step and frequency
   const double inverse = 1.0 / (1 + 2 * wf * dt + wf * wf * dt * dt);
   for (const int i : turning_.others()) {
     double& q = columns.q[i];
@@ -255,6 +258,7 @@ void JointReference::fall_behind(const PoseColumns& columns, int joint) noexcept
 }
 
 void JointReference::turn(PoseColumns& columns, double dt) const noexcept {
+  // implicit Euler of the first-order lag
   const double gain = dt * options_.filter_frequency / (1 + options_.filter_frequency * dt);
   for (const int i : turning_.joints()) {
     columns.qd[i] = limited_rate(i, columns.qd[i] + gain * (turning_.target(i) - columns.qd[i]));

@@ -98,8 +98,10 @@ JointStop joint_stop(const Model& model, int joint, double lowest, double highes
   const double k = slider ? std::max(stall, weight) / shift : std::max(stall, 0.1 * weight) / bend;
   const double inertia = moved_inertia(model, joint, coupled);
   MUROSIMF_ASSERT(inertia >= 0);
+  // stiff enough for the static load and for the kinetic energy of an arriving limb
   const double firm = std::max(k, inertia * frequency * frequency);
   JointStop stop{lowest, highest, {firm, firm * damping_time}, {k, k * damping_time}};
+  // a servo damps the joint itself, so the explicit spring can be the softer one
   if (servo) return stop;
   const double soft = std::max(k, inertia * free_frequency * free_frequency);
   stop.explicitly = {soft, soft * free_damping_time};

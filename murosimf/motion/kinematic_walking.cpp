@@ -243,6 +243,7 @@ void KinematicWalking::keep_moving() noexcept {
 void KinematicWalking::swap_if_other_foot_lands() noexcept {
   const int other = stance_foot_ != 0 ? 0 : 1;
   MUROSIMF_ASSERT(feet_[0].object != feet_[1].object);
+  // a sole that still turns moves its ends: less than that is no landing of the other foot
   const double still_to_turn = norm(remaining_turn_) * standing_foot().sole.half_length;
   const double lower = penetration - std::min(largest_margin, still_to_turn);
   if (clearance(feet_[other], ground_below(other)) >= clearance(standing_foot(), stance_ground()) + lower) return;
@@ -277,6 +278,7 @@ void KinematicWalking::fade_remainder(double dt) noexcept {
   constexpr double nothing = 1e-9;  // [m | rad], also in a second; below it exactly 0, so that it leaves the state hash
   if (const double rate = dot(remaining_twist_.w, remaining_twist_.w) + dot(remaining_twist_.v, remaining_twist_.v);
       rate != 0) {
+    // implicit Euler: decays for any step
     remaining_twist_ = (rate > nothing * nothing ? 1 / (1 + dt / stopping_time) : 0) * remaining_twist_;
     remaining_turn_ += dt * remaining_twist_.w;
     remaining_shift_ += dt * remaining_twist_.v;

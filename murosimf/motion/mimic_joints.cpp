@@ -61,6 +61,7 @@ MimicJoints::Pair MimicJoints::pair(const Model& model, int follower) const {
   if (!model.objects()[follower].is_joint()) refuse(model, follower, "it is no joint");
   Pair pair{follower, follower, 1, 0};
   for (int i = 0; const JointCoupling* next = model.find(properties::joint_coupling, pair.leader); ++i) {
+    // more couplings than objects: a circle
     if (i == model.size()) refuse(model, follower, "it follows itself");
     const int leader = leader_of(model, pair.leader, *next);
     pair = {follower, leader, pair.ratio * next->ratio, pair.offset + pair.ratio * next->offset};
@@ -104,6 +105,7 @@ multibody::LoopJoints joints_of_loops(const Model& model) {
   std::vector<bool> follows(static_cast<std::size_t>(model.size()));
   std::vector<double> start(follows.size());
   for (const int joint : model.joints()) {
+    // a servo drives its joint unless the linkage is commanded elsewhere
     const bool driven = model.find(properties::servo, joint) && !is_led(joint);
     const bool leads = driven || std::ranges::count(commanded, joint) > 0;
     follows[joint] = !leads && !model.find(properties::joint_coupling, joint);

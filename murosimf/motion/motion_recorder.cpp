@@ -61,6 +61,7 @@ void MotionRecorder::find_servos(const Model& model) {
   for (const int object : model.having(properties::servo)) {
     const Servo& servo = *model.find(properties::servo, object);
     const bool can_saturate = servo.stall_torque > 0 && servo.position_gain > 0;
+    // the error at which a P controller requests its whole duty
     const double full_at = can_saturate ? servo.duty_limit * servo.stall_torque / servo.position_gain : 1e300;
     servos_.push_back({object, full_at, servo.torque_limit});
   }
@@ -138,6 +139,7 @@ double MotionRecorder::slip(std::size_t foot) noexcept {
   double way = 0, load = 0;
   for (const Grip& grip : now) {
     for (const Grip& before : grips_[foot]) {
+      // the same point of the same shape: its motion is slip
       if (before.feature != grip.feature) continue;
       const Vec3d moved = grip.point - before.point;
       way += grip.load * std::hypot(moved.x, moved.y);

@@ -72,6 +72,7 @@ void MovingTree::state(StateArchive& archive) {
   archive(changed);
   if (!archive.loads()) return;
   update_links();
+  // a restored run takes the same branch in its next step as the recorded one
   changed ? written_.forget() : written_.remember(columns);
 }
 
@@ -107,6 +108,7 @@ void MovingTree::update_links() noexcept {
   multibody::link_motions<double>(columns.model.tree(), columns.r, columns.R, columns.w[0], columns.qd, links);
   whole_ = multibody::composite_inertia<double>(links);
   MUROSIMF_ASSERT(!(whole_.mass <= 0));
+  // the composite body about its own center, from moments about the base
   const Vec3d c = (1 / whole_.mass) * whole_.first;
   total_mass_ = whole_.mass;
   center_ = columns.r[0] + c;

@@ -53,6 +53,7 @@ void Odometer::measure_distance() noexcept {
 
 void Odometer::watch_falls() noexcept {
   const double cos_lean = (R_[0] * up_at_start_).z;
+  // hysteresis between 60 and 30 degrees: a rocking robot counts once
   if (lying_ == 0 && cos_lean < cos_fallen) {
     lying_ = 1;
     falls_ += 1;

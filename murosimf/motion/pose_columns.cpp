@@ -84,6 +84,7 @@ void place_at_start(PoseColumns& columns, const Entity& entity) noexcept {
   columns.r[0] = {};
   columns.R[0] = Mat3d{};
   columns.update_poses();
+  // robots stand on their first sole, unless the base is to be level or bolted
   const bool fixed = has_fixed_base(model);
   if (const auto soles = model.having(properties::sole); !soles.empty() && !options.base_level && !fixed) {
     columns.R[0] = transpose(columns.R[soles.front()]);

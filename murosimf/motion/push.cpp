@@ -49,6 +49,7 @@ void Push::state(StateArchive& archive) { archive(pushes_, pushed_); }
 Wrenchd Push::sum_for(const Pushed& pushed, const Instant& instant) const noexcept {
   Wrenchd sum;
   for (const TimedPush& push : pushes_) {
+    // a push that ends within the step acts with that share of its force: its impulse is exact
     const double share = push.object == pushed.object ? share_of_step(push, instant) : 0;
     if (share == 0) continue;
     const Vec3d arm = R_[pushed.object] * pushed.center;

@@ -20,6 +20,7 @@ RateLimit rate_limit(const Servo& servo, double rate) {
     limit.most = servo.stall_torque;
     limit.line = servo.stall_torque / (share * rate);
   } else {
+    // no stall torque to scale by: a line much steeper than the controller, but still soft against the step
     limit.line = 10 * std::max(servo.velocity_gain, 0.05 * servo.position_gain);
   }
   return limit;

@@ -21,6 +21,7 @@ void RigidLanes::step(LaneMask due, const Instant& instant) noexcept {
   for_lanes(due, [&](int lane) {
     SimplifiedDynamics& robot = member(lane);
     const auto course = robot.find_course(instant);
+    // frozen robots leave the lanes
     if (!course.sane) return;
     lanes |= lane_bit(lane);
     robot.turn(course.body);

@@ -28,6 +28,7 @@ std::vector<Share> saturated_joints(const Entity& entity) {
     const double share = saturated->values[i] / watched->values[0];
     if (share >= worth_a_word) shares.push_back({i, share});
   }
+  // the worst first; equal ones in the order of the model
   std::ranges::stable_sort(shares, std::greater{}, &Share::of_time);
   return shares;
 }

@@ -41,6 +41,7 @@ class IdealPd final : public ServoLaw {
     const double low = std::max(lowest_, -in.limit), high = std::max(low, std::min(highest_, in.limit));
     // the software's limit narrows the servo's own; `high` is at least `low`, as std::clamp requires
     const double error = by_rate_ ? 0 : position_error(in);
+    // within the dead band the spring is slack
     const double stiffness = error == 0 && servo_.dead_band > 0 ? 0 : kp;
     const double wanted = by_rate_ ? kd * (in.target - in.rate) : kp * error - kd * in.rate;
     const multibody::TorqueLine<double> free{wanted - dt * stiffness * in.rate, dt * kd + dt * dt * stiffness};
@@ -114,6 +115,7 @@ Servo with_law(const Servo& servo, std::string_view law) {
   if (law.empty() || law == servo.law) return other;
   other.law = law;
   if (law == "ideal_pd" && servo.velocity_gain == 0 && servo.no_load_speed > 0) {
+    // the slope of the speed-torque line
     other.velocity_gain = servo.stall_torque / servo.no_load_speed;
   }
   return other;

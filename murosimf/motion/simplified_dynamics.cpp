@@ -76,6 +76,7 @@ void SimplifiedDynamics::take_over(const Momentum& momentum) {
   if (fixed_) {
     follow_fixed_base();
   } else {
+    // the angular momentum of limbs counts as that of the whole body
     columns_.w[0] = inverse(inertia_) * momentum.angular;
     columns_.update_velocities();
     velocity_ = (1 / mass_) * momentum.linear;
@@ -206,6 +207,7 @@ void SimplifiedDynamics::step_rk4(double dt) noexcept {
   reference_.stop_at_limits(columns_);
   place(end);
   columns_.remember_base();
+  // after the poses are back at the last sane state
   if (!sane) return halt(too_fast);
 }
 
@@ -249,6 +251,7 @@ bool SimplifiedDynamics::free_pass(double dt) noexcept {
   begin_step(dt);
   solve(dt);
   if (!fixed_) factor_.emplace(matrix_);  // for the responses to impulses of the island
+  // checked before others rely on the answers of this entity
   return reference_.is_sane(columns_) && is_sane(acceleration_, dt);
 }
 

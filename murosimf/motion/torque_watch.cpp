@@ -35,6 +35,7 @@ void TorqueWatch::look(const Instant& instant, std::span<const double> torque, s
   const double share = seconds(instant.period) / (smoothing + seconds(instant.period));
   for (const Joint& joint : joints_) {
     const int i = joint.object;
+    // first-order filter, implicit: stable for any step
     need_[i] += share * (torque[i] - need_[i]);
     const double needed = std::abs(need_[i]);
     const Overload& worst = overload_[i];

@@ -112,6 +112,7 @@ void TreeLanes::look_for_loads(LaneMask lanes) noexcept {
       bits.add<4>(&dampings[k][i].J.xx);  // what is_zero asks for, the diagonals, and one number more
       bits.add<4>(&dampings[k][i].M.xx);
     }
+    // touching bodies stay in the list even while their force is zero: later passes may load them
     if (is_busy_[i] || bits.of_other_than_zeros()) busy_.push_back(i);
   }
 }
@@ -245,6 +246,7 @@ void TreeLanes::finish_step(LaneMask lanes, LaneMask with_links) noexcept {
     tree.has_own_links_ = has_lane(with_links, lane);
   });
   put_back_links(lanes & with_links);
+  // the next step may skip reading these lanes
   fresh_ = lanes;
 }
 

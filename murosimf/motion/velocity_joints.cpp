@@ -23,6 +23,7 @@ VelocityJoints::VelocityJoints(Setup& setup)
       highest_[i] = range->y;
     }
     (turns ? joints_ : others_).push_back(i);
+    // only hinges without ends can turn for ever; sliders and limited hinges keep their position
     const bool hinge = model.objects()[i].kind == Kind::revolute;
     if (turns && hinge && !model.find(properties::joint_range, i)) endless_.push_back(i);
   }
