@@ -1,7 +1,8 @@
 #include "murosimf/collision/contact.h"
 
 #include <algorithm>
-#include <cassert>
+
+#include "murosimf/math/assert.h"
 
 namespace murosimf::collision {
 
@@ -67,7 +68,7 @@ SymMat3d damping_matrix(const ContactPoint& c) {
 
 void write_loads(const ContactSet& set, std::span<const Vec3d> r, std::span<Wrenchd> external_force,
                  std::span<Sym6d> external_damping) noexcept {
-  assert(external_force.size() == r.size() && external_damping.size() == r.size());
+  MUROSIMF_ASSERT(external_force.size() == r.size() && external_damping.size() == r.size());
   for (const int object : set.loaded) {
     external_force[object] = set.rest_force[object];
     external_damping[object] = Sym6d{};
@@ -87,7 +88,7 @@ void write_loads(const ContactSet& set, std::span<const Vec3d> r, std::span<Wren
 }
 
 void write_final_forces(const ContactSet& set, std::span<const Vec3d> r, std::span<Wrenchd> external_force) noexcept {
-  assert(external_force.size() == r.size());
+  MUROSIMF_ASSERT(external_force.size() == r.size());
   for (const int object : set.loaded) external_force[object] = set.rest_force[object];
   for (const ContactPoint& c : set.points) {
     external_force[c.object] += Wrenchd{c.moment + cross(c.point - r[c.object], c.force), c.force};

@@ -1,10 +1,10 @@
 #include "murosimf/collision/implicit_stick_law.h"
 
 #include <algorithm>
-#include <cassert>
 
 #include "murosimf/collision/contact_law_parts.h"
 #include "murosimf/collision/depenetration.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::collision {
 namespace {
@@ -125,7 +125,7 @@ void ImplicitStick::prepare(std::vector<ContactPoint>& points, const ContactTerm
 
 bool ImplicitStick::accept(std::span<ContactPoint> points, const ContactTerms& terms,
                            std::span<const Vec3d> next_velocity) const noexcept {
-  assert(next_velocity.size() == points.size());
+  MUROSIMF_ASSERT(next_velocity.size() == points.size());
   bool agreed = true;
   for (std::size_t i = 0; i < points.size(); ++i) {
     ContactPoint& c = points[i];
@@ -139,7 +139,7 @@ bool ImplicitStick::accept(std::span<ContactPoint> points, const ContactTerms& t
 
 void ImplicitStick::commit(std::span<ContactPoint> points, const ContactTerms& terms,
                            std::span<const Vec3d> next_velocity) const noexcept {
-  assert(next_velocity.size() == points.size());
+  MUROSIMF_ASSERT(next_velocity.size() == points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     ContactPoint& c = points[i];
     const ContactParameters& p = terms.parameters[c.surface];

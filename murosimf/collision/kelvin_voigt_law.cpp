@@ -1,10 +1,10 @@
 #include "murosimf/collision/kelvin_voigt_law.h"
 
 #include <algorithm>
-#include <cassert>
 
 #include "murosimf/collision/contact_law_parts.h"
 #include "murosimf/collision/depenetration.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::collision {
 namespace {
@@ -42,7 +42,7 @@ void KelvinVoigt::prepare(std::vector<ContactPoint>& points, const ContactTerms&
 
 void KelvinVoigt::commit(std::span<ContactPoint> points, const ContactTerms& terms,
                          std::span<const Vec3d> next_velocity) const noexcept {
-  assert(next_velocity.size() == points.size());
+  MUROSIMF_ASSERT(next_velocity.size() == points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     ContactPoint& c = points[i];
     const ContactParameters& p = terms.parameters[c.surface];

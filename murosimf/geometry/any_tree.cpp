@@ -1,7 +1,6 @@
 #include "murosimf/geometry/any_tree.h"
 
-#include <cassert>
-
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::geometry {
@@ -22,7 +21,7 @@ const std::vector<std::string_view>& volume_names() {
 }
 
 AnyTree make_tree(std::string_view volume, std::span<const TreePart> parts, const TreeLayout& layout, double margin) {
-  assert(layout.depth() <= TreeLayout::most_depth);
+  MUROSIMF_ASSERT(layout.depth() <= TreeLayout::most_depth);
   if (volume == "sphere") return tree_of<BoundingSphere>(parts, layout, margin);
   if (volume == "aabb") return tree_of<Aabb>(parts, layout, margin);
   if (volume == "obb") return tree_of<Obb>(parts, layout, margin);

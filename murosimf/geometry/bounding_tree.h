@@ -5,7 +5,6 @@
 #pragma once
 
 #include <array>
-#include <cassert>
 #include <memory>
 #include <span>
 #include <type_traits>
@@ -14,6 +13,7 @@
 
 #include "murosimf/geometry/tree_layout.h"
 #include "murosimf/geometry/volume.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::geometry {
 
@@ -32,8 +32,8 @@ class BoundingTree {
         volumes_(parts_->leaves.size() + parts_->children.size()),
         margin_(margin),
         fitted_(margin > 0 ? parts_->leaves.size() : 0) {
-    assert(parts_->leaves.size() == static_cast<std::size_t>(layout.leaves));
-    assert(parts_->leaves.empty() || parts_->children.size() + 1 == parts_->leaves.size());
+    MUROSIMF_ASSERT(parts_->leaves.size() == static_cast<std::size_t>(layout.leaves));
+    MUROSIMF_ASSERT(parts_->leaves.empty() || parts_->children.size() + 1 == parts_->leaves.size());
   }
 
   /// Moves all volumes; r [m], R: poses of the entity's objects, world frame.

@@ -1,10 +1,10 @@
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "murosimf/geometry/capsule_along.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::geometry {
 namespace {
@@ -108,7 +108,7 @@ struct CapsuleFit {
 
 template <>
 BoundingSphere fit<BoundingSphere>(const Shape& shape, const Transformd& at) {
-  assert(!std::holds_alternative<Plane>(shape));
+  MUROSIMF_ASSERT(!std::holds_alternative<Plane>(shape));
   const auto* convex = std::get_if<Convex>(&shape);
   const BoundingSphere own = convex ? sphere_about(convex->hull->vertices) : BoundingSphere{{}, bounding_radius(shape)};
   return moved(own, at.position, at.orientation);
@@ -116,21 +116,21 @@ BoundingSphere fit<BoundingSphere>(const Shape& shape, const Transformd& at) {
 
 template <>
 Aabb fit<Aabb>(const Shape& shape, const Transformd& at) {
-  assert(!std::holds_alternative<Plane>(shape));
+  MUROSIMF_ASSERT(!std::holds_alternative<Plane>(shape));
   const Aabb box = box_along(shape, transpose(at.orientation));
   return {at.position + box.center, box.half};
 }
 
 template <>
 Obb fit<Obb>(const Shape& shape, const Transformd& at) {
-  assert(!std::holds_alternative<Plane>(shape));
+  MUROSIMF_ASSERT(!std::holds_alternative<Plane>(shape));
   const Aabb box = box_along(shape, {});
   return moved(Obb{box.center, {}, box.half}, at.position, at.orientation);
 }
 
 template <>
 BoundingCapsule fit<BoundingCapsule>(const Shape& shape, const Transformd& at) {
-  assert(!std::holds_alternative<Plane>(shape));
+  MUROSIMF_ASSERT(!std::holds_alternative<Plane>(shape));
   return moved(std::visit(CapsuleFit{}, shape), at.position, at.orientation);
 }
 

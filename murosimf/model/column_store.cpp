@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf {
@@ -11,7 +12,7 @@ namespace murosimf {
 ColumnBase* ColumnStore::find(std::string_view property) const {
   const auto found = columns_.find(property);
   if (found == columns_.end()) return nullptr;
-  assert(may_read(*found->second) && "a column that the algorithm has not declared");
+  MUROSIMF_ASSERT(may_read(*found->second) && "a column that the algorithm has not declared");
   return found->second.get();
 }
 

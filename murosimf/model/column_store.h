@@ -1,12 +1,12 @@
 /// column_store.h - the columns of one entity, by the names of their properties.
 #pragma once
 
-#include <cassert>
 #include <map>
 #include <memory>
 #include <string>
 #include <string_view>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/access_guard.h"
 #include "murosimf/model/column.h"
 
@@ -72,7 +72,7 @@ Column<T>& ColumnStore::column(const Property<T>& property) {
     found = columns_.emplace(std::string(property.name), std::move(created)).first;
   }
   if (found->second->type() != typeid(T)) refuse_type(property);
-  assert(may_write(*found->second) && "a column that the algorithm has not declared as written");
+  MUROSIMF_ASSERT(may_write(*found->second) && "a column that the algorithm has not declared as written");
   return static_cast<Column<T>&>(*found->second);
 }
 

@@ -1,10 +1,10 @@
 #include "murosimf/model/object_access.h"
 
-#include <cassert>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/entity.h"
 #include "murosimf/model/properties.h"
 
@@ -83,7 +83,7 @@ void ObjectAccess::set(std::string_view property, std::span<const double> number
   for (const double number : numbers) {
     if (!std::isfinite(number)) throw SetupError(fmt::format("{}: '{}' cannot be {}", where(), property, number));
   }
-  assert(may_write(*column) && "a column that the algorithm has not declared as written");
+  MUROSIMF_ASSERT(may_write(*column) && "a column that the algorithm has not declared as written");
   const std::size_t target = row(*column);
   for (std::size_t i = 0; i < numbers.size(); ++i) column->set(target, i, numbers[i]);
 }

@@ -2,12 +2,16 @@
 
 #include <algorithm>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::motion {
 namespace {
 
 template <class T>
 void difference(std::span<const T> now, double dt, std::vector<T>& last, std::span<T> rate) noexcept {
+  MUROSIMF_ASSERT(last.size() == now.size() && rate.size() == now.size() && dt > 0);
   for (std::size_t i = 0; i < now.size(); ++i) {
+    // all rows, for a simple loop: those of structural objects are unused
     rate[i] = (1 / dt) * (now[i] - last[i]);
     last[i] = now[i];
   }

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/motion/motion_properties.h"
 
 namespace murosimf::motion {
@@ -25,6 +26,7 @@ ArticulatedDynamics::ArticulatedDynamics(Setup& setup, const MovingTreeOptions& 
       bodies_(tree_.links.size()),
       change_(tree_.links.size()),
       root_(tree_.links.size()) {
+  MUROSIMF_ASSERT(!tree_.links.empty());
   if (options.integrator == Integrator::rk4 && !drives_.remembering().empty()) {
     throw SetupError("integrator 'rk4' does not go with servos that have backlash or get warm");
   }
@@ -51,7 +53,7 @@ void ArticulatedDynamics::take_over(const Momentum& momentum) {
   tree_.contacts.answer_by(this);
 }
 
-/// Friction expects that everything is held.
+/// Initial loads: of a robot at rest whose joints carry nothing, so friction expects every joint to stick.
 void ArticulatedDynamics::start_loads() {
   couplings_.start();
   saturation_.initialize();
@@ -66,6 +68,7 @@ void ArticulatedDynamics::check_inertias() {
   std::vector<double> moved(links.size());
   multibody::moved_inertias(tree_.columns.model.tree(), tree_.links, moved);
   for (std::size_t l = 1; l < links.size(); ++l) moved[l] += drives_.firm_inertia(links[l].object);
+  // a follower without inertia moves its leader's: only joints that move nothing at all are errors
   couplings_.count_at_leaders(moved);
   for (std::size_t l = links.size() - 1; l > 0; --l) {
     if (moved[l] > least_inertia) continue;
@@ -89,10 +92,11 @@ void ArticulatedDynamics::step(const Instant& instant) noexcept {
   if (advance(seconds(instant.period))) tree_.finish_step();
 }
 
-/// All of a step but MovingTree::finish_step, which is to follow unless this is false.
+/// Executes a step except MovingTree::finish_step, which the caller executes if this returns true.
 bool ArticulatedDynamics::advance(double dt) noexcept {
   if (!tree_.contacts.solved()) {
     begin_step(dt);
+    // only the first pass takes the loads of the last step; later passes refine the same decision
     auto loads = multibody::Loads::of_last_pass;
     tree_.contacts.settle([&] {
       const bool settled = solve(std::exchange(loads, multibody::Loads::of_repeated_pass));
@@ -105,14 +109,16 @@ bool ArticulatedDynamics::advance(double dt) noexcept {
   return false;
 }
 
-/// All that is left once the accelerations of the step stand. False, and nothing moved, if something is no sensible number.
+/// The end of a step, given its accelerations. Returns false, without moving anything, if a number is not sane.
 bool ArticulatedDynamics::end_step() noexcept {
   if (!targets_sane_ || !accelerations_are_sane()) return false;
+  MUROSIMF_ASSERT(dt_ > 0);
   report_torques();
   keep_loads();
   saturation_.look(tree_.columns.model.tree(), friction_, dt_);
   tree_.contacts.commit();
   if (!tree_.advance_base(bodies_[0].acceleration, dt_)) return false;
+  // the base before the joints: its momentum correction reads the rates at the beginning of the step
   advance_joints(dt_);
   finish_drives();
   return true;
@@ -120,12 +126,14 @@ bool ArticulatedDynamics::end_step() noexcept {
 
 void ArticulatedDynamics::step_rk4(double dt) noexcept {
   tree_.take_changes();
+  MUROSIMF_ASSERT(dt > 0);
   if (!drives_.take_targets(dt)) return tree_.halt(joints_insane);
   recall_loads();
   bool first = true;
   const auto accelerations = [&] {
     drive_joints_explicitly();
     solve_explicitly();
+    // contacts are explicit: the forces of the first stage hold during the whole step
     if (std::exchange(first, false)) {
       predict_contacts(dt);
       tree_.contacts.commit();
@@ -148,6 +156,7 @@ void ArticulatedDynamics::predict_contacts(double dt) noexcept {
 }
 
 void ArticulatedDynamics::begin_step(double dt) noexcept {
+  MUROSIMF_ASSERT(dt > 0);
   dt_ = dt;
   tree_.take_changes();
   targets_sane_ = drives_.take_targets(dt);
@@ -172,9 +181,11 @@ Vec3d ArticulatedDynamics::free_velocity(int object, const Vec3d& point, const V
 
 void ArticulatedDynamics::respond(int object, const Vec3d& point, const Mat3d& directions,
                                   collision::ResponseRows& y) const noexcept {
+  MUROSIMF_ASSERT(object >= 0 && object < tree_.columns.model.size());
   const std::size_t first = y.index.size();
   const Tree& tree = tree_.columns.model.tree();
   auto forces = tree_.forces_about_base(point, directions);
+  // the first half of the factorization M = F F^T (Featherstone 2008, sec. 6.5): from the link up to the base
   for (int l = tree.link_of[object]; l > 0; l = tree.links[l].parent) {
     const auto& body = bodies_[l];
     const Twistd& axis = tree_.links[l].axis;
@@ -195,6 +206,7 @@ void ArticulatedDynamics::apply(std::span<const double> z) noexcept {
 }
 
 void ArticulatedDynamics::add_impulses(std::span<const double> z) noexcept {
+  MUROSIMF_ASSERT(dt_ > 0 && z.size() >= 5 + bodies_.size());
   const auto& links = tree_.columns.model.tree().links;
   change_[0] = tree_.base_change(z, dt_);
   bodies_[0].acceleration += change_[0];
@@ -218,7 +230,7 @@ void ArticulatedDynamics::drive_joints(double dt) noexcept {
   }
 }
 
-/// What friction expects of this step is in columns, so that the same state makes the same step.
+/// The loads that friction expects are in columns, so that equal states make equal steps.
 void ArticulatedDynamics::recall_loads() noexcept {
   const auto& links = tree_.columns.model.tree().links;
   for (std::size_t l = 0; l < links.size(); ++l) {
@@ -228,6 +240,7 @@ void ArticulatedDynamics::recall_loads() noexcept {
 }
 
 void ArticulatedDynamics::keep_loads() noexcept {
+  MUROSIMF_ASSERT(bodies_.size() == friction_.size());
   const auto& links = tree_.columns.model.tree().links;
   for (std::size_t l = 0; l < links.size(); ++l) {
     felt_acceleration_[links[l].object] = bodies_[l].acceleration;
@@ -243,11 +256,12 @@ void ArticulatedDynamics::gather_loads(double dt) noexcept {
   couplings_.add_loads(bodies_);
 }
 
+/// a'_0 for the loads of the sweep; pA_0 is the force that the base lacks, hence the sign.
 Twistd ArticulatedDynamics::base_acceleration() noexcept {
   return tree_.base_acceleration(bodies_[0].inertia, -1.0 * bodies_[0].force);
 }
 
-/// A trial step. False if some joint has to slide that sticks, or the other way round.
+/// Executes a trial step. Returns false if the decision about some joint (sticks or slides, its motor's line) is wrong.
 bool ArticulatedDynamics::solve(multibody::Loads loads) noexcept {
   const Tree& tree = tree_.columns.model.tree();
   gather_loads(dt_);
@@ -264,14 +278,15 @@ void ArticulatedDynamics::factor() noexcept {
   for (std::size_t l = 1; l < bodies_.size(); ++l) root_[l] = std::sqrt(bodies_[l].inverse_D);
 }
 
+/// Corrects the accelerations so that coupled joints and loops hold; they count as forces that drive the joints.
 void ArticulatedDynamics::couple() noexcept {
-  if (!accelerations_are_sane()) return;  // the step will be refused
+  if (!accelerations_are_sane()) return;  // the step is rejected later; a factorization of such numbers is meaningless
   factor();
   add_impulses(couplings_.solve(tree_, bodies_, root_, dt_));
   couplings_.count_as_drive(friction_);
 }
 
-/// The torques of this instant.
+/// Sets the explicit torques of this instant.
 void ArticulatedDynamics::drive_joints_explicitly() noexcept {
   drive_joints(0);
   couplings_.drive(friction_);
@@ -289,6 +304,7 @@ void ArticulatedDynamics::solve_explicitly() noexcept {
   multibody::sweep_to_base<double>(tree, tree_.links, bodies_);
   multibody::accelerate<double>(tree, tree_.links, bodies_, base_acceleration());
   for (std::size_t l = 1; l < bodies_.size(); ++l) {
+    // loads without friction's own part, for the friction of the next evaluation
     const auto& parent = bodies_[tree.links[l].parent];
     friction_[l].load = -dot(tree_.links[l].axis, bodies_[l].force) - dot(parent.acceleration, bodies_[l].U);
   }
@@ -300,7 +316,7 @@ void ArticulatedDynamics::advance_joints(double dt) noexcept {
   for (std::size_t l = 1; l < links.size(); ++l) {
     const int i = links[l].object;
     const double rate = columns.qd[i] + dt * bodies_[l].joint_acceleration;
-    columns.qd[i] = friction_[l].direction == 0 ? 0 : rate;
+    columns.qd[i] = friction_[l].direction == 0 ? 0 : rate;  // a sticking joint has exactly no rate, not a rounded one
     columns.q[i] += dt * columns.qd[i];
   }
   drives_.wrap(columns.q);
@@ -311,6 +327,7 @@ void ArticulatedDynamics::report_torques() noexcept {
   for (std::size_t l = 1; l < links.size(); ++l) {
     const auto& joint = friction_[l];
     const auto& [viscous, inertia] = viscous_[l];
+    // torque of motor and gear: the gear's share of the friction is what the joint's own friction leaves of the budget
     double torque = motor_torque(l) + (viscous - inertia * bodies_[l].joint_acceleration);
     if (joint.gear && joint.budget > 0) {
       torque += (1 - joint.coulomb / joint.budget) * multibody::friction_torque(joint);
@@ -320,20 +337,22 @@ void ArticulatedDynamics::report_torques() noexcept {
   }
 }
 
-/// On average over the step.
+/// Motor torque, averaged over the step.
 double ArticulatedDynamics::motor_torque(std::size_t link) const noexcept {
   return friction_[link].line.torque - friction_[link].line.inertia * bodies_[link].joint_acceleration;
 }
 
-/// Memory of the servos.
+/// Updates the memory of the servos: backlash, temperature.
 void ArticulatedDynamics::finish_drives() noexcept {
   const PoseColumns& columns = tree_.columns;
   for (const int i : drives_.remembering()) {
     const auto l = static_cast<std::size_t>(columns.model.tree().link_of[i]);
+    MUROSIMF_ASSERT(l > 0 && l < bodies_.size());
     drives_.finish(i, {motor_torque(l), joint_torque_[i], columns.q[i], columns.qd[i]}, dt_);
   }
 }
 
+/// Whether rates after the step and positions are sane; sums, since one NaN makes them NaN and the comparison false.
 bool ArticulatedDynamics::accelerations_are_sane() const noexcept {
   const PoseColumns& columns = tree_.columns;
   const auto& links = columns.model.tree().links;

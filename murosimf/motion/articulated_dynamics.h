@@ -1,10 +1,10 @@
-/// articulated_dynamics.h - level `articulated_dynamics`: servos make torque, and the whole tree moves as it must.
+/// articulated_dynamics.h - level `articulated_dynamics`: servos produce torques, the motion of the whole tree results from forces.
 ///
 /// Forward dynamics by the articulated-body algorithm (multibody/articulated_body.h); servos, stops and contacts
 /// enter linearly implicit, as inertia of the joint or of the body. Joints: qd += h qdd, q += h qd.
 /// Friction of joints sticks (multibody/friction_solver.h): which joint sticks and which slides is settled together with the contacts of the
-/// step. In an island of touching robots the step before decides. rk4 has it as a damper, which lets loaded joints creep
-/// (motion/passive_joint.h). Coupled joints are held together, and loops closed, after every pass
+/// step. In an island of touching robots the decision of the preceding step holds. rk4 has friction as a damper, with which loaded
+/// joints creep (motion/passive_joint.h). Coupled joints are held together, and loops closed, after every pass
 /// (coupling_forces.h).
 /// Source: paper, outlook (7); Featherstone 2008, ch. 7.
 #pragma once
@@ -75,14 +75,14 @@ class ArticulatedDynamics final : public MotionLevel, private collision::Impulse
   JointDrives drives_;
   CouplingForces couplings_;
   std::span<double> joint_torque_;
-  std::span<double> motor_torque_;  // empty if nobody reads it
+  std::span<double> motor_torque_;  // empty if no algorithm reads it
   std::span<double> joint_load_;
   std::span<Twistd> felt_acceleration_;
   SaturationWatch saturation_;
   std::vector<JointDrive> viscous_;                           // by link: friction of the servo's gear
   std::vector<multibody::FrictionalJoint<double>> friction_;  // by link
   std::vector<multibody::ArticulatedLink<double>> bodies_;
-  std::vector<Twistd> change_;  // by link: what impulses add to a'; working memory
+  std::vector<Twistd> change_;  // by link: change of a' due to impulses; working memory
   std::vector<double> root_;    // by link: square root of inverse_D, for responses
   double dt_ = 0;               // [s] of the present step
   bool targets_sane_ = true;    // in the present step

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <bit>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::motion {
 namespace {
 
 constexpr double minus_zero = -0.0;  // x + -0 has the bits of x, also for x = 0 and -0
 
-/// A body that a pack counts as loaded because some of its lanes are: what the others have is as if nothing were there.
+/// Initializes a body that counts as loaded because some lanes have a load: with numbers that change no bit in the other lanes.
 void fill_unloaded(multibody::ArticulatedLink<Pack8>& body, bool leaf) {
   const Pack8 none = minus_zero;
   const Vec3<Pack8> no_vector{none, none, none};
@@ -25,7 +27,7 @@ void fill_unloaded(multibody::ArticulatedLink<Pack8>& body, bool leaf) {
 
 }  // namespace
 
-/// Wheels, play, heat and couplings have branches of their own in each robot.
+/// Wheels, backlash, heat and couplings have branches that differ from robot to robot: such robots step alone.
 bool ArticulatedDynamics::goes_with(const Algorithm& other) const {
   const auto* same = dynamic_cast<const ArticulatedDynamics*>(&other);
   return same && tree_.goes_with(same->tree_) && servo_law_ == same->servo_law_ && couplings_.empty() &&
@@ -33,6 +35,7 @@ bool ArticulatedDynamics::goes_with(const Algorithm& other) const {
 }
 
 std::unique_ptr<LaneGroup> ArticulatedDynamics::join(std::span<Algorithm* const> members) const {
+  MUROSIMF_ASSERT(!members.empty() && members.size() <= Pack8::lanes);
   return std::make_unique<ArticulatedLanes>(members_of<ArticulatedDynamics>(members));
 }
 
@@ -48,6 +51,7 @@ ArticulatedLanes::ArticulatedLanes(std::vector<ArticulatedDynamics*> members)
       motor_torque_(trees_.links.size()),
       outcome_(trees_.links.size()),
       loaded_(trees_.links.size()) {
+  MUROSIMF_ASSERT(!members_.empty() && members_.size() <= Pack8::lanes);
   for (const Link& link : trees_.poses.structure.links) {
     if (link.parent >= 0) leaf_[static_cast<std::size_t>(link.parent)] = false;
   }
@@ -55,6 +59,7 @@ ArticulatedLanes::ArticulatedLanes(std::vector<ArticulatedDynamics*> members)
 
 void ArticulatedLanes::step(LaneMask due, const Instant& instant) noexcept {
   if (std::popcount(due) < fewest_in_lanes) return for_lanes(due, [&](int lane) { member(lane).step(instant); });
+  MUROSIMF_ASSERT(due >> members_.size() == 0 && instant.period > Duration{});
   dt_ = seconds(instant.period);
   const LaneMask lanes = trees_.ready(due);
   LaneMask moved = 0;
@@ -64,10 +69,11 @@ void ArticulatedLanes::step(LaneMask due, const Instant& instant) noexcept {
     moved = end(lanes);
   }
   const LaneMask alone = advance_alone(due & ~lanes);
+  MUROSIMF_ASSERT((moved & ~lanes) == 0);
   trees_.finish_step(moved | alone, alone);
 }
 
-/// Those of them that have moved.
+/// Advances robots that step alone; returns the lanes that have moved.
 LaneMask ArticulatedLanes::advance_alone(LaneMask lanes) noexcept {
   LaneMask moved = 0;
   for_lanes(lanes, [&](int lane) {
@@ -109,11 +115,12 @@ void ArticulatedLanes::drive_joints() noexcept {
   }
 }
 
-/// ContactTrials::settle, in all lanes at once.
+/// ContactTrials::settle, in all lanes at once. Settled lanes keep their outcome while the others repeat their passes.
 void ArticulatedLanes::settle(LaneMask lanes) noexcept {
   LaneMask open = lanes;
   auto loads = multibody::Loads::of_last_pass;
   for (int passes_left = collision::max_passes - 1;; --passes_left) {
+    MUROSIMF_ASSERT(passes_left >= 0 && (open & ~lanes) == 0);
     gather_loads(open);
     const bool some_are_settled = open != lanes;
     if (some_are_settled) keep_outcomes();
@@ -136,9 +143,10 @@ void ArticulatedLanes::gather_loads(LaneMask lanes) noexcept {
   });
 }
 
-/// Bit for bit multibody::add_load of one robot.
+/// multibody::add_load with the same bits as for one robot: a lane's first load starts from zero, not from fill_unloaded's -0.
 void ArticulatedLanes::add_load(std::size_t link, LaneMask lanes, const Wrench<Pack8>& force,
                                 const Sym6<Pack8>& damping) noexcept {
+  MUROSIMF_ASSERT(link < bodies_.size() && lanes != 0);
   auto& body = bodies_[link];
   if (!body.loaded) fill_unloaded(body, leaf_[link]);
   Sym6<Pack8> inertia = body.inertia;
@@ -153,7 +161,7 @@ void ArticulatedLanes::add_load(std::size_t link, LaneMask lanes, const Wrench<P
   loaded_[link] |= lanes;
 }
 
-/// A trial step. Returns how many joints of each robot have been decided wrongly.
+/// Executes a trial step. Returns the number of wrong decisions about the joints of each robot.
 Pack8 ArticulatedLanes::pass(multibody::Loads loads) noexcept {
   const Tree& tree = trees_.poses.structure;
   multibody::sweep_with_friction<Pack8>(tree, trees_.links, bodies_, friction_, loads, dt_);
@@ -180,7 +188,7 @@ void ArticulatedLanes::keep_outcomes() noexcept {
   }
 }
 
-/// Lanes that are settled have what they had.
+/// Restores the outcome of the lanes that are settled.
 void ArticulatedLanes::recall_outcomes(LaneMask open) noexcept {
   const Pack8::Mask settled = where(~open);
   const auto choose = [&](Pack8& now, const Pack8& kept) { now = select(settled, kept, now); };
@@ -197,10 +205,11 @@ void ArticulatedLanes::recall_outcomes(LaneMask open) noexcept {
   }
 }
 
-/// Of those that have moved, the end of the step is still to come (TreeLanes::finish_step).
+/// Ends the accelerations of a step; returns the lanes that have moved. The rest of their step is TreeLanes::finish_step.
 LaneMask ArticulatedLanes::end(LaneMask lanes) noexcept {
   const LaneMask of_sane_rates = lanes_of_sane_rates();
   LaneMask together = 0;
+  // halting is done lane by lane and first: lanes that halt take no part in what follows
   for_lanes(lanes, [&](int lane) {
     ArticulatedDynamics& robot = member(lane);
     const bool base_is_sane = is_sane(lane_of(bodies_[0].acceleration, lane), dt_);
@@ -218,7 +227,7 @@ LaneMask ArticulatedLanes::end(LaneMask lanes) noexcept {
   return moved;
 }
 
-/// As ArticulatedDynamics::accelerations_are_sane, but for the base.
+/// As ArticulatedDynamics::accelerations_are_sane, without the base.
 LaneMask ArticulatedLanes::lanes_of_sane_rates() const noexcept {
   Pack8 rates = 0.0, positions = 0.0;
   for (std::size_t l = 1; l < bodies_.size(); ++l) {

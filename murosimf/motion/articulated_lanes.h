@@ -1,13 +1,14 @@
 /// articulated_lanes.h - up to eight copies of one robot at level `articulated_dynamics`, stepped together in lanes.
 ///
-/// The step of articulated_dynamics.h with packs in the place of numbers. What differs from robot to robot in kind goes lane by lane:
-/// contacts and their law, targets on their way. A robot whose contacts agree keeps what its pass has given while others repeat
-/// theirs. One that an island solver has settled is advanced alone, but the poses and links that follow from that are worked out in lanes.
+/// The step of articulated_dynamics.h with packs in the place of numbers. Parts with robot-specific branches are executed lane by lane:
+/// contacts and their law, targets under way. A robot whose contacts agree keeps the outcome of its pass while others repeat theirs.
+/// A robot whose step an island solver has settled is advanced alone; its poses and links are nevertheless computed in lanes.
 #pragma once
 
 #include <span>
 #include <vector>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/lane_group.h"
 #include "murosimf/motion/articulated_dynamics.h"
 #include "murosimf/motion/joint_drive_lanes.h"
@@ -21,7 +22,7 @@ class ArticulatedLanes final : public LaneGroup {
   void step(LaneMask due, const Instant& instant) noexcept override;
 
  private:
-  /// What passes make of a link and of the friction of its joint, as far as the end of the step reads it.
+  /// The results of a pass for a link and its joint's friction that the end of the step reads.
   template <class S>
   struct Outcome {
     Twist<S> acceleration;
@@ -30,6 +31,7 @@ class ArticulatedLanes final : public LaneGroup {
   };
 
   [[nodiscard]] ArticulatedDynamics& member(int lane) const noexcept {
+    MUROSIMF_ASSERT(lane >= 0 && static_cast<std::size_t>(lane) < members_.size());
     return *members_[static_cast<std::size_t>(lane)];
   }
   void begin(LaneMask lanes) noexcept;
@@ -53,7 +55,7 @@ class ArticulatedLanes final : public LaneGroup {
   std::vector<ArticulatedDynamics*> members_;
   TreeLanes trees_;
   JointDriveLanes motors_;
-  std::vector<bool> leaf_;                                   // by link: no other link hangs on it
+  std::vector<bool> leaf_;                                   // by link: it has no child
   std::vector<DriveOf<Pack8>> viscous_;                      // by link: friction of the servo's gear
   std::vector<multibody::FrictionalJoint<Pack8>> friction_;  // by link
   std::vector<multibody::ArticulatedLink<Pack8>> bodies_;    // by link

@@ -1,6 +1,6 @@
-/// contact_trials.h - motion and contact law agree on one step: trial steps until the law accepts one.
+/// contact_trials.h - iteration of motion and contact law in one step: trial steps until the law accepts one.
 ///
-/// What a level does about contact, in this order: settle() (unless an island solver has done it already, solved()), with
+/// Order of calls in a level's step: settle() (unless an island solver has settled the step already, solved()), with
 /// predict() in each trial; commit() before anything moves; renew() at the end.
 #pragma once
 
@@ -15,23 +15,23 @@
 
 namespace murosimf::motion {
 
-/// The contacts of an entity, as the level that moves it has them.
+/// The contacts of an entity, as seen by the level that moves it.
 class ContactTrials {
  public:
-  /// Takes the columns of contacts, and of external force and damping; origins of the objects are the level's own.
+  /// Takes the columns of contacts, and of external force and damping; the level itself writes the origins of the objects.
   explicit ContactTrials(Setup& setup);
 
   /// Throws SetupError if contact does not go with the integrator, or has another period than the motion [s].
   void check(Integrator integrator, double period) const { check_contacts(integrator, interface_, period); }
-  /// Who answers to impulses from now on; null: nobody.
+  /// Sets the object that answers impulses; null: none.
   void answer_by(collision::ImpulseResponse* response) noexcept { interface_.response = response; }
 
-  /// An island solver has settled the present step.
+  /// Whether an island solver has settled the present step.
   [[nodiscard]] bool solved() const noexcept { return set_.solved; }
-  /// Nothing holds the entity in this step: neither points of its own nor those of its island.
+  /// Whether the entity is free in this step: neither points of its own nor of its island hold it.
   [[nodiscard]] bool none() const noexcept { return set_.points.empty() && !(set_.solved && set_.island_stands); }
 
-  /// Objects of which a point touches the environment.
+  /// Objects with a point that touches the environment.
   [[nodiscard]] std::span<const int> touching() const noexcept { return set_.loaded; }
 
   /// Velocity after the step of every point: next_velocity(point) [m/s], world frame.
@@ -42,7 +42,7 @@ class ContactTrials {
   }
 
   /// `trial` solves the step with the present external_force and external_damping, and calls predict(). It returns false
-  /// if the motion itself asks for another one.
+  /// if the motion itself requires another trial.
   template <class Trial>
   void settle(const Trial& trial) noexcept {
     bool settled = trial();
@@ -53,14 +53,14 @@ class ContactTrials {
     }
   }
 
-  /// Whether the law agrees with the velocities of the last predict(). False if it has changed its mind: loads are others, and the
-  /// step must be repeated.
+  /// Whether the law accepts the velocities of the last predict(). If not, the law has changed the state of a point: the loads are
+  /// updated, and the step must be repeated.
   [[nodiscard]] bool accept() noexcept;
 
-  /// The step is settled: memory of the law, and the forces that acted in the column, by the velocities of the last
+  /// Ends a settled step: updates the law's memory, and the forces in the column, by the velocities of the last
   /// predict(). Does nothing if an island solver has done it already.
   void commit() noexcept;
-  /// The next step is to be settled anew.
+  /// Marks the next step as not settled.
   void renew() noexcept { set_.solved = false; }
 
  private:

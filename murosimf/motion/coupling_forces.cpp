@@ -3,18 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
 
 namespace murosimf::motion {
 namespace {
 
-constexpr double bend = 0.2e-3;          // [rad] under T
-constexpr double shift = 0.02e-3;        // [m] under T
+constexpr double bend = 0.2e-3;          // [rad] deflection under T; these numbers are explained in the header
+constexpr double shift = 0.02e-3;        // [m] deflection under T
 constexpr double damping_time = 0.5e-3;  // [s] d / k
-constexpr double fastest_shift = 0.5;    // [m/s] of a gap that closes
+constexpr double fastest_shift = 0.5;    // [m/s] rate at which a gap closes at most
 constexpr double fastest_turn_back = 5;  // [rad/s]
-constexpr double trace_share = 1e-6;     // [1] of the leader's inertia
+constexpr double trace_share = 1e-6;     // [1] of the leader's inertia: enough for the factors, too little to be seen
 
 double stall_torque(const Model& model, int joint) {
   const Servo* servo = model.find(properties::servo, joint);
@@ -22,6 +23,7 @@ double stall_torque(const Model& model, int joint) {
 }
 
 double stiffness(const Model& model, const MimicJoints::Pair& pair) {
+  MUROSIMF_ASSERT(pair.ratio != 0);
   const double weight = model.tree().mass * 9.81;
   const bool slider = model.objects()[pair.follower].kind == Kind::prismatic;
   const double servos =
@@ -30,13 +32,15 @@ double stiffness(const Model& model, const MimicJoints::Pair& pair) {
 }
 
 double product(std::span<const double> a, std::span<const double> b) {
+  MUROSIMF_ASSERT(a.size() == b.size());
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
   return sum;
 }
 
-/// Of the gap of a loop, that of which the end of a step may take back the most.
+/// The part of a loop's gap that may close in `time` [s].
 double bounded(const multibody::LoopRow& row, double time) {
+  MUROSIMF_ASSERT(time > 0);
   const double most = time * (row.is_turn() ? fastest_turn_back : fastest_shift);
   return std::clamp(row.gap, -most, most);
 }
@@ -77,6 +81,8 @@ void CouplingForces::look(const MovingTree& tree) noexcept {
 
 void CouplingForces::add_loads(std::span<multibody::ArticulatedLink<double>> bodies) const noexcept {
   for (const multibody::LoopRow& row : loops_.rows()) {
+    MUROSIMF_ASSERT(static_cast<std::size_t>(row.links[0]) < bodies.size() &&
+                    static_cast<std::size_t>(row.links[1]) < bodies.size());
     const Wrenchd force = force_of(row) * row.force;
     multibody::add_load(bodies[row.links[0]], -1.0 * force, {});
     multibody::add_load(bodies[row.links[1]], force, {});
@@ -84,6 +90,7 @@ void CouplingForces::add_loads(std::span<multibody::ArticulatedLink<double>> bod
 }
 
 double& CouplingForces::force_of(const multibody::LoopRow& row) const noexcept {
+  MUROSIMF_ASSERT(row.axis >= 0 && row.axis < 6);
   auto& [n, f] = loop_force_[row.object];
   double* const numbers[] = {&f.x, &f.y, &f.z, &n.x, &n.y, &n.z};
   return *numbers[row.axis];
@@ -92,14 +99,18 @@ double& CouplingForces::force_of(const multibody::LoopRow& row) const noexcept {
 void CouplingForces::count_at_leaders(std::span<double> moved) noexcept {
   for (std::size_t i = 0; i < rods_.size(); ++i) {
     Rod& rod = rods_[i];
+    MUROSIMF_ASSERT(static_cast<std::size_t>(rod.leader) < moved.size() &&
+                    static_cast<std::size_t>(rod.follower) < moved.size());
     const double leader = moved[rod.leader], ratio = joints_.pairs()[i].ratio;
     if (moved[rod.follower] > least_inertia || !(leader > least_inertia)) continue;
+    // seen from the leader, by the square of the ratio
     rod.trace = trace_share * leader / (ratio * ratio);
     moved[rod.follower] = leader;
   }
 }
 
 void CouplingForces::drive(std::span<multibody::FrictionalJoint<double>> joints) const noexcept {
+  MUROSIMF_ASSERT(joints_.pairs().size() == rods_.size());
   for (std::size_t i = 0; i < rods_.size(); ++i) {
     const auto& pair = joints_.pairs()[i];
     joints[rods_[i].follower].torque += torque_[pair.follower];
@@ -111,6 +122,7 @@ void CouplingForces::drive(std::span<multibody::FrictionalJoint<double>> joints)
 std::span<const double> CouplingForces::solve(const MovingTree& tree,
                                               std::span<const multibody::ArticulatedLink<double>> bodies,
                                               std::span<const double> roots, double h) noexcept {
+  MUROSIMF_ASSERT(h > 0 && roots.size() == bodies.size());
   h_ = h;
   fill_rows(tree, bodies, roots);
   fill_right_side(tree, bodies, h);
@@ -124,6 +136,8 @@ std::span<const double> CouplingForces::solve(const MovingTree& tree,
 }
 
 void CouplingForces::count_as_drive(std::span<multibody::FrictionalJoint<double>> joints) noexcept {
+  MUROSIMF_ASSERT(h_ > 0);
+  // the change has acted as a load in the accelerations; from now on it is part of the drive, so the sum p stays the same
   for (std::size_t i = 0; i < rods_.size(); ++i) {
     const auto& pair = joints_.pairs()[i];
     const double change = change_[i] / h_;
@@ -160,12 +174,12 @@ void CouplingForces::fill_row(std::size_t pair, const MovingTree& tree,
   add_response(rods_[pair].leader, -joints_.pairs()[pair].ratio, {}, tree, bodies, roots, row);
 }
 
-/// Adds what a torque in the joint of a link and a force on the link do: numbers of the joints on the way to the base, then of the base.
+/// Adds the response F^-1 of a torque in a link's joint and a force on the link: the joints on the path to the base, then the base.
 void CouplingForces::add_response(int link, double torque, Wrenchd force, const MovingTree& tree,
                                   std::span<const multibody::ArticulatedLink<double>> bodies,
                                   std::span<const double> roots, std::span<double> row) const noexcept {
   const auto& links = tree.columns.model.tree().links;
-  for (int l = link; l > 0; l = links[l].parent) {  // force: on link l
+  for (int l = link; l > 0; l = links[l].parent) {  // force: on link l, reduced joint by joint
     const double along = dot(tree.links[l].axis, force) + (l == link ? torque : 0);
     row[5 + l] += roots[l] * along;
     force -= (along * bodies[l].inverse_D) * bodies[l].U;
@@ -175,9 +189,11 @@ void CouplingForces::add_response(int link, double torque, Wrenchd force, const 
 
 void CouplingForces::fill_right_side(const MovingTree& tree, std::span<const multibody::ArticulatedLink<double>> bodies,
                                      double h) noexcept {
+  MUROSIMF_ASSERT(h > 0);
   const PoseColumns& columns = tree.columns;
   for (std::size_t i = 0; i < rods_.size(); ++i) {
     const auto& pair = joints_.pairs()[i];
+    // implicit Euler of spring and damper: the error at the end of the step, see the header
     const double e = columns.q[pair.follower] - pair.offset - pair.ratio * columns.q[pair.leader];
     const double rate = columns.qd[pair.follower] + h * bodies[rods_[i].follower].joint_acceleration -
                         pair.ratio * (columns.qd[pair.leader] + h * bodies[rods_[i].leader].joint_acceleration);
@@ -197,12 +213,14 @@ void CouplingForces::fill_right_side(const MovingTree& tree, std::span<const mul
 }
 
 void CouplingForces::fill_matrix(std::size_t i, double softness) noexcept {
+  MUROSIMF_ASSERT(i < size() && softness > 0);
+  // the lower triangle is all that the factorization reads
   for (std::size_t j = 0; j <= i; ++j) matrix_[i * size() + j] = product(row(i), row(j));
   matrix_[i * size() + i] += softness;
   softness_[i] = softness;
 }
 
-/// By Cholesky.
+/// Replaces A + C by its Cholesky factor.
 void CouplingForces::factor() noexcept {
   const std::size_t count = size();
   const auto L = [&](std::size_t i, std::size_t j) -> double& { return matrix_[i * count + j]; };
@@ -215,6 +233,7 @@ void CouplingForces::factor() noexcept {
 }
 
 void CouplingForces::solve_factored(std::span<double> x) const noexcept {
+  MUROSIMF_ASSERT(x.size() == size());
   const std::size_t count = size();
   const auto L = [&](std::size_t i, std::size_t j) -> const double& { return matrix_[i * count + j]; };
   for (std::size_t i = 0; i < count; ++i) x[i] = (x[i] - product({&L(i, 0), i}, x.first(i))) / L(i, i);
@@ -226,6 +245,7 @@ void CouplingForces::solve_factored(std::span<double> x) const noexcept {
 
 void CouplingForces::prepare_responses() noexcept {
   for (std::size_t k = 0; k < coordinates_; ++k) {
+    // change_ serves as working memory: column k of the matrix of answers
     for (std::size_t i = 0; i < size(); ++i) change_[i] = rows_[i * coordinates_ + k];
     solve_factored(change_);
     for (std::size_t i = 0; i < size(); ++i) answers_[i * coordinates_ + k] = change_[i];
@@ -233,6 +253,7 @@ void CouplingForces::prepare_responses() noexcept {
 }
 
 void CouplingForces::hold(collision::ResponseRows& y, std::size_t first) const noexcept {
+  MUROSIMF_ASSERT(first <= y.index.size() && y.index.size() == y.value.size());
   std::fill(dense_.begin(), dense_.end(), Vec3d{});
   for (std::size_t k = first; k < y.index.size(); ++k) dense_[y.index[k]] = y.value[k];
   y.index.resize(first);
@@ -244,11 +265,13 @@ void CouplingForces::hold(collision::ResponseRows& y, std::size_t first) const n
   }
   for (std::size_t k = 0; k < coordinates_; ++k) {
     for (std::size_t i = 0; i < size(); ++i) dense_[k] -= rows_[i * coordinates_ + k] * answer_[i];
+    // zeros stay out: sweeps of the island solver cost by the number
     if (!is_zero(dense_[k])) y.add(static_cast<int>(k), dense_[k]);
   }
 }
 
 std::span<const double> CouplingForces::held(std::span<const double> z) noexcept {
+  MUROSIMF_ASSERT(z.size() >= coordinates_ + size());
   std::copy_n(z.begin(), coordinates_, z_.begin());
   for (std::size_t i = 0; i < size(); ++i) {
     const std::span<const double> answer(answers_.data() + i * coordinates_, coordinates_);

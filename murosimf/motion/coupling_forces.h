@@ -1,5 +1,5 @@
-/// coupling_forces.h - what holds coupled joints together, and loops closed, where they are moved by forces: a stiff spring and a
-/// damper between follower f and leader l, with the ratio r,
+/// coupling_forces.h - forces that hold coupled joints together, and loops closed, at levels that move joints by forces: a stiff spring
+/// and a damper between follower f and leader l, with the ratio r,
 ///
 ///     e = q_f - offset - r q_l,   torque on f = lambda = -k e - d e',   torque on l = -r lambda
 ///
@@ -8,23 +8,23 @@
 ///
 ///     (A + C) h dlambda = -(e' + e / (h + d/k) + C h lambda),   C = 1 / (h^2 k + h d)
 ///
-/// A joint that friction holds has no part in A. k = T / 0.2 mrad (T / 0.02 mm) at the follower, T the largest of both
+/// A joint that sticks by friction has no part in A. k = T / 0.2 mrad (T / 0.02 mm) at the follower, T the largest of both
 /// servos' stall torques there and the robot's weight times 0.1 m (its weight, for a slider); d = k * 0.5 ms.
 /// The rows of loops (multibody/loop_rows.h) are such springs, too, settled in the same system: e is the gap, and e' its mean rate over
 /// the step, J (qd + h qdd) + h/2 (dJ/dt) qd, so that e + h e' is the gap at its end to second order. That is SHAKE with a soft
 /// constraint: it has the force at the place where the step begins and the gap where it ends, and the slow motion of a linkage neither
 /// gains nor loses energy. k = weight / 0.02 mm for a shift, 0.1 m times the weight over 0.2 mrad for a turn, so that a loop that is
-/// held more than once, by hinges that are parallel but for the digits of a file, is not locked. A gap closes with 0.5 m/s (5 rad/s) at
-/// most: a robot that is put together wrongly is not torn apart.
+/// held more than once, by hinges that are parallel up to the digits of a file, is not locked. A gap closes with 0.5 m/s (5 rad/s) at
+/// most: a robot that is assembled wrongly is not torn apart.
 ///
-/// A follower that moves no inertia has the trace 1e-6 J / r^2 of its leader's inertia J: the factors need some, and the coupling, which
-/// is settled with it, makes the leader one part in a million heavier.
-/// Impulses inside an island come after that. What holds answers them in the same step: with y = F^-1 Jc^T of a contact and R = F^-1 J^T of
-/// the rows, whose inverse mass is then 1 - R (A + C)^-1 R^T between F^-1 and F^-T, an impulse has the numbers
+/// A follower that moves no inertia has the trace 1e-6 J / r^2 of its leader's inertia J: the factors need a positive inertia, and since
+/// the coupling is settled with it, it makes the leader one part in a million heavier.
+/// Impulses inside an island are applied after that. Couplings respond to them in the same step: with y = F^-1 Jc^T of a contact and
+/// R = F^-1 J^T of the rows, whose inverse mass is then 1 - R (A + C)^-1 R^T between F^-1 and F^-T, an impulse has the numbers
 ///
 ///     y - R c,  sqrt(C) c      c = (A + C)^-1 R^T y
 ///
-/// whose products are those of that matrix. -c times the impulse is what is added to h lambda.
+/// whose products are those of that matrix. -c times the impulse is added to h lambda.
 /// Source: Featherstone 2008, sec. 6.5 (factors), 8.12 (constraint forces, loop joints); soft constraints as in
 /// Catto, Soft Constraints, GDC 2011; Hairer, Lubich, Wanner, Geometric Numerical Integration, sec. VII.1 (SHAKE).
 #pragma once
@@ -33,6 +33,7 @@
 #include <vector>
 
 #include "murosimf/collision/impulse_response.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/motion/mimic_joints.h"
 #include "murosimf/motion/moving_tree.h"
 #include "murosimf/multibody/articulated_body.h"
@@ -49,42 +50,42 @@ class CouplingForces {
   explicit CouplingForces(Setup& setup);
 
   [[nodiscard]] bool empty() const { return joints_.empty() && loops_.empty(); }
-  /// Joints of loops that nothing drives go where the others take them: positions [rad | m] by object.
+  /// Moves the passive joints of loops to where the loops close: positions [rad | m] by object.
   void assemble(std::span<double> q) { followers_.assemble(q); }
-  /// No torque yet.
+  /// Sets all torques to zero.
   void start() noexcept;
 
   /// `moved`: inertias [kg m^2 | kg] that the joints move by themselves, by link. A follower that moves none counts as a part of its
-  /// leader, and moves in `moved` what that one does.
+  /// leader, and receives the leader's number in `moved`.
   void count_at_leaders(std::span<double> moved) noexcept;
-  /// To be called first in a step: how loops stand.
+  /// To be called first in a step: updates the gaps and rates of the loops.
   void look(const MovingTree& tree) noexcept;
-  /// Adds the forces of loops that there are to the loads of their links.
+  /// Adds the present forces of loops to the loads of their links.
   void add_loads(std::span<multibody::ArticulatedLink<double>> bodies) const noexcept;
-  /// Adds the torques that there are to what drives the joints; by link.
+  /// Adds the present torques to the drives of the joints; by link.
   void drive(std::span<multibody::FrictionalJoint<double>> joints) const noexcept;
-  /// How the torques change, as the numbers z [N s/sqrt(kg)] of an impulse response (collision/impulse_response.h); for
-  /// a step of h [s] without a change. `bodies` with their accelerations and factors, roots: of inverse_D, by link.
+  /// The change of the torques, as the numbers z [N s/sqrt(kg)] of an impulse response (collision/impulse_response.h); for
+  /// a step of h [s] > 0 without a change. `bodies` with their accelerations and factors, roots: of inverse_D, by link.
   [[nodiscard]] std::span<const double> solve(const MovingTree& tree,
                                               std::span<const multibody::ArticulatedLink<double>> bodies,
                                               std::span<const double> roots, double h) noexcept;
-  /// After the change has been applied as a load of the joints: from now on it drives them.
+  /// Moves the change from the loads of the joints to their drives, after it has been applied as a load.
   void count_as_drive(std::span<multibody::FrictionalJoint<double>> joints) noexcept;
 
-  /// Numbers that responses have beyond those of the tree.
+  /// Number of coordinates of responses beyond those of the tree.
   [[nodiscard]] std::size_t size() const { return rods_.size() + loops_.rows().size(); }
   /// To be called after solve(), for the two below.
   void prepare_responses() noexcept;
-  /// Of a response, the numbers from `first` on, which are those of the tree alone, become those with all that holds.
+  /// Converts the numbers of a response from `first` on, which are those of the tree alone, to those of the tree with its couplings.
   void hold(collision::ResponseRows& y, std::size_t first) const noexcept;
-  /// What the impulses z do with all that holds, as numbers of the tree alone; count_as_drive is to follow.
+  /// Effect of the impulses z on the tree with its couplings, as numbers of the tree alone; call count_as_drive afterwards.
   [[nodiscard]] std::span<const double> held(std::span<const double> z) noexcept;
 
  private:
   struct Rod {
     int follower = 0, leader = 0;  // links
     double stiffness = 0;          // [N m/rad | N/m] k
-    double trace = 0;              // [kg m^2 | kg] inertia of a follower that moves none
+    double trace = 0;              // [kg m^2 | kg] additional inertia of a follower that moves none
   };
   [[nodiscard]] double& force_of(const multibody::LoopRow& row) const noexcept;
   [[nodiscard]] double stiffness_of(const multibody::LoopRow& row) const noexcept {
@@ -95,6 +96,7 @@ class CouplingForces {
   void fill_row(std::size_t pair, const MovingTree& tree, std::span<const multibody::ArticulatedLink<double>> bodies,
                 std::span<const double> roots) noexcept;
   [[nodiscard]] std::span<const double> row(std::size_t i) const noexcept {
+    MUROSIMF_ASSERT(i < size());
     return {rows_.data() + i * coordinates_, coordinates_};
   }
   void fill_matrix(std::size_t i, double softness) noexcept;

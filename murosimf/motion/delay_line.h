@@ -1,9 +1,10 @@
-/// delay_line.h - a number that arrives a fixed number of steps after it was sent.
+/// delay_line.h - a number that arrives a fixed number of steps after it has been sent.
 #pragma once
 
 #include <utility>
 #include <vector>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/property.h"
 #include "murosimf/model/state_archive.h"
 #include "murosimf/model/value.h"
@@ -12,14 +13,15 @@ namespace murosimf::motion {
 
 class DelayLine {
  public:
-  /// From now on everything arrives `steps` later; until then `value` does.
+  /// Sets the delay to `steps`; `value` arrives until the first number that is sent arrives.
   void reset(std::size_t steps, double value) {
     values_.assign(steps, value);
     next_ = 0;
   }
-  /// Sends `value`; what arrives in return was sent `steps` calls ago.
+  /// Sends `value`; returns what was sent `steps` calls ago.
   [[nodiscard]] double pass(double value) noexcept {
     if (values_.empty()) return value;
+    MUROSIMF_ASSERT(next_ < values_.size());
     std::swap(values_[next_], value);
     if (++next_ == values_.size()) next_ = 0;
     return value;
@@ -36,7 +38,7 @@ class DelayLine {
   std::size_t next_ = 0;
 };
 
-/// Targets on their way from the controller to the motor.
+/// Targets under way from the controller to the motor.
 inline constexpr Property<DelayLine> delayed_target{
     {"delayed_target", "rad | m", "joint", "targets on their way from the controller to the motor"}};
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/motion/sanity.h"
 
 namespace murosimf::motion {
@@ -12,6 +13,7 @@ void write_state(const multibody::FreeBody<double>& body, const PoseColumns& col
   const Quaterniond& Q = body.turn;
   y.insert(y.end(), {Q.w, Q.x, Q.y, Q.z});
   for (const int i : columns.model.joints()) y.insert(y.end(), {columns.q[i], columns.qd[i]});
+  MUROSIMF_ASSERT(y.size() == base_numbers + 2 * columns.model.joints().size());
 }
 
 bool is_sane_state(const std::vector<double>& y) {
@@ -22,6 +24,7 @@ bool is_sane_state(const std::vector<double>& y) {
 }
 
 multibody::FreeBody<double> read_state(const std::vector<double>& y, PoseColumns& columns) {
+  MUROSIMF_ASSERT(y.size() == base_numbers + 2 * columns.model.joints().size());
   std::size_t k = base_numbers;
   for (const int i : columns.model.joints()) {
     columns.q[i] = y[k++];

@@ -1,4 +1,4 @@
-/// free_state.h - the state of a robot with a free base as one row of numbers, for integrators that want it so.
+/// free_state.h - the state of a robot with a free base as one row of numbers, for integrators of ordinary differential equations.
 ///
 /// [position; velocity; angular velocity; quaternion; q; qd] of the base (or center of mass) in world axes, and of the
 /// joints in order of the model. Rate of the quaternion: Q' = [0; w] Q / 2 (Featherstone 2008, sec. 4.5).
@@ -6,18 +6,19 @@
 
 #include <vector>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/motion/pose_columns.h"
 #include "murosimf/multibody/integrate.h"
 
 namespace murosimf::motion {
 
-/// How many numbers of a row are the base's.
+/// Number of a row's numbers that belong to the base.
 inline constexpr std::size_t base_numbers = 13;
 
-/// False for NaN, and for numbers far from anything that moves.
+/// Whether the state is sane: false for NaN, and for numbers beyond any motion.
 [[nodiscard]] bool is_sane_state(const std::vector<double>& y);
 
-/// Appends the numbers of `body` and of the joints' columns to the empty row y.
+/// Writes the numbers of `body` and of the joints' columns to the row y.
 void write_state(const multibody::FreeBody<double>& body, const PoseColumns& columns, std::vector<double>& y);
 
 /// The body of a row (quaternion normalized); the joints go into the columns.
@@ -34,6 +35,7 @@ void write_rate(const multibody::FreeBody<double>& body, const Twistd& accelerat
   for (const Vec3d& v : {body.velocity, acceleration.v, acceleration.w}) dy.insert(dy.end(), {v.x, v.y, v.z});
   for (const double x : {turn.w, turn.x, turn.y, turn.z}) dy.push_back(0.5 * x);
   for (const int i : columns.model.joints()) dy.insert(dy.end(), {columns.qd[i], qdd(i)});
+  MUROSIMF_ASSERT(dy.size() == base_numbers + 2 * columns.model.joints().size());
 }
 
 }  // namespace murosimf::motion

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/motion/full_lanes.h"
 #include "murosimf/multibody/inverse_dynamics.h"
 
@@ -18,6 +19,7 @@ FullDynamics::FullDynamics(Setup& setup, const FullDynamicsOptions& options)
       joint_motion_(tree_.links.size()),
       link_force_(tree_.links.size()),
       has_servo_(old_rate_.size()) {
+  MUROSIMF_ASSERT(!tree_.links.empty());
   reference_.know_torques(watch_.need());
   for (const int i : setup.model().having(properties::servo)) has_servo_[i] = true;
   for (const Link& link : setup.model().tree().links) {
@@ -48,6 +50,7 @@ bool FullDynamics::goes_with(const Algorithm& other) const {
 }
 
 std::unique_ptr<LaneGroup> FullDynamics::join(std::span<Algorithm* const> members) const {
+  MUROSIMF_ASSERT(!members.empty() && members.size() <= Pack8::lanes);
   return std::make_unique<FullLanes>(members_of<FullDynamics>(members));
 }
 
@@ -69,16 +72,18 @@ void FullDynamics::step(const Instant& instant) noexcept {
   end_step(instant);
 }
 
-/// All that is left once the accelerations of the step stand.
+/// Ends a step whose accelerations are known.
 void FullDynamics::end_step(const Instant& instant) noexcept {
   if (!joints_sane_) return tree_.halt(joints_insane);
-  find_torques(instant);
+  MUROSIMF_ASSERT(dt_ > 0);
+  find_torques(instant);  // reads the poses at the beginning of the step: before the base moves
   tree_.contacts.commit();
   if (!tree_.advance_base(base_, dt_)) return tree_.halt(too_fast);
   tree_.finish_step();
 }
 
 void FullDynamics::step_rk4(const Instant& instant) noexcept {
+  MUROSIMF_ASSERT(instant.period > Duration{});
   tree_.take_changes();
   if (!reference_.is_sane(tree_.columns)) return tree_.halt(joints_insane);
   reference_.fade_offsets(seconds(instant.period));
@@ -91,6 +96,7 @@ void FullDynamics::step_rk4(const Instant& instant) noexcept {
     prepare_base();
     solve_base(0);
     if (std::exchange(first, false)) {
+      // contacts are explicit: the forces of the first stage hold during the whole step
       predict_contacts(seconds(instant.period));
       find_torques(instant);
       tree_.contacts.commit();
@@ -111,6 +117,7 @@ void FullDynamics::predict_contacts(double dt) noexcept {
 }
 
 void FullDynamics::begin_step(double dt) noexcept {
+  MUROSIMF_ASSERT(dt > 0);
   dt_ = dt;
   tree_.take_changes();
   joints_sane_ = advance_joints(dt);
@@ -129,20 +136,26 @@ Vec3d FullDynamics::free_velocity(int object, const Vec3d& point, const Vec3d& v
   return tree_.next_velocity(object, point, velocity, base_ + joint_motion_[link], dt_);
 }
 
+/// Joints follow their reference whatever forces act: only the base responds.
 void FullDynamics::respond(int, const Vec3d& point, const Mat3d& directions,
                            collision::ResponseRows& y) const noexcept {
   tree_.respond_at_base(tree_.forces_about_base(point, directions), y);
 }
 
-void FullDynamics::apply(std::span<const double> z) noexcept { base_ += tree_.base_change(z, dt_); }
+void FullDynamics::apply(std::span<const double> z) noexcept {
+  MUROSIMF_ASSERT(z.size() >= 6 && dt_ > 0);
+  base_ += tree_.base_change(z, dt_);
+}
 
 bool FullDynamics::advance_joints(double dt) noexcept {
+  MUROSIMF_ASSERT(dt > 0 && old_rate_.size() == tree_.columns.qd.size());
   PoseColumns& columns = tree_.columns;
   std::copy(columns.qd.begin(), columns.qd.end(), old_rate_.begin());
   if (!reference_.advance(columns, dt)) return false;
   const auto& links = columns.model.tree().links;
   for (std::size_t l = 1; l < links.size(); ++l) {
     const int i = links[l].object;
+    // what the reference has done, not what it intended: limits and ends of ranges change rates
     joint_acceleration_[l] = (columns.qd[i] - old_rate_[i]) / dt;
   }
   return true;
@@ -164,12 +177,14 @@ void FullDynamics::solve_base(double dt) noexcept {
 
 void FullDynamics::find_torques(const Instant& instant) noexcept {
   const auto& links = tree_.columns.model.tree().links;
+  MUROSIMF_ASSERT(link_force_.size() == tree_.columns.model.tree().links.size());
   for (std::size_t l = 0; l < links.size(); ++l) {
     link_force_[l] = tree_.links[l].inertia * (base_ + joint_motion_[l]) + tree_.links[l].bias_force;
   }
   tree_.for_loads(seconds(instant.period), [&](int link, const Wrenchd& load, const Sym6d& damping) {
     link_force_[link] += damping * (base_ + joint_motion_[link]) - load;
   });
+  // children before parents: link_force_ then holds the whole load of the joint
   for (std::size_t l = links.size() - 1; l > 0; --l) {
     const int i = links[l].object;
     joint_torque_[i] = dot(tree_.links[l].axis, link_force_[l]) + rotor_[l] * joint_acceleration_[l] -
@@ -184,10 +199,11 @@ void FullDynamics::watch_torques(const Instant& instant) noexcept {
   watch_.look(instant, joint_torque_, old_rate_);
 }
 
-/// A coupled joint without servo hands what its motion takes over to its leader.
+/// Adds the torque of a coupled joint without servo to that of its leader.
 void FullDynamics::load_leaders() noexcept {
   for (const auto& pair : reference_.coupled().pairs()) {
     if (has_servo_[pair.follower]) continue;
+    MUROSIMF_ASSERT(pair.leader != pair.follower);
     joint_torque_[pair.leader] += pair.ratio * joint_torque_[pair.follower];
     joint_torque_[pair.follower] = 0;
   }

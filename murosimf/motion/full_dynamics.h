@@ -1,15 +1,15 @@
-/// full_dynamics.h - level `full_dynamics`: every link has its mass, joints move exactly as their reference says.
+/// full_dynamics.h - level `full_dynamics`: every link has its mass, joints move exactly along their reference.
 ///
 /// With the joint accelerations qdd of the reference (joint_reference.h), a'_0 of the base follows from the first six
 /// rows of the equations of motion; external damping (contacts) adds to the inertia:
 ///
 ///     (sum I_i + h D) a'_0 = F_ext - sum (I_i J_i qdd + p_i + h D J_i qdd)
 ///
-/// The torques that this motion takes, tau_i = s_i . sum over the links behind joint i of (I a' + p - F_ext + h D a')
-/// plus rotor inertia times qdd, less what the joint's damper and spring give at the end of the step (passive_joint.h), are
-/// the property `joint_torque` (of a coupled joint without servo, its leader's); what exceeds the servo is counted (torque_watch.h).
+/// The torques of this motion, tau_i = s_i . sum over the links behind joint i of (I a' + p - F_ext + h D a')
+/// plus rotor inertia times qdd, minus the torques of the joint's damper and spring at the end of the step (passive_joint.h), are
+/// the property `joint_torque` (of a coupled joint without servo, its leader's); excess over the servo is counted (torque_watch.h).
 /// Source: paper 4.3, eq. (3); joint torques by the recursive Newton-Euler algorithm (multibody/inverse_dynamics.h).
-/// Differs: joint motion is smoothed by the filter unless asked for the paper's `linear`.
+/// Differs: joint motion is smoothed by the filter unless the paper's `linear` is selected.
 #pragma once
 
 #include "murosimf/model/motion_level.h"
@@ -71,10 +71,10 @@ class FullDynamics final : public MotionLevel, private collision::ImpulseRespons
   std::vector<PassiveJoint> passive_;       // by link
   std::vector<double> old_rate_;            // [rad/s | m/s] by object
   std::vector<double> joint_acceleration_;  // [rad/s^2 | m/s^2] by link
-  std::vector<Twistd> joint_motion_;        // J_i qdd by link: a' that the joints alone make
+  std::vector<Twistd> joint_motion_;        // J_i qdd by link: the part of a' due to the joints alone
   std::vector<Wrenchd> link_force_;         // [N m, N] about O, by link
   std::vector<bool> has_servo_;             // by object
-  Wrenchd bias_;                            // [N m, N] force that the joints take of the base
+  Wrenchd bias_;                            // [N m, N] force that the joints' motion requires of the base
   double dt_ = 0;                           // [s] of the present step
   bool joints_sane_ = true;                 // in the present step
   Twistd base_;                             // a'_0

@@ -1,5 +1,6 @@
 #include "murosimf/motion/full_lanes.h"
 
+#include "murosimf/math/assert.h"
 #include "murosimf/multibody/inverse_dynamics.h"
 
 namespace murosimf::motion {
@@ -10,9 +11,12 @@ FullLanes::FullLanes(std::vector<FullDynamics*> members)
       joint_acceleration_(trees_.links.size()),
       joint_torque_(trees_.links.size()),
       joint_motion_(trees_.links.size()),
-      link_force_(trees_.links.size()) {}
+      link_force_(trees_.links.size()) {
+  MUROSIMF_ASSERT(!members_.empty() && members_.size() <= Pack8::lanes);
+}
 
 void FullLanes::step(LaneMask due, const Instant& instant) noexcept {
+  MUROSIMF_ASSERT(due >> members_.size() == 0 && instant.period > Duration{});
   const LaneMask lanes = trees_.ready(due);
   for_lanes(due & ~lanes, [&](int lane) { member(lane).step(instant); });
   if (lanes == 0) return;
@@ -41,6 +45,8 @@ void FullLanes::begin(LaneMask lanes) noexcept {
 void FullLanes::settle(LaneMask lanes) noexcept {
   LaneMask open = lanes;
   for (int passes_left = collision::max_passes - 1;; --passes_left) {
+    MUROSIMF_ASSERT(passes_left >= 0);
+    // lanes that have settled keep their base: later passes only serve the others
     assign_where(where(open), solve_bases(open), base_);
     for_lanes(open, [&](int lane) {
       const auto acceleration_of = [&](int link) {
@@ -49,6 +55,7 @@ void FullLanes::settle(LaneMask lanes) noexcept {
       trees_.predict_contacts(lane, dt_, acceleration_of);
       if (passes_left > 0 && member(lane).tree_.contacts.accept()) open &= ~lane_bit(lane);
     });
+    MUROSIMF_ASSERT((open & ~lanes) == 0);
     if (passes_left == 0 || open == 0) return;
   }
 }
@@ -57,6 +64,7 @@ void FullLanes::settle(LaneMask lanes) noexcept {
 Twist<Pack8> FullLanes::solve_bases(LaneMask lanes) noexcept {
   Sym6<Pack8> inertia = to_sym6(trees_.whole);
   Wrench<Pack8> force = -1.0 * bias_;
+  // a lane without this load keeps its sums bit for bit: adding a zero could change the sign of a zero
   trees_.for_loads(lanes, dt_, [&](std::size_t link, LaneMask loaded, const auto& load, const auto& damping) {
     Sym6<Pack8> more = inertia;
     Wrench<Pack8> left = force;
@@ -75,12 +83,14 @@ void FullLanes::end(LaneMask lanes, const Instant& instant) noexcept {
     together &= ~lane_bit(lane);
     member(lane).tree_.halt(joints_insane);
   });
+  // before the bases move: torques belong to the poses at the beginning of the step
   find_torques(together);
   for_lanes(together, [&](int lane) {
     member(lane).watch_torques(instant);
     member(lane).tree_.contacts.commit();
   });
   const LaneMask moved = trees_.advance_bases(base_, dt_, together);
+  MUROSIMF_ASSERT((moved & ~together) == 0);
   for_lanes(together & ~moved, [&](int lane) { member(lane).tree_.halt(too_fast); });
   trees_.finish_step(moved);
 }

@@ -1,10 +1,11 @@
 /// full_lanes.h - up to eight copies of one robot at level `full_dynamics`, stepped together in lanes.
 ///
-/// The step of full_dynamics.h with packs in the place of numbers. The joints' references, contacts and their law go lane by lane.
+/// The step of full_dynamics.h with packs in the place of numbers. The joints' references, contacts and their law are executed lane by lane.
 #pragma once
 
 #include <vector>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/lane_group.h"
 #include "murosimf/motion/full_dynamics.h"
 #include "murosimf/motion/tree_lanes.h"
@@ -17,7 +18,10 @@ class FullLanes final : public LaneGroup {
   void step(LaneMask due, const Instant& instant) noexcept override;
 
  private:
-  [[nodiscard]] FullDynamics& member(int lane) const noexcept { return *members_[static_cast<std::size_t>(lane)]; }
+  [[nodiscard]] FullDynamics& member(int lane) const noexcept {
+    MUROSIMF_ASSERT(lane >= 0 && static_cast<std::size_t>(lane) < members_.size());
+    return *members_[static_cast<std::size_t>(lane)];
+  }
   [[nodiscard]] Twist<Pack8> acceleration(std::size_t link) const noexcept { return base_ + joint_motion_[link]; }
   void begin(LaneMask lanes) noexcept;
   void settle(LaneMask lanes) noexcept;

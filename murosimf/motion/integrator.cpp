@@ -27,6 +27,7 @@ void check_contacts(Integrator integrator, const collision::ContactInterface& co
                                  1e3 * period, 1e3 * contacts.terms.dt));
   }
   if (integrator != Integrator::rk4) return;
+  // a damper that another algorithm has made implicit would be explicit here, and unstable
   if (contacts.damped_by_others) {
     throw SetupError("integrator 'rk4' does not go with 'carry' between bodies, which counts on implicit steps");
   }

@@ -1,7 +1,8 @@
-/// joint_drive.h - what acts in a joint, linearly implicit in its acceleration of this step: tau = torque - inertia qdd
+/// joint_drive.h - torques in a joint, linearly implicit in its acceleration of this step: tau = torque - inertia qdd
 /// (joint_drives.h).
 #pragma once
 
+#include "murosimf/math/assert.h"
 #include "murosimf/motion/joint_stop.h"
 #include "murosimf/motion/passive_joint.h"
 #include "murosimf/multibody/servo_motor.h"
@@ -14,22 +15,26 @@ using DriveOf = multibody::TorqueLine<S>;
 
 using JointDrive = DriveOf<double>;
 
+/// Adds a damper [N m s/rad | N s/m].
 template <class S>
 void damp(DriveOf<S>& drive, double damping, const S& qd, double dt) {
+  MUROSIMF_ASSERT(dt >= 0);
   drive.torque = drive.torque - damping * qd;
   drive.inertia = drive.inertia + dt * damping;
 }
 
-/// Torque of this instant, and the inertia that makes the step that of the average force (joint_drives.h).
+/// Adds a spring: its torque of this instant, and the inertia that makes the step that of the average force (joint_drives.h).
 template <class S>
 void pull(DriveOf<S>& drive, const PassiveJoint& spring, const S& q, double dt) {
+  MUROSIMF_ASSERT(dt >= 0);
   drive.torque = drive.torque - spring.stiffness * (q - spring.rest);
   drive.inertia = drive.inertia + 0.25 * dt * dt * spring.stiffness;
 }
 
-/// The end that the joint comes near in a step of `dt` [s] > 0.
+/// The end of the range that the joint approaches in a step of `dt` [s] > 0.
 template <class S>
 [[nodiscard]] multibody::RangeEnd<S> end_ahead(const JointStop& stop, const S& q, const S& qd, double dt) {
+  MUROSIMF_ASSERT(dt > 0 && stop.lowest <= stop.highest);
   const S next = q + dt * qd;
   const auto up = next > S(0.5 * (stop.lowest + stop.highest));
   multibody::RangeEnd<S> end;
@@ -40,7 +45,7 @@ template <class S>
   return end;
 }
 
-/// Explicitly: what the end does now.
+/// Adds the present torque of an end, explicitly.
 template <class S>
 void stop(DriveOf<S>& drive, const JointStop& stop, const S& q, const S& qd) {
   const S beyond = q - multibody::clamped<S>(q, stop.lowest, stop.highest);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::motion {
 
 JointDriveLanes::JointDriveLanes(std::vector<const JointDrives*> robots)
@@ -9,6 +11,7 @@ JointDriveLanes::JointDriveLanes(std::vector<const JointDrives*> robots)
       target_(robots_.front()->objects_.size() + 1),
       supply_(target_.size()),
       enabled_(target_.size()) {
+  MUROSIMF_ASSERT(robots_.size() <= Pack8::lanes);
   const auto tunes = [](const JointDrives* robot) { return robot->condition_.tunes(); };
   if (std::ranges::any_of(robots_, tunes)) tuning_.resize(target_.size());
 }
@@ -20,13 +23,14 @@ void JointDriveLanes::take_inputs(PoseLanes& poses, LaneMask lanes) noexcept {
         poses.joints(), lanes, [&](std::size_t k) -> Pack8& { return numbers[k + 1]; }, column);
   };
   take(target_, [&](int lane) { return robot(lane).bus_.targets().data(); });
-  if (robots_.front()->condition_.supply().empty()) return;  // no servos
+  if (robots_.front()->condition_.supply().empty()) return;  // the model has no servos
   take(supply_, [&](int lane) { return robot(lane).condition_.supply().data(); });
   take(enabled_, [&](int lane) { return robot(lane).condition_.enabled().data(); });
   if (!tuning_.empty()) take_tuning(poses, lanes);
 }
 
 void JointDriveLanes::take_tuning(PoseLanes& poses, LaneMask lanes) noexcept {
+  MUROSIMF_ASSERT(tuning_.size() == poses.joints().size() + 1);
   for (std::size_t k = 0; k < poses.joints().size(); ++k) {
     Tuning& tuning = tuning_[k + 1];
     for_lanes(lanes, [&](int lane) {
@@ -41,12 +45,14 @@ void JointDriveLanes::take_tuning(PoseLanes& poses, LaneMask lanes) noexcept {
 
 DriveOf<Pack8> JointDriveLanes::drive(std::size_t link, int object, const Pack8& q, const Pack8& qd, double dt,
                                       multibody::FrictionalJoint<Pack8>& to) const noexcept {
+  MUROSIMF_ASSERT(link > 0 && link < target_.size() && dt > 0);
   const JointDrives& first = *robots_.front();
   const JointDrives::Joint& joint = first.joints_[static_cast<std::size_t>(object)];
   DriveOf<Pack8> viscous, rest;
   to.coulomb = joint.coulomb;
   to.rate = qd;
   if (joint.law) {
+    // numbers of the servo are those of the first robot: the robots are equal, only their inputs differ
     multibody::MotorInput<Pack8> input{.target = target_[link], .q = q, .rate = qd, .enabled = enabled_[link]};
     const double per_volt = first.condition_.per_volt(static_cast<std::size_t>(object));
     if (per_volt > 0) input.supply = supply_[link] * per_volt;

@@ -1,4 +1,4 @@
-/// joint_drive_lanes.h - the drives of up to eight copies of one robot, each in its own lane: what joint_drives.h is for one.
+/// joint_drive_lanes.h - the drives of up to eight copies of one robot, each in its own lane: the counterpart of joint_drives.h.
 #pragma once
 
 #include <vector>
@@ -10,10 +10,10 @@ namespace murosimf::motion {
 
 class JointDriveLanes {
  public:
-  /// Robots that are alike (JointDrives::are_alike); they outlive this.
+  /// `robots`: equal ones (JointDrives::are_alike); they outlive this object.
   explicit JointDriveLanes(std::vector<const JointDrives*> robots);
 
-  /// To be called once per step, after JointDrives::take_targets of these lanes: what their motors know, and have before them.
+  /// To be called once per step, after JointDrives::take_targets of these lanes: reads targets, supply and tuning of their motors.
   void take_inputs(PoseLanes& poses, LaneMask lanes) noexcept;
   /// JointDrives::drive, for the joint of a link: an object of the model.
   DriveOf<Pack8> drive(std::size_t link, int object, const Pack8& q, const Pack8& qd, double dt,
@@ -27,7 +27,7 @@ class JointDriveLanes {
   struct Tuning {
     Pack8 gain = 1.0, damping{}, limit{};  // as of MotorInput
   };
-  std::vector<Tuning> tuning_;  // by link; empty: no software sets gains and limits
+  std::vector<Tuning> tuning_;  // by link; empty: software cannot set gains and limits
 };
 
 }  // namespace murosimf::motion

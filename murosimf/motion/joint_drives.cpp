@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/motion/torque_watch.h"
@@ -32,6 +33,7 @@ JointDrives::JointDrives(Setup& setup, const std::string& law)
     joints_[i].stop = joint_stop(setup.model(), i, lowest, highest, bus_.coupled().pairs());
     const Servo* servo = setup.model().find(properties::servo, i);
     if (servo) joints_[i].rate_limit = rate_limit(*servo, bus_.coupled().rate_limit(i));
+    // few servos have memory: only these cost a call at the end of the step
     if (backlash_.at(i) || condition_.heats(i)) remembering_.push_back(i);
   }
 }
@@ -53,10 +55,11 @@ JointDrives::Joint JointDrives::make_joint(const Model& model, int i, const std:
 void JointDrives::initialize(std::span<double> q, std::span<double> qd) noexcept {
   for (const int i : objects_) {
     const auto& [lowest, highest] = bus_.coupled().range(i);
+    MUROSIMF_ASSERT(lowest <= highest);
     q[i] = std::clamp(bus_.position_target(i), lowest, highest);
     qd[i] = 0;
   }
-  bus_.coupled().follow(q, qd);
+  bus_.coupled().follow(q, qd);  // after all leaders are placed
   condition_.cool_down();
   take_over(qd);
 }
@@ -68,6 +71,7 @@ void JointDrives::take_over(std::span<const double> qd) noexcept {
 }
 
 MotorTorque JointDrives::motor(int i, double q, double rate, double dt) const noexcept {
+  MUROSIMF_ASSERT(i >= 0 && static_cast<std::size_t>(i) < joints_.size() && joints_[i].law && dt >= 0);
   MotorInput input{.target = bus_.target(i), .q = q, .rate = rate};
   condition_.fill(i, input);
   MotorTorque torque = joints_[i].law->torque(input, dt);
@@ -77,6 +81,7 @@ MotorTorque JointDrives::motor(int i, double q, double rate, double dt) const no
 
 JointDrive JointDrives::drive(int i, double q, double qd, double dt,
                               multibody::FrictionalJoint<double>& to) const noexcept {
+  MUROSIMF_ASSERT(i >= 0 && static_cast<std::size_t>(i) < joints_.size() && dt >= 0);
   const Joint& joint = joints_[i];
   JointDrive viscous, rest;
   to.coulomb = joint.coulomb;
@@ -84,6 +89,7 @@ JointDrive JointDrives::drive(int i, double q, double qd, double dt,
   to.gear = nullptr;
   to.motor = {};
   if (backlash_.touches(i)) {
+    // between the sides of the play, the servo's motor, friction and rotor do not act on the joint
     if (joint.law) {
       to.motor = motor(i, q, qd, dt);
       to.gear = joint.gear;
@@ -99,7 +105,9 @@ JointDrive JointDrives::drive(int i, double q, double qd, double dt,
   return viscous;
 }
 
+/// Explicit steps have no budget to spend: friction becomes a damper (passive_joint.h).
 void JointDrives::brake_explicitly(multibody::FrictionalJoint<double>& joint) noexcept {
+  // the share of F that the damper gives at this rate: 1 but near rest
   const double share = coulomb_damping(1, joint.rate) * std::abs(joint.rate);
   joint.budget = joint.coulomb *= share;
   if (joint.gear) {
@@ -110,10 +118,12 @@ void JointDrives::brake_explicitly(multibody::FrictionalJoint<double>& joint) no
 }
 
 void JointDrives::finish(int i, const Outcome& outcome, double dt) noexcept {
+  MUROSIMF_ASSERT(dt > 0);
   double torque = outcome.motor_torque;
   if (backlash_.touches(i)) {
     if (backlash_.at(i)) backlash_.follow(i, outcome.torque, outcome.rate, dt);
   } else {
+    // the motor side turns alone: its law is evaluated at its own rate
     const MotorTorque alone = motor(i, outcome.position, backlash_.rate(i), dt);
     torque = alone.now;
     backlash_.turn(i, alone, outcome.rate, dt);

@@ -1,15 +1,16 @@
-/// joint_drives.h - everything that acts on the joints of a robot from inside: servos, dampers, springs and dry friction,
-/// the ends of their range (joint_stop.h).
+/// joint_drives.h - internal torques of a robot's joints: servos, dampers, springs and dry friction,
+/// and the ends of their range (joint_stop.h).
 ///
-/// A joint without servo is free. No servo drives its joint faster than the joint's limit (rate_limit.h). Torques are linearly implicit in the joint's acceleration of this step, tau = torque -
-/// inertia qdd: implicit Euler of the linearized drive. With h = 0 the answer is the plain torque of this instant. Dry
+/// A joint without servo is free. No servo drives its joint faster than the joint's limit (rate_limit.h). Torques are linearly implicit
+/// in the joint's acceleration of this step, tau = torque - inertia qdd: implicit Euler of the linearized drive. With h = 0 the result
+/// is the torque of this instant. Dry
 /// friction is a budget that the level spends (multibody/friction_solver.h).
-/// Springs are the exception: implicit Euler would brake what swings, like a damper of h k. They are average
+/// Springs are the exception: implicit Euler would damp oscillations like a damper of h k. Springs use average
 /// acceleration,
 ///
 ///     torque = k (rest - q),   inertia = h^2 k / 4
 ///
-/// which with the semi-implicit step of the joint loses no energy at any h, and swings slower by the share (h w)^2 / 12.
+/// which with the semi-implicit step of the joint conserves energy at any h, and oscillates slower by the share (h w)^2 / 12.
 /// Source: Newmark's method with beta = 1/4, gamma = 1/2 (Hughes, The Finite Element Method, sec. 9.1).
 #pragma once
 
@@ -35,34 +36,34 @@ class JointDrives {
   /// `law`: of all servos, instead of their own (empty: their own). Throws SetupError if a servo is impossible.
   explicit JointDrives(Setup& setup, const std::string& law = {});
 
-  /// Joints stand where their targets are, at rest.
+  /// Places the joints at their targets, at rest.
   void initialize(std::span<double> q, std::span<double> qd) noexcept;
-  /// Joints stay as they are; all motors know the present targets. qd [rad/s | m/s] by object.
+  /// Keeps the joints; all motors receive the present targets. qd [rad/s | m/s] by object.
   void take_over(std::span<const double> qd) noexcept;
-  /// To be called once per step of dt [s]: takes the targets on their way to the motors. False if one is no sensible number.
+  /// To be called once per step of dt [s]: moves targets on towards the motors. False if a target is not sane.
   [[nodiscard]] bool take_targets(double dt) noexcept { return bus_.step(dt); }
-  /// Takes whole turns out of the positions [rad] of wheels (velocity_joints.h).
+  /// Removes whole turns from the positions [rad] of wheels (velocity_joints.h).
   void wrap(std::span<double> q) const noexcept { bus_.turning().wrap(q); }
 
-  /// Whether copies of the robot differ in numbers only: no wheels, and no servos with play or a temperature.
+  /// Whether copies of the robot differ in numbers only: no wheels, and no servos with backlash or temperature.
   [[nodiscard]] bool are_alike() const noexcept { return remembering_.empty() && bus_.turning().joints().empty(); }
 
-  /// Fills what acts in joint `i` (an object of the model) from inside, for a step of `dt` [s]; returns the part of it that is viscous
-  /// friction of the servo's gear.
+  /// Fills the internal torques of joint `i` (an object of the model), for a step of `dt` [s]; returns the viscous friction of the
+  /// servo's gear, which is a part of them.
   JointDrive drive(int i, double q, double qd, double dt, multibody::FrictionalJoint<double>& joint) const noexcept;
-  /// After drive() with a step of 0: the motor's torque of this instant, and friction as a damper.
+  /// Converts the result of drive() with a step of 0: the motor's torque of this instant, and friction as a damper.
   static void brake_explicitly(multibody::FrictionalJoint<double>& joint) noexcept;
-  /// The inertia [kg m^2 | kg] that always turns with the joint, besides links.
+  /// Inertia [kg m^2 | kg] that always moves with the joint, besides links.
   [[nodiscard]] double firm_inertia(int i) const noexcept { return backlash_.at(i) ? 0 : joints_[i].rotor; }
 
-  /// What became of a joint in a step.
+  /// Result of a step for a joint.
   struct Outcome {
     double motor_torque = 0;  ///< [N m] on average
     double torque = 0;        ///< [N m] of motor and gear
     double position = 0;      ///< [rad] after the step
     double rate = 0;          ///< [rad/s] after the step
   };
-  /// Joints whose servo has a memory; only these need `finish`.
+  /// Joints whose servo has memory; only these need `finish`.
   [[nodiscard]] std::span<const int> remembering() const { return remembering_; }
   void finish(int i, const Outcome& outcome, double dt) noexcept;
 
@@ -79,7 +80,7 @@ class JointDrives {
     const GearFriction* gear = nullptr;  // dry friction of the servo; null: none
     JointStop stop;
   };
-  /// Damper and spring of the joint itself, and the ends of its range.
+  /// Adds damper and spring of the joint itself, and the ends of its range.
   template <class S>
   static void add_passive(const Joint& joint, const S& q, const S& qd, double dt, DriveOf<S>& rest,
                           multibody::RangeEnd<S>& end) {

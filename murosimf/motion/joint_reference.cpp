@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
@@ -12,9 +13,9 @@
 namespace murosimf::motion {
 namespace {
 
-constexpr double offset_fading_time = 0.1;  // [s] of what a joint is away from its reference when that takes over
-constexpr double catch_up_time = 1.0;       // [s] in which no joint is faster than its servo on the way back
-constexpr double slowest_share = 0.1;       // [1] of a servo's no-load rate, however much it carries
+constexpr double offset_fading_time = 0.1;  // [s] time constant of a joint's offset from its reference after a takeover
+constexpr double catch_up_time = 1.0;       // [s] during which joints with an offset are no faster than their servos
+constexpr double slowest_share = 0.1;       // [1] of a servo's no-load rate, at any load
 
 constexpr ReferenceEntry reference_entries[] = {
     {"filter", "a critically damped filter follows the target", ReferenceKind::filter},
@@ -22,10 +23,10 @@ constexpr ReferenceEntry reference_entries[] = {
     {"exact", "the target is the position (paper 4.1, 4.2)", ReferenceKind::exact},
 };
 
-/// What properties::joint_reference_kind says.
+/// Value of properties::joint_reference_kind; 0 and NaN are none.
 double number_of(ReferenceKind kind) { return 1 + static_cast<int>(kind); }
 
-/// What targets are held to, by object: ranges of joints, and the target ranges of those that follow positions.
+/// Ranges of targets, by object: ranges of joints, and the target ranges of those that follow positions.
 std::vector<MimicJoints::Range> target_ranges(const Model& model, const MimicJoints& coupled,
                                               const VelocityJoints& turning) {
   std::vector<MimicJoints::Range> ranges;
@@ -40,9 +41,9 @@ std::vector<MimicJoints::Range> target_ranges(const Model& model, const MimicJoi
   return ranges;
 }
 
-/// What is left of an offset [rad | m] after dt [s]; implicit Euler.
+/// The rest of an offset [rad | m] after dt [s]; implicit Euler.
 double faded(double offset, double dt) {
-  constexpr double nothing = 1e-9;
+  constexpr double nothing = 1e-9;  // below it the offset is exactly 0, so that it leaves the state hash
   return std::abs(offset) > nothing ? offset / (1 + dt / offset_fading_time) : 0;
 }
 
@@ -62,6 +63,7 @@ JointReference::JointReference(Setup& setup, const JointReferenceOptions& option
       target_range_(target_ranges(setup.model(), coupled_, turning_)),
       leader_(target_.size()),
       ratio_(target_.size()) {
+  // a joint that follows none is its own leader
   std::iota(leader_.begin(), leader_.end(), 0);
   for (const auto& pair : coupled_.pairs()) {
     leader_[pair.follower] = pair.leader;
@@ -90,6 +92,7 @@ void JointReference::take_over(const PoseColumns& columns) noexcept {
   const double before = std::exchange(kind_, number_of(options_.kind));
   if (before == kind_) return;
   std::fill(offset_.begin(), offset_.end(), 0.0);
+  // servos let joints sag under load: catching up at once would throw the robot up
   const bool after_servos = !(before >= 1);  // a new column may hold NaN
   catch_up_time_ = after_servos && options_.carries ? catch_up_time : 0;
   for (const int i : turning_.others()) {
@@ -100,18 +103,21 @@ void JointReference::take_over(const PoseColumns& columns) noexcept {
 }
 
 MUROSIMF_INLINE double JointReference::limited_target(int joint) const noexcept {
+  MUROSIMF_ASSERT(joint >= 0 && static_cast<std::size_t>(joint) < target_range_.size());
   const auto& [lowest, highest] = target_range_[static_cast<std::size_t>(joint)];
   return std::clamp(target_[joint], lowest, highest);
 }
 
 double JointReference::offset_of(const PoseColumns& columns, int joint) const noexcept {
   const double lag = options_.kind == ReferenceKind::filter ? 2 / options_.filter_frequency : 0;  // [s]
+  // with this lag the filter's acceleration is 0 at the takeover
   return columns.q[joint] + lag * columns.qd[joint] - limited_target(joint);
 }
 
 MUROSIMF_INLINE double JointReference::limited_rate(int joint, double rate) const noexcept {
   if (!limited_) return rate;
   const double most = coupled_.rate_limit(joint);
+  MUROSIMF_ASSERT(most >= 0);
   return std::clamp(rate, -most, most);
 }
 
@@ -123,7 +129,7 @@ JointReference::Motor JointReference::motor_of(const Model& model, int joint) {
   return motor;
 }
 
-/// `now`: the joint's rate before.
+/// `now`: the joint's rate at the beginning of the step.
 MUROSIMF_INLINE double JointReference::largest_rate(int joint, double now) const noexcept {
   const double most = coupled_.rate_limit(joint);
   if (!catches_up()) return most;
@@ -133,7 +139,7 @@ MUROSIMF_INLINE double JointReference::largest_rate(int joint, double now) const
   return std::min(most, std::max(motor.no_load_rate * std::max(slowest_share, 1 - load), std::abs(now)));
 }
 
-/// The same of a joint that may be on its way to its reference.
+/// The same for a joint that may be catching up with its reference.
 MUROSIMF_INLINE double JointReference::limited_rate(int joint, double rate, double now) const noexcept {
   if (!catches_up()) return limited_rate(joint, rate);
   const double most = largest_rate(joint, now);
@@ -145,6 +151,7 @@ MUROSIMF_INLINE double JointReference::target(int joint) const noexcept {
 }
 
 void JointReference::count_down(double dt) noexcept {
+  MUROSIMF_ASSERT(dt > 0);
   if (catch_up_time_ > 0) catch_up_time_ = std::max(0.0, catch_up_time_ - dt);
 }
 
@@ -158,24 +165,27 @@ void JointReference::fade_offsets(double dt) noexcept {
 void JointReference::stop_at_limits(PoseColumns& columns) const noexcept {
   for (const int i : columns.model.joints()) {
     const auto& [lowest, highest] = coupled_.range(i);
+    MUROSIMF_ASSERT(lowest <= highest);
     if (limited_) columns.qd[i] = limited_rate(i, columns.qd[i]);
     if (columns.q[i] >= lowest && columns.q[i] <= highest) continue;
     columns.q[i] = std::clamp(columns.q[i], lowest, highest);
     columns.qd[i] = 0;
   }
-  coupled_.follow(columns.q, columns.qd);
+  coupled_.follow(columns.q, columns.qd);  // last: leaders may have been stopped
 }
 
 bool JointReference::is_sane(const PoseColumns& columns) const noexcept {
-  constexpr double largest = 1e4;  // [rad | m] sines lose their precision far beyond
+  constexpr double largest = 1e4;  // [rad | m] beyond it sines lose their precision
   double sum = 0;
   for (const int i : columns.model.joints()) sum += std::abs(target_[i]) + std::abs(columns.q[i]);
   for (const int i : turning_.joints()) sum += std::abs(turning_.target(i));
-  return sum < largest;  // NaN is not less
+  return sum < largest;  // false for NaN
 }
 
 bool JointReference::advance(PoseColumns& columns, double dt) noexcept {
+  MUROSIMF_ASSERT(dt > 0 && columns.q.size() == target_.size());
   if (!is_sane(columns)) return false;
+  // before anything moves: passive joints continue on their present branch
   of_loops_.keep(columns.q);
   switch (options_.kind) {
     case ReferenceKind::filter:
@@ -199,6 +209,7 @@ bool JointReference::advance(PoseColumns& columns, double dt) noexcept {
 
 double JointReference::acceleration(const PoseColumns& columns, int joint) const noexcept {
   const double wf = options_.filter_frequency;
+  MUROSIMF_ASSERT(joint >= 0 && static_cast<std::size_t>(joint) < leader_.size());
   const int leader = leader_[joint];
   if (leader != joint) return ratio_[joint] * acceleration(columns, leader);
   const double qd = columns.qd[joint];
@@ -207,6 +218,7 @@ double JointReference::acceleration(const PoseColumns& columns, int joint) const
   return std::abs(qd) >= largest_rate(joint, 0) && qd * qdd > 0 ? 0 : qdd;
 }
 
+/// Explicit methods need a right side without jumps.
 void JointReference::check(Integrator integrator) const {
   if (integrator == Integrator::rk4 && !of_loops_.empty()) {
     throw SetupError("integrator 'rk4' does not go with loops: their joints follow at the end of a step");
@@ -218,6 +230,7 @@ void JointReference::check(Integrator integrator) const {
 
 void JointReference::filter(PoseColumns& columns, double dt) noexcept {
   const double wf = options_.filter_frequency;
+  // implicit in q and qd: stable for any product of step and frequency
   const double inverse = 1.0 / (1 + 2 * wf * dt + wf * wf * dt * dt);
   for (const int i : turning_.others()) {
     double& q = columns.q[i];
@@ -239,12 +252,13 @@ void JointReference::follow_exactly(PoseColumns& columns, double dt) noexcept {
   }
 }
 
-/// A joint that may not be as fast as its reference takes it has farther to go.
+/// Adds the distance that a joint with limited rate falls behind to its offset: it needs more time.
 void JointReference::fall_behind(const PoseColumns& columns, int joint) noexcept {
   if (catches_up()) offset_[joint] = offset_of(columns, joint);
 }
 
 void JointReference::turn(PoseColumns& columns, double dt) const noexcept {
+  // implicit Euler of the first-order lag
   const double gain = dt * options_.filter_frequency / (1 + options_.filter_frequency * dt);
   for (const int i : turning_.joints()) {
     columns.qd[i] = limited_rate(i, columns.qd[i] + gain * (turning_.target(i) - columns.qd[i]));
@@ -262,10 +276,11 @@ void JointReference::linear(PoseColumns& columns, double dt) noexcept {
     if (goal != cycle_target_[i]) {
       cycle_target_[i] = goal;
       qd = limited_rate(i, (goal - q) / options_.control_period);
-    } else if (std::abs(goal - q) < 1e-12) {
+    } else if (std::abs(goal - q) < 1e-12) {  // arrived, up to rounding
       qd = 0;
     }
     const double rest = goal - q;
+    // the last step of a cycle ends exactly at the goal, not one rounding beside it
     q = std::abs(rest) <= std::abs(qd) * dt * (1 + 1e-9) ? goal : q + dt * qd;
     qd -= offset_[i] / offset_fading_time;
     if (const double limited = limited_rate(i, qd, columns.qd[i]); limited != qd && catches_up()) {

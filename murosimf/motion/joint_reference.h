@@ -1,4 +1,4 @@
-/// joint_reference.h - joint motion of the levels that do not simulate servos: how desired positions become
+/// joint_reference.h - joint motion of the levels that do not simulate servos: conversion of desired positions to
 /// positions and rates.
 ///
 ///     filter:  qdd = (wf^2 (target - q - dt qd) - 2 wf qd) / (1 + 2 wf dt + wf^2 dt^2)
@@ -13,24 +13,24 @@
 ///
 ///     qdd = wf (rate target - qd) / (1 + wf dt)
 ///
-/// A level that takes over finds joints beside their reference: servos have let them sag, or the reference before was of another kind. The
-/// offset o = q - reference then,
+/// A level that takes over finds joints beside their reference: servos have let them sag, or the preceding reference was of another
+/// kind. The initial offset o = q - reference,
 ///
 ///     o = q + lag - target        lag = 2 qd / wf (filter: its acceleration begins at 0), 0 (linear, exact)      o' = -o / 0.1 s
 ///
-/// is added to the target (filter, exact) or to the line (linear), and fades: nothing jerks the base. Implicit Euler. For a second
-/// after servos no joint gets faster than they can, unless it is so already:
+/// is added to the target (filter, exact) or to the line (linear), and decays, so that the base does not jerk. Implicit Euler. For a
+/// second after servos no joint gets faster than its servo allows, unless it already is:
 ///
 ///     |qd| <= w_0 max(0.1, 1 - tau / T)     w_0, T: no-load rate and stall torque of its servo at its duty limit;
-///                                           tau: torque that its motion takes
+///                                           tau: torque of its motion
 ///
-/// (tau: torque_need in the direction of the motion, known at full_dynamics, else 0). What it is behind then is added to o. Else limbs that carry
-/// the robot throw it up when they catch up (docs/levels.md has the measure).
-/// A joint that follows another one (mimic_joints.h) is where that takes it; its own target means nothing.
-/// Joints of loops that nothing drives are where the others take them (multibody/loop_joints.h), whatever their targets and ranges.
+/// (tau: torque_need in the direction of the motion, known at full_dynamics, else 0). The distance that a joint falls behind is then
+/// added to o. Otherwise limbs that carry the robot throw it up when they catch up (docs/levels.md has the measure).
+/// The position of a joint that follows another one (mimic_joints.h) is that of the coupling; its own target is ignored.
+/// The positions of passive joints in loops are those that close the loops (multibody/loop_joints.h), whatever their targets and ranges.
 /// Targets are held to the joint's range and its joint_target_range.
-/// No joint is faster than its largest rate (joint_rate_limit): the filter's rate is cut off there, a line is as steep as it may be, and
-/// what would follow exactly comes later.
+/// No joint is faster than its largest rate (joint_rate_limit): the filter's rate is limited, the slope of a line is limited, and
+/// an exact reference is reached later.
 /// Joints stop at the ends of their range (joint_range), at rest. Same state (q, qd) as a simulated servo, so levels can be
 /// exchanged.
 #pragma once
@@ -61,7 +61,7 @@ struct JointReferenceOptions {
   ReferenceKind kind = ReferenceKind::filter;
   double filter_frequency = 120.0;  ///< [rad/s] wf
   double control_period = 0.01;     ///< [s] one control cycle, for `linear`
-  bool carries = true;  ///< limbs push the robot; at kinematic walking they do not, and nothing holds them back
+  bool carries = true;              ///< limbs carry the robot: servos limit them after a takeover
 };
 
 class JointReference {
@@ -70,21 +70,21 @@ class JointReference {
 
   /// Joints start at their targets, at rest.
   void initialize(PoseColumns& columns) noexcept;
-  /// Goes on from the joints as they are; what they are away from their reference fades. After a level with a reference of the same
+  /// Continues from the present joint positions; the offsets from the reference decay. After a level with a reference of the same
   /// kind nothing changes.
   void take_over(const PoseColumns& columns) noexcept;
-  /// Positions and targets are sensible numbers.
+  /// Whether positions and targets are sane numbers.
   [[nodiscard]] bool is_sane(const PoseColumns& columns) const noexcept;
-  /// Advances q and qd by dt [s]. False, and nothing changed, if a position or target is no sensible number.
+  /// Advances q and qd by dt [s] > 0. False, and nothing changed, if a position or target is not sane.
   [[nodiscard]] bool advance(PoseColumns& columns, double dt) noexcept;
   /// Acceleration [rad/s^2 | m/s^2] of the filter's differential equation, q'' = wf^2 (target - q) - 2 wf q'; of a joint
   /// that follows a rate, q'' = wf (rate target - q').
   [[nodiscard]] double acceleration(const PoseColumns& columns, int joint) const noexcept;
-  /// Less is left of the offsets after dt [s]; advance() does it itself.
+  /// Reduces the offsets by their decay in dt [s]; advance() includes it.
   void fade_offsets(double dt) noexcept;
-  /// Joints beyond the ends of their range stand there, coupled ones where their leaders take them.
+  /// Stops joints beyond the ends of their range at the end; coupled joints follow their leaders.
   void stop_at_limits(PoseColumns& columns) const noexcept;
-  /// By object [N m | N], of a level that knows what torques its motion takes (torque_watch.h).
+  /// Sets the torques by object [N m | N], of a level that computes those of its motion (torque_watch.h).
   void know_torques(std::span<const double> needed) noexcept { torque_need_ = needed; }
   [[nodiscard]] const MimicJoints& coupled() const { return coupled_; }
   /// Throws SetupError if the reference has no differential equation for `integrator`.
@@ -115,15 +115,15 @@ class JointReference {
   VelocityJoints turning_;
   MimicJoints coupled_;
   multibody::LoopJoints of_loops_;
-  std::span<const double> target_;                // [rad | m] desired positions
-  std::span<double> offset_;                      // [rad | m] o, by object
-  double& kind_;                                  // properties::joint_reference_kind
-  double& catch_up_time_;                         // [s] left in which joints with an offset are as slow as their servos
-  std::span<const double> torque_need_;           // [N m | N] by object; empty where the level does not know it
+  std::span<const double> target_;  // [rad | m] desired positions
+  std::span<double> offset_;        // [rad | m] o, by object
+  double& kind_;                    // properties::joint_reference_kind
+  double& catch_up_time_;           // [s] remaining, during which joints with an offset are limited by their servos
+  std::span<const double> torque_need_;           // [N m | N] by object; empty where the level does not compute it
   std::vector<Motor> motors_;                     // by object
   std::vector<MimicJoints::Range> target_range_;  // by object
-  std::vector<int> leader_;                       // [objects] whom a joint follows; itself if nobody
-  std::vector<double> ratio_;                     // [objects] to that one
+  std::vector<int> leader_;                       // [objects] the joint that a joint follows; itself if none
+  std::vector<double> ratio_;                     // [objects] to the leader
   bool limited_ = false;                          // some joint has a largest rate
   std::span<double> cycle_target_;                // [rad | m] the target that the present cycle runs to (linear only)
 };

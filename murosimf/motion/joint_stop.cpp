@@ -5,27 +5,29 @@
 #include <optional>
 
 #include "murosimf/collision/colliding_shapes.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/torque_watch.h"
 
 namespace murosimf::motion {
 namespace {
 
-constexpr double bend = 0.25 * pi / 180;  // [rad]
-constexpr double shift = 0.5e-3;          // [m]
-constexpr double frequency = 800;         // [rad/s]
+constexpr double bend = 0.25 * pi / 180;  // [rad] under T; the header explains these numbers
+constexpr double shift = 0.5e-3;          // [m] under T
+constexpr double frequency = 800;         // [rad/s] lower bound of sqrt(k / J)
 constexpr double damping_time = 5e-3;     // [s] damper over spring
 
-// Explicitly, without servo.
+// For explicit steps, of joints without servo: softer, since explicit steps of 1 ms must resolve it.
 constexpr double free_damping_time = 10e-3;  // [s]
 constexpr double free_frequency = 200;       // [rad/s]
 
 /// Inertia [kg m^2 | kg] that a joint moves against its parent while all joints are at zero.
 double carried_inertia(const Model& model, int joint) {
+  MUROSIMF_ASSERT(model.objects()[joint].is_joint());
   const Tree& tree = model.tree();
   const int first = tree.link_of[joint];
   const Vec3d axis = tree.links[first].axis;
-  std::vector<std::optional<Transformd>> poses(tree.links.size());  // in the joint's frame, of what it moves
+  std::vector<std::optional<Transformd>> poses(tree.links.size());  // in the joint's frame, of the links that it moves
   poses[first].emplace();
   double sum = rotor_inertia(model, joint);
   for (std::size_t l = first; l < tree.links.size(); ++l) {
@@ -40,7 +42,7 @@ double carried_inertia(const Model& model, int joint) {
   return sum;
 }
 
-/// How a link moves when all joints are at zero: its pose and velocities in the frame of the base.
+/// Motion of a link when all joints are at zero: its pose and velocities in the frame of the base.
 struct Moving {
   Transformd pose;
   Vec3d w, v;  // [rad/s], [m/s] of its origin
@@ -55,9 +57,10 @@ Moving moved_by(const Link& link, const Moving& parent, double rate) {
   return moving;
 }
 
-/// The same of a joint that others follow: twice the kinetic energy when it moves with a rate of 1.
+/// The same of a joint that others follow: twice the kinetic energy at a rate of 1.
 double inertia_with_followers(const Model& model, int leader, std::span<const MimicJoints::Pair> coupled) {
   const Tree& tree = model.tree();
+  MUROSIMF_ASSERT(model.objects()[leader].is_joint());
   std::vector<double> rates(tree.links.size());
   rates[tree.link_of[leader]] = 1;
   double sum = rotor_inertia(model, leader);
@@ -86,6 +89,7 @@ double moved_inertia(const Model& model, int joint, std::span<const MimicJoints:
 
 JointStop joint_stop(const Model& model, int joint, double lowest, double highest,
                      std::span<const MimicJoints::Pair> coupled) {
+  MUROSIMF_ASSERT(!(lowest > highest));
   if (std::isinf(lowest) && std::isinf(highest)) return {};
   const double weight = model.tree().mass * 9.81;
   const Servo* servo = model.find(properties::servo, joint);
@@ -93,8 +97,11 @@ JointStop joint_stop(const Model& model, int joint, double lowest, double highes
   const bool slider = model.objects()[joint].kind == Kind::prismatic;
   const double k = slider ? std::max(stall, weight) / shift : std::max(stall, 0.1 * weight) / bend;
   const double inertia = moved_inertia(model, joint, coupled);
+  MUROSIMF_ASSERT(inertia >= 0);
+  // stiff enough for the static load and for the kinetic energy of an arriving limb
   const double firm = std::max(k, inertia * frequency * frequency);
   JointStop stop{lowest, highest, {firm, firm * damping_time}, {k, k * damping_time}};
+  // a servo damps the joint itself, so the explicit spring can be the softer one
   if (servo) return stop;
   const double soft = std::max(k, inertia * free_frequency * free_frequency);
   stop.explicitly = {soft, soft * free_damping_time};

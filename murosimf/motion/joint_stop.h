@@ -4,11 +4,11 @@
 ///     torque = k (end - q - h qd) - d qd,   k = max(T / 0.25 degree, J (800 rad/s)^2),   d = k * 5 ms
 ///
 /// with T the larger of the servo's stall torque and the robot's weight times 0.1 m (T / 0.5 mm with its weight, for a slider), and J the
-/// inertia that the joint moves while all joints are at zero, with the joints that follow it (mimic_joints.h): what goes on beyond the
-/// end is twice the kinetic energy of all links at a rate of 1 of the joint and of their ratios of its followers. So a fallen robot bends its stops by less than a degree, and a limb that
-/// arrives with the rate w, overdamped, goes by w * 0.28 ms too far at most and does not bounce: with what its servo bends it, up to 10 mrad
-/// at 20 rad/s.
-/// Explicit steps, which do not bear that, have k = T / 0.25 degree and d = k * 5 ms with a servo; without one
+/// inertia that the joint moves while all joints are at zero, with the joints that follow it (mimic_joints.h): twice the kinetic energy
+/// of all links at a rate of 1 of the joint and of their ratios of its followers. So a fallen robot bends its stops by less than a degree,
+/// and a limb that arrives with the rate w, overdamped, overshoots by w * 0.28 ms at most and does not bounce: with the bend due to its
+/// servo, up to 10 mrad at 20 rad/s.
+/// Explicit steps, which would be unstable with that, have k = T / 0.25 degree and d = k * 5 ms with a servo; without one
 /// k = max(T / 0.25 degree, J (200 rad/s)^2) and d = k * 10 ms.
 /// Source: damped oscillator; numbers are the project's own.
 #pragma once
@@ -31,7 +31,7 @@ struct JointStop {
   [[nodiscard]] bool stops() const { return implicit.stiffness > 0; }
 };
 
-/// Of a joint (an object of the model) that can stand from `lowest` to `highest` [rad | m]; no ends if these are infinite. `coupled`:
+/// The stop of a joint (an object of the model) that can move from `lowest` to `highest` [rad | m]; no ends if these are infinite. `coupled`:
 /// joints that follow others.
 [[nodiscard]] JointStop joint_stop(const Model& model, int joint, double lowest, double highest,
                                    std::span<const MimicJoints::Pair> coupled = {});

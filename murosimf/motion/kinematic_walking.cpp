@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/collision/contact_properties.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/fixed_base.h"
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/motion/sanity.h"
@@ -15,12 +16,12 @@
 namespace murosimf::motion {
 namespace {
 
-constexpr double penetration = -1e-6;       // [m] rounding of a foot that just touches is no landing
-constexpr double fading_time = 0.1;         // [s] of what a robot is away from its pinned pose when it is taken over
-constexpr double stopping_time = 0.02;      // [s] of the motion of its standing sole then
+constexpr double penetration = -1e-6;       // [m] clearance below which a foot has landed: rounding is no landing
+constexpr double fading_time = 0.1;         // [s] time constant of the difference from the pinned pose after a takeover
+constexpr double stopping_time = 0.02;      // [s] time constant of the standing sole's velocity then
 constexpr double steepest = 30 * pi / 180;  // [rad] lean of a robot that can be taken over
-constexpr double highest_sole = 0.02;       // [m] of its lower foot, from the ground
-constexpr double largest_margin = 1e-3;     // [m] by which a foot must be lower than one that still turns flat
+constexpr double highest_sole = 0.02;       // [m] distance of the lower sole from the ground at a takeover
+constexpr double largest_margin = 1e-3;  // [m] by which the other foot must be lower while the standing one still turns
 
 JointReferenceOptions without_load(JointReferenceOptions options) {
   options.carries = false;
@@ -38,9 +39,9 @@ std::vector<Foot> two_feet(const Model& model) {
   return feet;
 }
 
-/// The shortest turn from the vertical to the normal of a plane of these slopes.
+/// The shortest turn from the vertical to the normal of a plane with the slopes dz/dx and dz/dy.
 Mat3d tilt_of(double slope_x, double slope_y) {
-  if (slope_x == 0 && slope_y == 0) return rotation_z(0.0);
+  if (slope_x == 0 && slope_y == 0) return rotation_z(0.0);  // exactly none: on flat ground no rounding enters the pose
   const double steepness = std::hypot(slope_x, slope_y);
   return to_matrix(exponential((std::atan(steepness) / steepness) * Vec3d{slope_y, -slope_x, 0}));
 }
@@ -96,10 +97,12 @@ Vec3d KinematicWalking::upright_axis() const {
 }
 
 int KinematicWalking::lower_foot() const noexcept {
+  // beyond rounding only: otherwise the first foot stands
   return clearance(feet_[1], ground_below(1)) < clearance(feet_[0], ground_below(0)) + penetration ? 1 : 0;
 }
 
 collision::GroundBelow KinematicWalking::ground_below(int foot) const noexcept {
+  MUROSIMF_ASSERT(foot == 0 || foot == 1);
   return ground_.below(columns_.r[feet_[static_cast<std::size_t>(foot)].object]);
 }
 
@@ -113,6 +116,7 @@ void KinematicWalking::model_exchanged(const Entity& entity) {
 
 std::string KinematicWalking::refusal() const {
   if (fixed_) return {};
+  // negated comparisons: NaN is refused as well
   const double lean = std::acos(std::clamp((columns_.R[0] * up_).z, -1.0, 1.0));
   if (!(lean <= steepest)) {
     return fmt::format("it leans {:.0f} degrees, more than {:.0f}; only a jump could make it stand on a foot",
@@ -152,6 +156,7 @@ void KinematicWalking::step(const Instant& instant) noexcept {
 
 void KinematicWalking::step_fixed(double dt) noexcept {
   if (!reference_.advance(columns_, dt)) {
+    MUROSIMF_ASSERT(dt > 0);
     columns_.stop();
     return entity_.freeze(joints_insane);
   }
@@ -161,15 +166,17 @@ void KinematicWalking::step_fixed(double dt) noexcept {
   columns_.remember_base();
 }
 
-/// The joints, and where the standing sole is to be. False if the entity was frozen.
+/// Advances the joints, and the place of the standing sole. Returns false if the entity was frozen.
 bool KinematicWalking::begin_step(double dt) noexcept {
   if (!reference_.advance(columns_, dt)) {
+    MUROSIMF_ASSERT(dt > 0);
     columns_.stop();
     entity_.freeze(joints_insane);
     return false;
   }
-  const Vec3d moved = columns_.take_displacement() + separation_;  // the standing foot goes along
+  const Vec3d moved = columns_.take_displacement() + separation_;  // the standing foot moves with the base
   stance_pose_ += Vec3d{moved.x, moved.y, 0};
+  // along the plane of the ground, not horizontally: the sole stays on a slope
   stance_ground_.x += stance_ground_.y * moved.x + stance_ground_.z * moved.y;
   fade_remainder(dt);
   return true;
@@ -199,7 +206,7 @@ void KinematicWalking::pin() noexcept {
   pin(multibody::pose_in_base<double>(columns_.model.tree(), foot.path, foot.place, columns_.q));
 }
 
-/// Puts the base where the standing sole is where it is to be; `sole`: its pose in the base.
+/// Places the base so that the standing sole is at its prescribed pose; `sole`: its pose in the base.
 void KinematicWalking::pin(const Transformd& sole) noexcept {
   const bool slopes = stance_ground_.y != 0 || stance_ground_.z != 0;
   const Mat3d level = rotation_z(stance_pose_.z);
@@ -211,9 +218,11 @@ void KinematicWalking::pin(const Transformd& sole) noexcept {
 }
 
 void KinematicWalking::stand_on(int foot) noexcept {
+  MUROSIMF_ASSERT(foot == 0 || foot == 1);
   const Vec3d& r = columns_.r[feet_[foot].object];
   const Mat3d& R = columns_.R[feet_[foot].object];
   const collision::GroundBelow ground = ground_below(foot);
+  // the difference between the actual and the prescribed pose remains as an offset that decays: nothing jumps
   const Mat3d level = transpose(tilt_of(ground.slope_x, ground.slope_y));
   stance_foot_ = foot;
   stance_ground_ = {ground.height, ground.slope_x, ground.slope_y};
@@ -223,16 +232,18 @@ void KinematicWalking::stand_on(int foot) noexcept {
   remaining_twist_ = {};
 }
 
-/// The standing sole stops from the motion that it has.
+/// The standing sole keeps its present motion, which decays.
 void KinematicWalking::keep_moving() noexcept {
   const Foot& foot = standing_foot();
   remaining_twist_ = {columns_.w[foot.object] + (1 / fading_time) * remaining_turn_,
                       columns_.v[foot.object] + (1 / fading_time) * remaining_shift_};
 }
 
-/// The pose of this step and its velocity stay: the next step begins there.
+/// Pose and velocity of this step are not changed: the next step starts with them.
 void KinematicWalking::swap_if_other_foot_lands() noexcept {
   const int other = stance_foot_ != 0 ? 0 : 1;
+  MUROSIMF_ASSERT(feet_[0].object != feet_[1].object);
+  // a sole that still turns moves its ends: less than that is no landing of the other foot
   const double still_to_turn = norm(remaining_turn_) * standing_foot().sole.half_length;
   const double lower = penetration - std::min(largest_margin, still_to_turn);
   if (clearance(feet_[other], ground_below(other)) >= clearance(standing_foot(), stance_ground()) + lower) return;
@@ -254,7 +265,7 @@ void KinematicWalking::set_base_twist() noexcept {
                                                        columns_.qd, columns_.r, columns_.R));
 }
 
-/// The standing sole comes to rest flat on the plane; `sole`: how it moves against the base.
+/// Sets the velocity with which the standing sole comes to rest flat on the plane; `sole`: its motion relative to the base.
 void KinematicWalking::set_base_twist(const Twistd& sole) noexcept {
   const Foot& foot = standing_foot();
   columns_.w[0] = remaining_twist_.w - (1 / fading_time) * remaining_turn_ - sole.w;
@@ -263,9 +274,11 @@ void KinematicWalking::set_base_twist(const Twistd& sole) noexcept {
 }
 
 void KinematicWalking::fade_remainder(double dt) noexcept {
-  constexpr double nothing = 1e-9;  // [m | rad], also in a second
+  MUROSIMF_ASSERT(dt > 0);
+  constexpr double nothing = 1e-9;  // [m | rad], also in a second; below it exactly 0, so that it leaves the state hash
   if (const double rate = dot(remaining_twist_.w, remaining_twist_.w) + dot(remaining_twist_.v, remaining_twist_.v);
       rate != 0) {
+    // implicit Euler: decays for any step
     remaining_twist_ = (rate > nothing * nothing ? 1 / (1 + dt / stopping_time) : 0) * remaining_twist_;
     remaining_turn_ += dt * remaining_twist_.w;
     remaining_shift_ += dt * remaining_twist_.v;

@@ -9,24 +9,25 @@
 ///     t' = u_t - t / 0.1 s          s' = u_s - s / 0.1 s          u' = -u / 0.02 s
 ///
 /// x_S and R_n are those of the plane that touches the ground right below the sole's middle when it lands (collision/ground_finder.h): the
-/// field, a plate, a ramp. R_n turns the vertical into its normal on the shortest way. What is higher by more than 60 mm is no ground.
-/// A foot is hardly ever exactly flat and at height 0 when it lands, or when this level takes over a robot that moves
-/// (model/motion_level.h; the lower foot stands then), nor at rest. Its tilt t and height s are what remains; they decay, x and y stay,
-/// and nothing jumps: the velocity says where the base goes. A sole that moves when it lands or when the robot is taken over stops within
-/// 0.02 s: u is what its velocity is then more than that decay, so base and limbs go on as they were: a level that takes
-/// over a few steps later finds the momentum that was there, and an accelerometer shows no step of the velocity. A sole that lands
+/// x_S and R_n are those of the plane that touches the ground right below the sole's middle when it lands (collision/ground_finder.h): the
+/// field, a plate, a ramp. R_n turns the vertical into its normal on the shortest way. Surfaces higher by more than 60 mm are not ground.
+/// A foot is hardly ever exactly flat and at height 0 when it lands, or when this level takes over a moving robot
+/// (model/motion_level.h; the lower foot stands then), nor at rest. Its tilt t and height s remain as offsets; they decay, x and y are
+/// constant, and the pose does not jump: the velocity matches the motion of the base. A sole that moves when it lands or when the robot is
+/// taken over stops within 0.02 s: u is the excess of its velocity over that decay, so base and limbs continue their motion: a level that
+/// takes over a few steps later finds the momentum unchanged, and an accelerometer shows no step of the velocity. A sole that lands
 /// in a walk of kid21 slides by 2 mm meanwhile, and back. The velocity is analytic, and in the step in which the feet swap
-/// that of the stance before, which has led there. The other foot is lower when its lowest corner is 1 um below that of the
-/// standing one, and as long as that one turns also below what this moves the ends of the sole by, |t| half_length, at
-/// most 1 mm: else two feet that cannot both be flat would swap roles in every step.
+/// that of the preceding stance, which has led there. The other foot is lower when its lowest corner is 1 um below that of the
+/// standing one, and while the standing one still turns also below its ends' motion due to the turn, |t| half_length, at
+/// most 1 mm: otherwise two feet that cannot both be flat would swap roles in every step.
 /// A robot whose base is bolted to the world (model/fixed_base.h) stands on no foot: its base keeps its place and its joints move.
 /// A robot that leans more than 30 degrees, or whose soles are both more than 20 mm away from the ground, is not taken over:
-/// only a jump could make it stand.
+/// it could stand only after a jump of its pose.
 /// Source:  paper 4.1.
 /// Differs: the paper leaves open the heading (here: that of the foot when it lands), the tested point (lowest corner
 ///          of the other sole), and the first stance (the lower foot); it keeps the pose of a foot that lands, here its
 ///          tilt decays, so that tilts do not add up.
-/// Limits:  both feet in the air cannot occur; a jump looks like standing. A foot that lands half on a plate stands as its middle does;
+/// Limits:  both feet in the air cannot occur; a jump looks like standing. A foot that lands half on a plate has the height of its middle;
 ///          a robot that steps off something comes down within 0.1 s, as a foot that lands above the ground does.
 #pragma once
 
@@ -91,7 +92,7 @@ class KinematicWalking final : public MotionLevel {
   JointReference reference_;
   std::array<Foot, 2> feet_;
   bool fixed_;  // the base is bolted to the world; there are no feet then
-  Vec3d up_;    // [1] axis of the base that is vertical when the robot stands with its joints at 0
+  Vec3d up_;    // [1] axis of the base that is vertical when the robot stands with all joints at 0
   const Entity* environment_;
   mutable collision::GroundSurface ground_;
   Vec3d& stance_pose_;       // [m, m, rad] x, y, heading of the standing sole

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/motion/rate_limit.h"
@@ -21,7 +22,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
       fmt::format("model '{}', coupled joint '{}': {}", model.name(), model.objects()[follower].name, why));
 }
 
-/// Who says where a joint is, and that makes sense.
+/// The leader of a coupling; rejects couplings without a sensible leader and numbers.
 int leader_of(const Model& model, int follower, const JointCoupling& coupling) {
   const int leader = with_context(fmt::format("coupled joint '{}'", model.objects()[follower].name),
                                   [&] { return model.object_index(coupling.leader); });
@@ -60,6 +61,7 @@ MimicJoints::Pair MimicJoints::pair(const Model& model, int follower) const {
   if (!model.objects()[follower].is_joint()) refuse(model, follower, "it is no joint");
   Pair pair{follower, follower, 1, 0};
   for (int i = 0; const JointCoupling* next = model.find(properties::joint_coupling, pair.leader); ++i) {
+    // more couplings than objects: a circle
     if (i == model.size()) refuse(model, follower, "it follows itself");
     const int leader = leader_of(model, pair.leader, *next);
     pair = {follower, leader, pair.ratio * next->ratio, pair.offset + pair.ratio * next->offset};
@@ -70,10 +72,12 @@ MimicJoints::Pair MimicJoints::pair(const Model& model, int follower) const {
 
 void MimicJoints::narrow(const Model& model) {
   for (const Pair& pair : pairs_) {
+    MUROSIMF_ASSERT(pair.ratio != 0 && pair.leader != pair.follower);
+    // a leader's range is the intersection of those of its followers, seen through their couplings
     auto [low, high] = range(pair.follower);
     low = (low - pair.offset) / pair.ratio;
     high = (high - pair.offset) / pair.ratio;
-    if (low > high) std::swap(low, high);
+    if (low > high) std::swap(low, high);  // a negative ratio turns the range around
     double& rate = rate_limits_[pair.leader];
     rate = std::min(rate, rate_limit(pair.follower) / std::abs(pair.ratio));
     Range& leader = ranges_[pair.leader];
@@ -101,6 +105,7 @@ multibody::LoopJoints joints_of_loops(const Model& model) {
   std::vector<bool> follows(static_cast<std::size_t>(model.size()));
   std::vector<double> start(follows.size());
   for (const int joint : model.joints()) {
+    // a servo drives its joint unless the linkage is commanded elsewhere
     const bool driven = model.find(properties::servo, joint) && !is_led(joint);
     const bool leads = driven || std::ranges::count(commanded, joint) > 0;
     follows[joint] = !leads && !model.find(properties::joint_coupling, joint);
@@ -110,6 +115,7 @@ multibody::LoopJoints joints_of_loops(const Model& model) {
 }
 
 void MimicJoints::follow(std::span<double> q, std::span<double> qd) const noexcept {
+  MUROSIMF_ASSERT(pairs_.empty() || (q.size() == ranges_.size() && qd.size() == ranges_.size()));
   for (const Pair& pair : pairs_) {
     q[pair.follower] = pair.offset + pair.ratio * q[pair.leader];
     qd[pair.follower] = pair.ratio * qd[pair.leader];

@@ -1,7 +1,7 @@
-/// mimic_joints.h - joints that another joint takes along (joint_coupling): position = offset + ratio * leader's.
+/// mimic_joints.h - joints coupled to another joint (joint_coupling): position = offset + ratio * leader's.
 ///
-/// A joint that follows a follower counts as one that follows the first leader. A leader's range is narrowed to what its
-/// followers' ranges let it do, so that no follower has to leave its own; and so is its largest rate (rate_limit.h).
+/// A joint that follows a follower counts as one that follows the first leader. A leader's range is narrowed by those of its
+/// followers, so that no follower has to leave its own; and so is its largest rate (rate_limit.h).
 #pragma once
 
 #include <span>
@@ -15,7 +15,7 @@ namespace murosimf::motion {
 class MimicJoints {
  public:
   struct Pair {
-    int follower = 0, leader = 0;  ///< objects; a leader follows nobody
+    int follower = 0, leader = 0;  ///< objects; a leader follows no joint
     double ratio = 1;              ///< [1 | rad/m | m/rad]
     double offset = 0;             ///< [rad | m]
   };
@@ -30,11 +30,11 @@ class MimicJoints {
   /// In the order of the followers in the model.
   [[nodiscard]] std::span<const Pair> pairs() const { return pairs_; }
   [[nodiscard]] bool empty() const { return pairs_.empty(); }
-  /// Where a joint (an object of the model) can stand; without a range, anywhere.
+  /// Range of a joint (an object of the model); without a range, infinite.
   [[nodiscard]] const Range& range(int joint) const { return ranges_[static_cast<std::size_t>(joint)]; }
   /// [rad/s | m/s] The largest rate of a joint; infinite: none.
   [[nodiscard]] double rate_limit(int joint) const { return rate_limits_[static_cast<std::size_t>(joint)]; }
-  /// Followers go where their leaders are; by object.
+  /// Sets the followers' positions and rates from those of their leaders; by object.
   void follow(std::span<double> q, std::span<double> qd) const noexcept;
 
  private:
@@ -46,8 +46,8 @@ class MimicJoints {
   std::vector<double> rate_limits_;  // [rad/s | m/s] by object
 };
 
-/// Joints of the model that loops take along: those with neither servo nor coupling; in a loop with a joint that is commanded
-/// (loop_commanded) all others. `joint_start` is where the loops are closed. Throws SetupError where a commanded joint is in no loop.
+/// Passive joints of the model's loops: those with neither servo nor coupling; in a loop with a joint that is commanded
+/// (loop_commanded) all others. `joint_start` is the posture with closed loops. Throws SetupError where a commanded joint is in no loop.
 [[nodiscard]] multibody::LoopJoints joints_of_loops(const Model& model);
 
 }  // namespace murosimf::motion

@@ -1,4 +1,4 @@
-/// motion_properties.h - properties that levels of detail keep for themselves, and what is known of an entity as a whole.
+/// motion_properties.h - properties that levels of detail keep for themselves, and quantities of an entity as a whole.
 ///
 /// Frames as in model/properties.h: "world" means world axes.
 #pragma once

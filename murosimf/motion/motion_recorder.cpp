@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/multibody/mass.h"
 
 namespace murosimf::motion {
 namespace {
 
-/// The law's points are found anew in every step; 32 per foot are more than a box has.
+/// The law finds its points anew in every step; 32 per foot are more than a box has.
 constexpr std::size_t most_grips = 32;
 
 }  // namespace
@@ -20,6 +21,7 @@ static void state(StateArchive& archive, MotionSample& sample) {
 
 std::int64_t steps_per_sample(Duration period) {
   const double steps = 1 / (MotionRecorder::samples_per_second * seconds(period));
+  MUROSIMF_ASSERT(period > Duration{});
   return std::max<std::int64_t>(1, std::llround(steps));
 }
 
@@ -46,6 +48,7 @@ MotionRecorder::MotionRecorder(Setup& setup, const MotionRecorderOptions& option
     find_servos(model_);
   }
   const auto samples = static_cast<std::size_t>(options.longest * samples_per_second) + 2;
+  // memory is reserved here: step() must not allocate in the middle of a run
   record_.samples.reserve(samples);
   record_.torques.reserve(samples * record_.joints.size());
   for (std::size_t i = 0; i < 2; ++i) {
@@ -58,6 +61,7 @@ void MotionRecorder::find_servos(const Model& model) {
   for (const int object : model.having(properties::servo)) {
     const Servo& servo = *model.find(properties::servo, object);
     const bool can_saturate = servo.stall_torque > 0 && servo.position_gain > 0;
+    // the error at which a P controller requests its whole duty
     const double full_at = can_saturate ? servo.duty_limit * servo.stall_torque / servo.position_gain : 1e300;
     servos_.push_back({object, full_at, servo.torque_limit});
   }
@@ -72,6 +76,7 @@ void MotionRecorder::state(StateArchive& archive) {
 
 void MotionRecorder::step(const Instant& instant) noexcept {
   ++steps_;
+  MUROSIMF_ASSERT(stride_ >= 1);
   watch_servos();
   for (std::size_t i = 0; i < torque_sum_.size(); ++i) torque_sum_[i] += torque_[model_.joints()[i]];
   if (steps_ % stride_ == 0) take_sample(instant.now + instant.period);
@@ -88,6 +93,7 @@ void MotionRecorder::take_sample(Duration now) noexcept {
   sample.rate = transposed_times(R_[0], w_[0]);
   for (std::size_t i = 0; i < feet_.size(); ++i) {
     sample.clearance[i] = clearance(feet_[i]);
+    MUROSIMF_ASSERT(i < sample.clearance.size());
     slip_ += slip(i);
   }
   sample.slip = slip_;
@@ -95,10 +101,11 @@ void MotionRecorder::take_sample(Duration now) noexcept {
   full_ = false;
   record_.samples.push_back(sample);
   take_torques();
+  MUROSIMF_ASSERT(record_.torques.size() == record_.samples.size() * record_.joints.size());
 }
 
 void MotionRecorder::take_torques() noexcept {
-  const double steps = steps_ > 0 ? static_cast<double>(stride_) : 1;
+  const double steps = steps_ > 0 ? static_cast<double>(stride_) : 1;  // at the start there is no step to average over
   for (double& sum : torque_sum_) {
     record_.torques.push_back(sum / steps);
     sum = 0;
@@ -120,6 +127,7 @@ double MotionRecorder::clearance(const Foot& foot) const noexcept {
 }
 
 double MotionRecorder::slip(std::size_t foot) noexcept {
+  MUROSIMF_ASSERT(foot < feet_.size());
   if (!contacts_) return 0;
   auto& now = new_grips_[foot];
   now.clear();
@@ -131,6 +139,7 @@ double MotionRecorder::slip(std::size_t foot) noexcept {
   double way = 0, load = 0;
   for (const Grip& grip : now) {
     for (const Grip& before : grips_[foot]) {
+      // the same point of the same shape: its motion is slip
       if (before.feature != grip.feature) continue;
       const Vec3d moved = grip.point - before.point;
       way += grip.load * std::hypot(moved.x, moved.y);

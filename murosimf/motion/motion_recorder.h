@@ -1,10 +1,10 @@
-/// motion_recorder.h - algorithm: writes down how one entity moves, to compare runs of it.
+/// motion_recorder.h - algorithm: records the motion of one entity, for comparisons of runs.
 ///
-/// It reads what every level has and changes nothing. Samples are taken a hundred times a second, the first one at the
+/// It reads columns that every level has and changes nothing. Samples are taken a hundred times a second, the first one at the
 /// start. Torso means the base. With u = R^T e_z, the vertical in base axes:
-///     pitch = atan2(-u_x, u_z)      roll = asin(u_y)          turns yaw, roll, pitch: no trouble at a pitch of 90 degrees
-/// Clearance of a sole: height of its lowest corner above the plane z = 0. Slip: horizontal way of the soles' contact points that
-/// were there in the sample before too, averaged by load, summed over both soles; zero at levels without contact.
+///     pitch = atan2(-u_x, u_z)      roll = asin(u_y)          order yaw, roll, pitch: not singular at a pitch of 90 degrees
+/// Clearance of a sole: height of its lowest corner above the plane z = 0. Slip: horizontal motion of the soles' contact points that
+/// the preceding sample has as well, averaged by load, summed over both soles; zero at levels without contact.
 #pragma once
 
 #include <array>
@@ -26,24 +26,24 @@ struct MotionSample {
   Vec3d rate;                         ///< [rad/s] of the torso, base axes
   std::array<double, 2> clearance{};  ///< [m] of the first two soles
   double slip = 0;                    ///< [m] of the soles since the start
-  bool full_duty = false;             ///< some servo has asked for all that it has since the sample before
+  bool full_duty = false;             ///< some servo has requested its full duty since the preceding sample
 };
 
 struct MotionRecord {
   std::vector<MotionSample> samples;
-  std::size_t soles = 0;            ///< how many clearances count: at most two
-  std::vector<std::string> joints;  ///< names; empty if the level knows no torques
-  std::vector<double> torques;      ///< [N m | N] joints.size() numbers per sample: means since the sample before
-  double full_duty = 0;             ///< [1] share of time in which some servo asked for all that it has
+  std::size_t soles = 0;            ///< number of valid clearances: at most two
+  std::vector<std::string> joints;  ///< names; empty if the level computes no torques
+  std::vector<double> torques;      ///< [N m | N] joints.size() numbers per sample: means since the preceding sample
+  double full_duty = 0;             ///< [1] share of time in which some servo requested its full duty
 };
 
 struct MotionRecorderOptions {
-  bool servos = false;    ///< servos move the joints: watch whether they ask for full duty
-  double longest = 60.0;  ///< [s] for which memory is set aside
+  bool servos = false;    ///< servos move the joints: watch whether they request full duty
+  double longest = 60.0;  ///< [s] for which memory is reserved
   double start = 0;       ///< [s] when it begins
 };
 
-/// Between two samples of a recorder, if one is executed with this period.
+/// Number of steps between two samples of a recorder that is executed with this period.
 [[nodiscard]] std::int64_t steps_per_sample(Duration period);
 
 class MotionRecorder final : public Algorithm {

@@ -1,11 +1,11 @@
 #include "murosimf/motion/moving_tree.h"
 
 #include <algorithm>
-#include <cassert>
 
 #include <fmt/format.h>
 
 #include "murosimf/collision/contact_properties.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/fixed_base.h"
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/multibody/integrate.h"
@@ -53,6 +53,7 @@ void MovingTree::check_inertia() const {
 void MovingTree::take_over(const Momentum& momentum) {
   contacts.check(options_.integrator, period_);
   if (options_.fixed_base) columns.v[0] = columns.w[0] = {};
+  // the correction needs the momentum of the columns' present velocities
   refresh();
   check_inertia();
   dynamic_ = 1;
@@ -67,9 +68,11 @@ Momentum MovingTree::hand_over() noexcept {
 
 void MovingTree::state(StateArchive& archive) {
   bool changed = written_.differs(columns);
+  // whether columns were changed since the last step is state: working memory is computed again only then
   archive(changed);
   if (!archive.loads()) return;
   update_links();
+  // a restored run takes the same branch in its next step as the recorded one
   changed ? written_.forget() : written_.remember(columns);
 }
 
@@ -78,13 +81,14 @@ bool MovingTree::goes_with(const MovingTree& other) const noexcept {
          options_.integrator == Integrator::semi_implicit_euler;
 }
 
-/// Lanes leave the tree's own links as they were, most times.
+/// Computes the tree's own links from the columns where lanes have not written them (the usual case).
 void MovingTree::take_links_back() noexcept {
   if (!has_own_links_) update_links();
 }
 
 void MovingTree::take_changes() noexcept {
   if (!written_.differs(columns)) return take_links_back();
+  // the quaternion is the state, the matrix follows from it: users may have written either of the columns
   columns.R[0] = to_matrix(columns.Q[0]);
   if (options_.fixed_base) columns.v[0] = columns.w[0] = {};
   refresh();
@@ -98,10 +102,13 @@ void MovingTree::refresh() noexcept {
 }
 
 void MovingTree::update_links() noexcept {
+  MUROSIMF_ASSERT(links.size() == columns.model.tree().links.size());
   lanes_ = nullptr;
   has_own_links_ = true;
   multibody::link_motions<double>(columns.model.tree(), columns.r, columns.R, columns.w[0], columns.qd, links);
   whole_ = multibody::composite_inertia<double>(links);
+  MUROSIMF_ASSERT(!(whole_.mass <= 0));
+  // the composite body about its own center, from moments about the base
   const Vec3d c = (1 / whole_.mass) * whole_.first;
   total_mass_ = whole_.mass;
   center_ = columns.r[0] + c;
@@ -120,31 +127,36 @@ void MovingTree::factor_base() noexcept {
 }
 
 void MovingTree::respond_at_base(const collision::ThreeForces& forces, collision::ResponseRows& y) const noexcept {
-  if (!options_.fixed_base) collision::add_rigid_response(*factor_, forces, y);
+  if (options_.fixed_base) return;
+  MUROSIMF_ASSERT(factor_);
+  collision::add_rigid_response(*factor_, forces, y);
 }
 
 void MovingTree::respond_at_base(const Wrenchd& force, std::span<double> row) const noexcept {
   if (options_.fixed_base) return;
+  MUROSIMF_ASSERT(factor_ && row.size() >= 6);
   const auto y = factor_->forward(force);
   for (std::size_t i = 0; i < y.size(); ++i) row[i] += y[i];
 }
 
 Twistd MovingTree::base_change(std::span<const double> z, double dt) const noexcept {
   if (options_.fixed_base) return {};
+  MUROSIMF_ASSERT(factor_ && z.size() >= 6 && dt > 0);
   return (1 / dt) * factor_->backward({z[0], z[1], z[2], z[3], z[4], z[5]});
 }
 
 bool MovingTree::advance_base(const Twistd& acceleration, double dt) noexcept {
   wanted_momentum_.reset();
+  MUROSIMF_ASSERT(dt > 0);
   if (options_.fixed_base) return true;
-  if (is_in_flight()) wanted_momentum_ = momentum_after(dt);
+  if (is_in_flight()) wanted_momentum_ = momentum_after(dt);  // before the base moves: from the state at the beginning
   multibody::FreeBody<double> next = base();
   multibody::advance(next, {acceleration.w, acceleration.v + gravity}, dt);
   if (wanted_momentum_) {
     const Vec3d middle_rate = columns.w[0] + (0.5 * dt) * acceleration.w;
     next.turn = normalized(exponential(dt * middle_rate) * columns.Q[0]);
   }
-  if (!is_sane(next)) return false;
+  if (!is_sane(next)) return false;  // the base stays where it was: a frozen entity has the last sane pose
   place_base(next);
   return true;
 }
@@ -174,6 +186,7 @@ MovingTree::CenterMotion MovingTree::momentum() const noexcept {
 
 MovingTree::CenterMotion MovingTree::momentum_after(double dt) const noexcept {
   CenterMotion after = momentum();
+  MUROSIMF_ASSERT(dt > 0 && total_mass_ > 0);
   after.linear += (dt * total_mass_) * gravity;
   for (const int object : columns.model.bodies()) {
     const Wrenchd push = moved(external_force[object], center_ - columns.r[object]);
@@ -190,6 +203,7 @@ void MovingTree::correct_momentum(const CenterMotion& wanted) noexcept {
   const Vec3d angular = wanted.angular - now.angular;
   const Vec3d c = center_ - columns.r[0];
   const Twistd change = solve(to_sym6(whole_), {angular + cross(c, linear), linear});
+  // the base's twist that gives the composite body the missing momentum, about the base's origin
   columns.w[0] += change.w;
   columns.v[0] += change.v;
   columns.r[0] += wanted.center - now.center;
@@ -199,6 +213,7 @@ void MovingTree::correct_momentum(const CenterMotion& wanted) noexcept {
 void MovingTree::finish_step() noexcept {
   contacts.renew();
   refresh();
+  // after the poses: the correction is relative to the momentum that the new poses have
   if (wanted_momentum_) correct_momentum(*wanted_momentum_);
 }
 

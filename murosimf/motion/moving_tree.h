@@ -1,19 +1,19 @@
-/// moving_tree.h - what the levels that simulate every link share: state, forces on links, contacts, the base's motion.
+/// moving_tree.h - common part of the levels that simulate every link: state, forces on links, contacts, the base's motion.
 ///
 /// Accelerations are those of link_motion.h: of a link, about the origin O of the base, b + [0; g] + a' with a' the part
 /// that the level solves for. A body k at d from O on link l, with external force F and external damping D at its
-/// origin (contact.h), feels
+/// origin (contact.h), is subject to
 ///
 ///     F - h D [alpha; a_k],   alpha = w',   a_k = v' + w' x d + w x v_k       [w'; v'] = b + [0; g] + a'
 ///
-/// so a constant force about O and a matrix h D about O that goes with a'. a_k is the acceleration of the body's
+/// that is, a constant force about O and a matrix h D about O that multiplies a'. a_k is the acceleration of the body's
 /// material origin; the velocity of a contact point x after the step is v_x + h (a_k + alpha x (x - r_k)).
 /// The base: v_0 += h a_0 in world axes, r_0 += h v_0, w += h alpha, Q = exp(h w) Q (multibody/integrate.h).
 ///
 /// Momentum correction: semi-implicit Euler keeps momentum to first order only. In a step without any contact, the
 /// base's place and velocity are afterwards set so that momentum, moment of momentum about the center of mass, and the
-/// center's way are exactly those before plus what gravity and pushes gave. The base then turns with the rate in the
-/// middle of the step, Q = exp(h (w + h alpha / 2)) Q: with the rate at its end, which the correction takes back, a
+/// center's path are exactly the initial ones plus the contributions of gravity and pushes. The base then turns with the rate in the
+/// middle of the step, Q = exp(h (w + h alpha / 2)) Q: with the rate at its end, which the correction reverts, a
 /// free body would gain energy (15 % in 10 s of a flipping body at 10 rad/s).
 #pragma once
 
@@ -24,6 +24,7 @@
 #include <vector>
 
 #include "murosimf/collision/impulse_response.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/motion/contact_trials.h"
 #include "murosimf/motion/free_state.h"
 #include "murosimf/motion/integrator.h"
@@ -55,16 +56,16 @@ class MovingTree {
 
   /// Places the robot; joint positions must be set. Throws SetupError if some axis has no inertia.
   void start();
-  /// Goes on from the columns instead, with the base's velocity that gives the whole robot `momentum`. Throws likewise.
+  /// Continues from the columns instead, with the base's velocity that gives the whole robot `momentum`. Throws likewise.
   void take_over(const Momentum& momentum);
-  /// Lets go of the contacts.
+  /// Detaches from the contacts; returns the momentum.
   [[nodiscard]] Momentum hand_over() noexcept;
-  /// Columns have all of it but whether changes are still to be taken over; the rest is worked out again.
+  /// All state is in columns, except whether changes are still to be taken over; the rest is computed again.
   void state(StateArchive& archive);
-  /// To be called first in a step: takes over what others have changed since the last one (written_state.h).
+  /// To be called first in a step: takes over changes of the columns by others since the last one (written_state.h).
   void take_changes() noexcept;
 
-  /// Calls add(link, force, damping) for every body that feels anything: Wrenchd [N m, N] at a' = 0 and Sym6d h D, both
+  /// Calls add(link, force, damping) for every body with a load: Wrenchd [N m, N] at a' = 0 and Sym6d h D, both
   /// about O. motion_of(link) has `velocity` and `bias` of a link, as its LinkMotion does.
   template <class MotionOf, class Add>
   void for_loads(double dt, const MotionOf& motion_of, const Add& add) const noexcept;
@@ -81,7 +82,7 @@ class MovingTree {
     predict_contacts(dt, OwnLinks{links}, acceleration_of);
   }
 
-  /// a'_0 of the base for the force [N m, N] about O that is left for `inertia`; zero acceleration if it is fixed.
+  /// a'_0 of the base for the force [N m, N] about O that accelerates `inertia`; zero acceleration if the base is fixed.
   [[nodiscard]] Twistd base_acceleration(const Sym6d& inertia, const Wrenchd& force) noexcept;
   /// Prepares the responses below, for the inertia of the last base_acceleration.
   void factor_base() noexcept;
@@ -93,7 +94,7 @@ class MovingTree {
   void respond_at_base(const collision::ThreeForces& forces, collision::ResponseRows& y) const noexcept;
   /// The same for one force, added to a row of all numbers.
   void respond_at_base(const Wrenchd& force, std::span<double> row) const noexcept;
-  /// What the impulses z (first six numbers) add to a'_0.
+  /// Change of a'_0 due to the impulses z (first six numbers).
   [[nodiscard]] Twistd base_change(std::span<const double> z, double dt) const noexcept;
 
   /// Velocity [m/s] after the step of a body's point [m] that has `velocity` now, for a' = `acceleration` of its link.
@@ -104,17 +105,17 @@ class MovingTree {
     return velocity + dt * (a + cross(alpha, point - columns.r[object]));
   }
 
-  /// The base after the step, by its a'. False, and nothing changed, if that is no sensible number.
+  /// Advances the base by its a'. False, and nothing changed, if the result is not sane.
   [[nodiscard]] bool advance_base(const Twistd& acceleration, double dt) noexcept;
-  /// The base and all joints after the step, by Runge-Kutta. solve() finds the accelerations at the present columns: it
-  /// returns a'_0 and has qdd(joint object) ready. False if the state is no sensible number.
+  /// Advances the base and all joints by Runge-Kutta. solve() computes the accelerations at the present columns: it
+  /// returns a'_0 and provides qdd(joint object). False if the state is not sane.
   template <class Solve, class JointAcceleration>
   [[nodiscard]] bool advance_rk4(double dt, const Solve& solve, const JointAcceleration& qdd) noexcept;
-  /// Its momentum is to be kept: nothing holds it, and it is corrected in flight.
+  /// Whether the momentum is to be conserved: no contact holds the robot, and the correction is enabled.
   [[nodiscard]] bool is_in_flight() const noexcept;
   [[nodiscard]] bool is_free() const { return !options_.fixed_base; }
   [[nodiscard]] Integrator integrator() const { return options_.integrator; }
-  /// Of all links, about O.
+  /// Inertia of all links, about O.
   [[nodiscard]] const RigidInertia<double>& composite_inertia() const { return whole_; }
   /// To be called last in a step, unless lanes do it (TreeLanes::take_advanced): poses, velocities, links, common mass.
   void finish_step() noexcept;
@@ -160,9 +161,9 @@ class MovingTree {
   RungeKutta4 runge_kutta_;
   std::vector<double> start_row_;
   std::vector<double> row_;           // the state while Runge-Kutta works on it
-  const TreeLanes* lanes_ = nullptr;  // that have worked out the links of the present state; null: nobody else has
-  bool has_own_links_ = true;         // they are here, too
-  WrittenState written_;              // when poses, velocities and links were last worked out
+  const TreeLanes* lanes_ = nullptr;  // lanes that have computed the links of the present state; null: none
+  bool has_own_links_ = true;         // `links` holds them as well
+  WrittenState written_;              // state at the last computation of poses, velocities and links
   RigidInertia<double> whole_;        // of the links
   Sym6d base_inertia_;
   std::optional<Cholesky6<double>> factor_;      // of it, for responses
@@ -175,6 +176,7 @@ class MovingTree {
 template <class MotionOf>
 Vec3d MovingTree::reference_acceleration(int object, const MotionOf& motion_of, const Twistd& extra,
                                          Vec3d& alpha) const noexcept {
+  MUROSIMF_ASSERT(object >= 0 && object < columns.model.size());
   const auto& link = motion_of(columns.model.tree().link_of[object]);
   const Vec3d d = columns.r[object] - columns.r[0];
   const auto& [w, v] = link.velocity;
@@ -184,6 +186,7 @@ Vec3d MovingTree::reference_acceleration(int object, const MotionOf& motion_of, 
 
 template <class MotionOf, class Add>
 void MovingTree::for_loads(double dt, const MotionOf& motion_of, const Add& add) const noexcept {
+  MUROSIMF_ASSERT(dt >= 0);
   for (const int object : columns.model.bodies()) {
     const bool damped = !is_zero(external_damping[object]);
     if (!damped && is_zero(external_force[object])) continue;
@@ -201,7 +204,7 @@ void MovingTree::for_loads(double dt, const MotionOf& motion_of, const Add& add)
   }
 }
 
-/// Points stand in the order of their bodies: what all of a body share is worked out once.
+/// Points are in the order of their bodies: quantities of a body are computed once for all its points.
 template <class MotionOf, class Acceleration>
 void MovingTree::predict_contacts(double dt, const MotionOf& motion_of, const Acceleration& acceleration_of) noexcept {
   int object = -1;
@@ -217,6 +220,7 @@ void MovingTree::predict_contacts(double dt, const MotionOf& motion_of, const Ac
 
 template <class Solve, class JointAcceleration>
 bool MovingTree::advance_rk4(double dt, const Solve& solve, const JointAcceleration& qdd) noexcept {
+  MUROSIMF_ASSERT(dt > 0);
   wanted_momentum_.reset();
   write_state(base(), columns, row_);
   start_row_ = row_;
@@ -230,7 +234,7 @@ bool MovingTree::advance_rk4(double dt, const Solve& solve, const JointAccelerat
   });
   const bool sane = is_sane_state(row_);
   place_base(read_state(sane ? row_ : start_row_, columns));
-  if (!sane) refresh();  // where it stood
+  if (!sane) refresh();  // back to the initial state
   return sane;
 }
 

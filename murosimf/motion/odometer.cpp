@@ -2,13 +2,14 @@
 
 #include <cmath>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/motion/motion_properties.h"
 
 namespace murosimf::motion {
 namespace {
 
-constexpr Duration sample_period = std::chrono::milliseconds(500);
-const double cos_fallen = std::cos(pi / 3);
+constexpr Duration sample_period = std::chrono::milliseconds(500);  // swaying with the steps of a walk averages out
+const double cos_fallen = std::cos(pi / 3);  // two thresholds: a robot that rocks on its edge falls once
 const double cos_upright = std::cos(pi / 6);
 
 }  // namespace
@@ -31,6 +32,7 @@ void Odometer::initialize() {
 
 void Odometer::step(const Instant& instant) noexcept {
   if (instant.now % sample_period == Duration{}) measure_distance();
+  MUROSIMF_ASSERT(instant.now >= Duration{});
   if (can_fall_) watch_falls();
 }
 
@@ -51,6 +53,7 @@ void Odometer::measure_distance() noexcept {
 
 void Odometer::watch_falls() noexcept {
   const double cos_lean = (R_[0] * up_at_start_).z;
+  // hysteresis between 60 and 30 degrees: a rocking robot counts once
   if (lying_ == 0 && cos_lean < cos_fallen) {
     lying_ = 1;
     falls_ += 1;

@@ -1,4 +1,4 @@
-/// odometer.h - algorithm: how far an entity has gone and how often it fell, for reports.
+/// odometer.h - algorithm: distance and number of falls of an entity, for reports.
 ///
 /// Distance: length of the base's horizontal path, sampled twice a second so that the swaying of a walk does not count.
 /// A fall: the base leans more than 60 degrees away from its attitude at the start; counted again only after it came
@@ -26,7 +26,7 @@ class Odometer final : public Algorithm {
   void measure_distance() noexcept;
   void watch_falls() noexcept;
 
-  const bool can_fall_;  // things without joints (balls) roll, they do not fall
+  const bool can_fall_;  // objects without joints (balls) roll, they do not fall
   std::span<const Vec3d> r_;
   std::span<const Mat3d> R_;
   double& distance_;    // [m]
@@ -36,7 +36,7 @@ class Odometer final : public Algorithm {
   Vec3d& up_at_start_;  // [1] the base's axis that pointed up
 };
 
-/// What an entity's odometer has counted; 0 before its first step, and without one.
+/// Result of an entity's odometer; 0 before its first step, and without one.
 struct WayAndFalls {
   double walked = 0;  ///< [m] horizontal path of the base, to where it is
   int falls = 0;

@@ -11,6 +11,7 @@ namespace {
 
 double number(const Model& model, const Property<double>& property, int joint) {
   const double* value = model.find(property, joint);
+  /// 0 where the model has no such number.
   return value ? *value : 0;
 }
 

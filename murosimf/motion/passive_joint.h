@@ -1,4 +1,4 @@
-/// passive_joint.h - what acts in a joint of itself, whatever its servo does: a damper, a spring and Coulomb friction.
+/// passive_joint.h - passive torques of a joint, independent of its servo: a damper, a spring and Coulomb friction.
 ///
 ///     torque = -d qd - k (q - rest)
 ///
@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/model.h"
 
 namespace murosimf::motion {
@@ -25,13 +26,14 @@ struct PassiveJoint {
   }
 };
 
-/// Of a joint (an object of the model). Throws SetupError if its spring is no spring.
+/// The passive torques of a joint (an object of the model). Throws SetupError if its spring is impossible.
 [[nodiscard]] PassiveJoint passive_joint(const Model& model, int joint);
 
-/// Coulomb friction as a damper that follows the joint's rate: b [N m s/rad | N s/m] of the friction -b qd that is F [N m | N] against
-/// the motion, and falls linearly to zero below 0.05 rad/s (m/s). Taken at the beginning of a step, so a loaded joint creeps with that
-/// part of 0.05 rad/s that its load is of F.
+/// Coulomb friction as a damper that depends on the joint's rate: b [N m s/rad | N s/m] of the friction -b qd that is F [N m | N] against
+/// the motion, and decreases linearly to zero below 0.05 rad/s (m/s). Evaluated at the beginning of a step, so a loaded joint creeps with
+/// the rate 0.05 rad/s times its load's share of F.
 [[nodiscard]] inline double coulomb_damping(double friction, double rate) {
+  MUROSIMF_ASSERT(friction >= 0);
   constexpr double slow = 0.05;  // [rad/s | m/s]
   return friction / std::max(std::abs(rate), slow);
 }

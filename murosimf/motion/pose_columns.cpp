@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "murosimf/collision/ground_points.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/fixed_base.h"
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/multibody/kinematics.h"
@@ -12,7 +13,7 @@
 namespace murosimf::motion {
 namespace {
 
-/// [m] Of all that the robot has, where its base is now; 0 without shapes.
+/// Height [m] of the robot's lowest point at the present pose; 0 without shapes.
 double lowest_point(const PoseColumns& columns) noexcept {
   const auto& shapes = collision::ground_shapes(columns.model);
   if (shapes.empty()) return 0;
@@ -35,7 +36,10 @@ PoseColumns::PoseColumns(Setup& setup)
       qd(setup.write(properties::joint_velocity)),
       Q(setup.write(properties::base_quaternion)),
       written_r(setup.write(properties::written_position)[0]),
-      written_v(setup.write(properties::written_velocity)[0]) {}
+      written_v(setup.write(properties::written_velocity)[0]) {
+  MUROSIMF_ASSERT(r.size() == static_cast<std::size_t>(model.size()) && R.size() == r.size() && q.size() == r.size());
+  MUROSIMF_ASSERT(v.size() == r.size() && w.size() == r.size() && qd.size() == r.size() && Q.size() == 1);
+}
 
 void PoseColumns::update_poses() noexcept { multibody::poses<double>(model.tree(), q, r, R); }
 
@@ -73,12 +77,14 @@ Vec3d PoseColumns::take_velocity_change() noexcept {
 }
 
 void place_at_start(PoseColumns& columns, const Entity& entity) noexcept {
+  // poses at the origin first: the turn that makes the first sole flat, then the lowest point, follow from them
   const Model& model = columns.model;
   const EntityOptions& options = entity.options();
   columns.stop();
   columns.r[0] = {};
   columns.R[0] = Mat3d{};
   columns.update_poses();
+  // robots stand on their first sole, unless the base is to be level or bolted
   const bool fixed = has_fixed_base(model);
   if (const auto soles = model.having(properties::sole); !soles.empty() && !options.base_level && !fixed) {
     columns.R[0] = transpose(columns.R[soles.front()]);

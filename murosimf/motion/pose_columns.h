@@ -16,13 +16,13 @@ struct PoseColumns {
   void update_poses() noexcept;
   /// Velocities of all objects from row 0, the poses and the joint rates.
   void update_velocities() noexcept;
-  /// Of all links as the columns say they move.
+  /// Momentum of all links for the present columns.
   [[nodiscard]] Momentum momentum() const;
-  /// No motion at all: what a frozen entity shows to the others.
+  /// Sets all velocities to zero: the motion of a frozen entity, as others see it.
   void stop() noexcept;
 
-  // Levels derive the base's position and velocity from other state. So that users can change them by name all the
-  // same, a level remembers what it wrote and takes over the difference at its next step; no change gives exactly 0.
+  // Levels derive the base's position and velocity from other state. So that users can nevertheless change them by name,
+  // a level stores what it wrote and takes over the difference at its next step; no change gives exactly 0.
   void remember_base() noexcept;
   [[nodiscard]] Vec3d take_displacement() noexcept;     ///< [m]
   [[nodiscard]] Vec3d take_velocity_change() noexcept;  ///< [m/s]

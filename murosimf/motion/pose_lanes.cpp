@@ -1,5 +1,6 @@
 #include "murosimf/motion/pose_lanes.h"
 
+#include "murosimf/math/assert.h"
 #include "murosimf/math/spatial.h"
 #include "murosimf/multibody/kinematics.h"
 
@@ -11,7 +12,8 @@ PoseLanes::PoseLanes(std::vector<PoseColumns*> robots)
   moving_ = links_;
   for (const FixedObject& follower : structure.followers) moving_.push_back(static_cast<std::size_t>(follower.object));
   const auto objects = static_cast<std::size_t>(robots_.front()->model.size());
-  nobody_.resize(numbers_of<Sym6> * objects);  // the longest rows that anybody takes
+  MUROSIMF_ASSERT(robots_.size() <= Pack8::lanes && links_.front() == 0);
+  padding_.resize(numbers_of<Sym6> * objects);  // as long as the longest column that is taken
   q.resize(objects);
   qd.resize(objects);
   r.resize(objects);

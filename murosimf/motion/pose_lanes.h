@@ -1,20 +1,22 @@
-/// pose_lanes.h - poses and velocities of up to eight copies of one robot, each in its own lane: what pose_columns.h is for one.
+/// pose_lanes.h - poses and velocities of up to eight copies of one robot, each in its own lane: the counterpart of pose_columns.h.
 #pragma once
 
 #include <span>
 #include <vector>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/math/lanes.h"
 #include "murosimf/motion/pose_columns.h"
 
 namespace murosimf::motion {
 
-/// With fewer robots, one after the other is faster.
+/// With fewer robots, stepping one after the other is faster.
 inline constexpr int fewest_in_lanes = Pack8::registers + 1;
 
-/// What part(member) says of each member of a group: pointers to a part of it.
+/// Calls part(member) for each member of a group: pointers to a part of each.
 template <class Member, class Part>
 [[nodiscard]] auto parts_of(const std::vector<Member*>& members, const Part& part) {
+  MUROSIMF_ASSERT(!members.empty());
   std::vector<decltype(part(*members.front()))> parts;
   for (Member* member : members) parts.push_back(part(*member));
   return parts;
@@ -22,10 +24,10 @@ template <class Member, class Part>
 
 class PoseLanes {
  public:
-  /// One to eight robots of one model; their columns outlive this.
+  /// One to eight robots of one model; their columns outlive this object.
   explicit PoseLanes(std::vector<PoseColumns*> robots);
 
-  /// Joint positions and rates from the columns of these lanes; the other lanes get any numbers.
+  /// Reads joint positions and rates from the columns of these lanes; the other lanes get unspecified numbers.
   void take_joints(LaneMask lanes) noexcept;
   void put_back_joints(LaneMask lanes) noexcept;
 
@@ -40,7 +42,7 @@ class PoseLanes {
   MUROSIMF_INLINE void take(std::span<const std::size_t> objects, LaneMask lanes, const Packs& packs,
                             const Column& column) noexcept {
     LaneRows<const double> from;
-    from.fill(nobody_.data());
+    from.fill(padding_.data());  // lanes that take no part read and write here: no branches in the kernels
     for_lanes(lanes,
               [&](int lane) { from[static_cast<std::size_t>(lane)] = reinterpret_cast<const double*>(column(lane)); });
     gather(from, objects, packs);
@@ -49,15 +51,18 @@ class PoseLanes {
   MUROSIMF_INLINE void put_back(std::span<const std::size_t> objects, LaneMask lanes, const Packs& packs,
                                 const Column& column) noexcept {
     LaneRows<double> to;
-    to.fill(nobody_.data());
+    to.fill(padding_.data());
     for_lanes(lanes, [&](int lane) { to[static_cast<std::size_t>(lane)] = reinterpret_cast<double*>(column(lane)); });
     scatter(packs, objects, to);
   }
 
-  [[nodiscard]] std::span<const std::size_t> moving() const { return moving_; }  ///< objects that have a pose
+  [[nodiscard]] std::span<const std::size_t> moving() const { return moving_; }  ///< objects with a pose
   [[nodiscard]] std::span<const std::size_t> links() const { return links_; }    ///< by link: their objects
   [[nodiscard]] std::span<const std::size_t> joints() const { return links().subspan(1); }
-  [[nodiscard]] PoseColumns& columns(int lane) const noexcept { return *robots_[static_cast<std::size_t>(lane)]; }
+  [[nodiscard]] PoseColumns& columns(int lane) const noexcept {
+    MUROSIMF_ASSERT(lane >= 0 && static_cast<std::size_t>(lane) < robots_.size());
+    return *robots_[static_cast<std::size_t>(lane)];
+  }
   [[nodiscard]] std::size_t objects() const { return q.size(); }
 
   const Tree& structure;
@@ -74,7 +79,7 @@ class PoseLanes {
 
   std::vector<PoseColumns*> robots_;
   std::vector<std::size_t> moving_, links_;
-  std::vector<double> nobody_;  // stands for the columns of lanes without robot
+  std::vector<double> padding_;  // takes the place of the columns of lanes that take no part
 };
 
 }  // namespace murosimf::motion

@@ -3,13 +3,15 @@
 #include <algorithm>
 
 #include "murosimf/collision/contact_properties.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::motion {
 namespace {
 
-/// [1] How much of the step the push lasts.
+/// [1] Share of the step during which the push lasts.
 double share_of_step(const TimedPush& push, const Instant& instant) {
+  MUROSIMF_ASSERT(instant.period > Duration{});
   const Duration from = std::max(push.begin, instant.now), to = std::min(push.end, instant.now + instant.period);
   return to > from ? seconds(to - from) / seconds(instant.period) : 0;
 }
@@ -27,6 +29,7 @@ Push::Push(Setup& setup, std::vector<TimedPush> pushes)
 }
 
 void Push::take_up(int object) {
+  MUROSIMF_ASSERT(object >= 0 && object < model_.size());
   if (std::ranges::find(pushed_, object, &Pushed::object) != pushed_.end()) return;
   const Vec3d* center = model_.find(properties::center_of_mass, object);
   pushed_.push_back({object, center ? *center : Vec3d{}, {}, {}});
@@ -34,6 +37,7 @@ void Push::take_up(int object) {
 
 void Push::add(const TimedPush& push) {
   std::erase_if(pushes_, [&](const TimedPush& other) { return other.end < push.begin; });
+  // pushes that are over would only cost time in every step
   pushes_.push_back(push);
   take_up(push.object);
 }
@@ -45,6 +49,7 @@ void Push::state(StateArchive& archive) { archive(pushes_, pushed_); }
 Wrenchd Push::sum_for(const Pushed& pushed, const Instant& instant) const noexcept {
   Wrenchd sum;
   for (const TimedPush& push : pushes_) {
+    // a push that ends within the step acts with that share of its force: its impulse is exact
     const double share = push.object == pushed.object ? share_of_step(push, instant) : 0;
     if (share == 0) continue;
     const Vec3d arm = R_[pushed.object] * pushed.center;
@@ -56,6 +61,7 @@ Wrenchd Push::sum_for(const Pushed& pushed, const Instant& instant) const noexce
 void Push::step(const Instant& instant) noexcept {
   for (Pushed& pushed : pushed_) {
     Wrenchd& applied = applied_force_[pushed.object];
+    // an unchanged number is our own; any other has been set by a user and is kept below the pushes
     if (!same_push(applied, pushed.written)) pushed.own = applied;
     applied = pushed.own;
     applied += sum_for(pushed, instant);

@@ -1,7 +1,7 @@
 /// push.h - algorithm: pushes of one entity's bodies for a while, with a force at their center of mass.
 ///
 /// Adds to `applied_force` in every step that a push overlaps, by the share of the step that it does, so that its impulse
-/// is exact; force and moment keep their direction in the world while the body turns. What users set there stays.
+/// is exact; force and moment keep their direction in the world while the body turns. Values that users set there are kept.
 #pragma once
 
 #include <span>
@@ -22,10 +22,10 @@ struct TimedPush {
 
 class Push final : public Algorithm {
  public:
-  /// To be attached before the contact with the ground, at the same rate.
+  /// Attach it before the contact with the ground, at the same rate.
   Push(Setup& setup, std::vector<TimedPush> pushes);
 
-  /// One more, between two steps; a reset forgets it.
+  /// Adds a push, between two steps; a reset removes it.
   void add(const TimedPush& push);
 
   [[nodiscard]] Phase phase() const noexcept override { return Phase::control; }
@@ -37,8 +37,8 @@ class Push final : public Algorithm {
   struct Pushed {
     int object = 0;
     Vec3d center;     // [m] of its mass, own axes
-    Wrenchd own;      // what others set
-    Wrenchd written;  // own, and pushes
+    Wrenchd own;      // set by others
+    Wrenchd written;  // own and pushes
     void state(StateArchive& archive) { archive(object, center, own, written); }
   };
   void take_up(int object);

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
@@ -12,12 +13,14 @@
 namespace murosimf::motion {
 
 RateLimit rate_limit(const Servo& servo, double rate) {
+  MUROSIMF_ASSERT(rate > 0);
   constexpr double share = 0.02;  // [1] of the rate in which the line falls to nothing
   RateLimit limit{.rate = rate};
   if (servo.stall_torque > 0) {
     limit.most = servo.stall_torque;
     limit.line = servo.stall_torque / (share * rate);
   } else {
+    // no stall torque to scale by: a line much steeper than the controller, but still soft against the step
     limit.line = 10 * std::max(servo.velocity_gain, 0.05 * servo.position_gain);
   }
   return limit;

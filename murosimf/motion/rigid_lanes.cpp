@@ -2,13 +2,18 @@
 
 #include <bit>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::motion {
 
 RigidLanes::RigidLanes(std::vector<SimplifiedDynamics*> members)
     : members_(std::move(members)),
-      poses_(parts_of(members_, [](SimplifiedDynamics& member) { return &member.columns_; })) {}
+      poses_(parts_of(members_, [](SimplifiedDynamics& member) { return &member.columns_; })) {
+  MUROSIMF_ASSERT(members_.size() <= Pack8::lanes);
+}
 
 void RigidLanes::step(LaneMask due, const Instant& instant) noexcept {
+  MUROSIMF_ASSERT(due >> members_.size() == 0);
   if (std::popcount(due) < fewest_in_lanes) {
     return for_lanes(due, [&](int lane) { member(lane).step(instant); });
   }
@@ -16,6 +21,7 @@ void RigidLanes::step(LaneMask due, const Instant& instant) noexcept {
   for_lanes(due, [&](int lane) {
     SimplifiedDynamics& robot = member(lane);
     const auto course = robot.find_course(instant);
+    // frozen robots leave the lanes
     if (!course.sane) return;
     lanes |= lane_bit(lane);
     robot.turn(course.body);
@@ -28,6 +34,7 @@ void RigidLanes::step(LaneMask due, const Instant& instant) noexcept {
 
 /// SimplifiedDynamics::follow_center.
 void RigidLanes::follow_centers(LaneMask lanes) noexcept {
+  // everything relative to a base at rest at the origin, as in follow_center
   poses_.r[0] = poses_.v[0] = poses_.w[0] = {};
   poses_.take_joints(lanes);
   poses_.update_poses();

@@ -1,9 +1,10 @@
 /// rigid_lanes.h - up to eight copies of one robot at level `simplified_dynamics`, whose poses, velocities and common body are
-/// worked out together in lanes.
+/// computed together in lanes.
 #pragma once
 
 #include <vector>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/lane_group.h"
 #include "murosimf/motion/pose_lanes.h"
 #include "murosimf/motion/simplified_dynamics.h"
@@ -12,12 +13,13 @@ namespace murosimf::motion {
 
 class RigidLanes final : public LaneGroup {
  public:
-  /// Those that keep the course of their center of mass; with the semi-implicit integrator.
+  /// `members`: robots whose center of mass is integrated, by the semi-implicit integrator.
   explicit RigidLanes(std::vector<SimplifiedDynamics*> members);
   void step(LaneMask due, const Instant& instant) noexcept override;
 
  private:
   [[nodiscard]] SimplifiedDynamics& member(int lane) const noexcept {
+    MUROSIMF_ASSERT(lane >= 0 && static_cast<std::size_t>(lane) < members_.size());
     return *members_[static_cast<std::size_t>(lane)];
   }
   void follow_centers(LaneMask lanes) noexcept;

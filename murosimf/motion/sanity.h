@@ -1,4 +1,4 @@
-/// sanity.h - when the numbers of an entity have gone bad. Written so that NaN is not sane either.
+/// sanity.h - criteria of sane numbers. Written so that NaN is not sane either.
 #pragma once
 
 #include <cmath>
@@ -12,9 +12,9 @@ inline constexpr double fastest = 1e3;          // [m/s]
 inline constexpr double fastest_turn = 1e4;     // [rad/s]
 inline constexpr double fastest_joint = 1e4;    // [rad/s | m/s]
 inline constexpr double least_inertia = 1e-12;  // [kg m^2 | kg] that a joint must move
-inline constexpr double farthest_joint = 1e4;   // [rad | m] sines lose their precision far beyond
+inline constexpr double farthest_joint = 1e4;   // [rad | m] beyond it sines lose their precision
 
-/// Why an entity is frozen whose state is not sane.
+/// Reason for freezing an entity whose state is not sane.
 inline constexpr const char* too_fast =
     "it went beyond 1000 m/s, 10000 rad/s or 1000 km, or its numbers are none (a force, a target or a step too large)";
 
@@ -28,7 +28,7 @@ inline constexpr const char* too_fast =
 
 inline constexpr const char* joints_insane = "a joint position or target is no sensible number";
 
-/// What a step of dt [s] adds to the velocities, written so that NaN is not sane either.
+/// Whether the change of the velocities in a step of dt [s] is sane.
 [[nodiscard]] inline bool is_sane(const Twistd& acceleration, double dt) {
   return dt * norm(acceleration.v) < fastest && dt * norm(acceleration.w) < fastest_turn;
 }

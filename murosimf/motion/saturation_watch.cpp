@@ -5,12 +5,13 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/motion/motion_properties.h"
 
 namespace murosimf::motion {
 namespace {
 
-constexpr double worth_a_word = 0.01;  // [1] of the time
+constexpr double worth_a_word = 0.01;  // [1] of the time: less is not reported
 constexpr std::size_t most_names = 4;
 
 struct Share {
@@ -27,6 +28,7 @@ std::vector<Share> saturated_joints(const Entity& entity) {
     const double share = saturated->values[i] / watched->values[0];
     if (share >= worth_a_word) shares.push_back({i, share});
   }
+  // the worst first; equal ones in the order of the model
   std::ranges::stable_sort(shares, std::greater{}, &Share::of_time);
   return shares;
 }
@@ -44,6 +46,7 @@ void SaturationWatch::initialize() noexcept {
 void SaturationWatch::look(const Tree& tree, std::span<const multibody::FrictionalJoint<double>> joints,
                            double dt) noexcept {
   begin(dt);
+  MUROSIMF_ASSERT(joints.size() == tree.links.size());
   for (std::size_t l = 1; l < joints.size(); ++l) {
     if (!multibody::is_free(joints[l])) add(tree.links[l].object, dt);
   }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
 
@@ -26,6 +27,7 @@ ServoBus::ServoBus(Setup& setup)
       target_(setup.input(properties::joint_target, 0.0)),
       delayed_(setup.write(delayed_target)),
       present_(period_.size()) {
+  MUROSIMF_ASSERT(step_ > 0);
   if (commands_linkages_) {
     q_ = setup.write(properties::joint_position);
     rates_.resize(period_.size());
@@ -39,6 +41,7 @@ ServoBus::ServoBus(Setup& setup)
       limits = true;
     }
     if (servo && servo->command_filter > 0) {
+      // expm1: exact for filters that are slow against the step
       share_[i] = -std::expm1(-step_ / servo->command_filter);
       filters = true;
     }
@@ -47,7 +50,7 @@ ServoBus::ServoBus(Setup& setup)
     period_[i] = std::max(1.0, std::round(servo->command_period / step_));
     holds = true;
   }
-  plain_ = !holds && !limits && !filters && turning_.joints().empty();
+  plain_ = !holds && !limits && !filters && turning_.joints().empty();  // most robots: one pass over the targets
   if (filters) filtered_ = setup.write(properties::filtered_target);
   if (!holds) return;
   sent_ = setup.write(properties::sent_target);
@@ -75,11 +78,12 @@ void ServoBus::couple() noexcept {
   }
   if (!commands_linkages_) return;
   linkages_.keep(q_);
+  // from the present positions: the branch on which the linkages are
   linkages_.follow(present_, rates_);
 }
 
 double ServoBus::sent(int i) noexcept {
-  if (period_[i] <= 0) return wanted(i);
+  if (period_[i] <= 0) return wanted(i);  // sent in every step
   if (age_[i] >= period_[i]) {
     sent_[i] = wanted(i);
     age_[i] = 0;
@@ -89,18 +93,19 @@ double ServoBus::sent(int i) noexcept {
 }
 
 void ServoBus::filter(int i) noexcept {
-  const double arrived = std::exchange(present_[i], filtered_[i]);
+  const double arrived = std::exchange(present_[i], filtered_[i]);  // a step behind, as MuJoCo's activation
   filtered_[i] += share_[i] * (arrived - filtered_[i]);
 }
 
 MUROSIMF_INLINE bool ServoBus::pass_on(double now, int i) noexcept {
-  constexpr double largest = 1e4;  // [rad | m | rad/s | m/s]
+  constexpr double largest = 1e4;  // [rad | m | rad/s | m/s] beyond it sines lose their precision
   present_[i] = delayed_[i].pass(now);
-  return std::abs(now) < largest;  // NaN is not less
+  return std::abs(now) < largest;  // false for NaN
 }
 
 bool ServoBus::step(double dt) noexcept {
   const std::int64_t steps = std::llround(dt / step_);
+  MUROSIMF_ASSERT(steps >= 1);
   bool sane = true;
   if (plain_ && steps == 1) {
     for (const int i : objects_) sane &= pass_on(target_[i], i);

@@ -1,15 +1,15 @@
-/// servo_bus.h - how targets get from the controller to the motors: held to their range, sent every so often, held, delayed,
+/// servo_bus.h - transfer of targets from the controller to the motors: limited to their range, sent periodically, held, delayed,
 /// filtered.
 ///
-/// A servo with command_filter T comes to what arrives as the activation a of MuJoCo's `filterexact` does, a step behind:
+/// A servo with command_filter T approaches arriving targets as the activation a of MuJoCo's `filterexact` does, a step behind:
 ///
 ///     a += (1 - exp(-h / T)) (target - a)
 ///
-/// Servos of linkages whose commanded joints are others (loop_commanded) know where these joints' targets take them, on the branch where
-/// they stand.
+/// Servos of linkages whose commanded joints are others (loop_commanded) receive the positions that result from these joints' targets, on
+/// the present branch of the linkage.
 ///
-/// The servo of a joint that follows another one (mimic_joints.h) knows where the other one's target takes it; its own
-/// target means nothing.
+/// The servo of a joint that follows another one (mimic_joints.h) receives the position that results from the other one's target; its own
+/// target is ignored.
 #pragma once
 
 #include <algorithm>
@@ -27,23 +27,23 @@ class ServoBus {
  public:
   explicit ServoBus(Setup& setup);
 
-  /// All motors know the present targets.
+  /// Gives all motors the present targets.
   void start() noexcept;
-  /// To be called once per step of dt [s], a whole number of the simulation's steps: what is sent arrives as if it were called in each
-  /// of them. False if a target is no sensible number.
+  /// To be called once per step of dt [s], a whole number of the simulation's steps: targets arrive as if it were called in each
+  /// of them. False if a target is not sane.
   [[nodiscard]] bool step(double dt) noexcept;
-  /// What the motor of a joint (an object of the model) knows: its position [rad | m], or the rate [rad/s | m/s] of one
+  /// Target that has arrived at the motor of a joint (an object of the model): its position [rad | m], or the rate [rad/s | m/s] of one
   /// that follows a rate.
   [[nodiscard]] double target(int object) const noexcept { return present_[static_cast<std::size_t>(object)]; }
   /// The same of all, by object.
   [[nodiscard]] std::span<const double> targets() const noexcept { return present_; }
-  /// What control software wants of it, held to joint_target_range.
+  /// Target of the control software, limited to joint_target_range.
   [[nodiscard]] double wanted(int object) const noexcept {
     if (turning_.contains(object)) return turning_.target(object);
     const auto i = static_cast<std::size_t>(object);
     return std::clamp(target_[i], lowest_[i], highest_[i]);
   }
-  /// [rad | m] where control software wants a joint to stand, also one that follows a rate; whatever its range of targets.
+  /// Desired position [rad | m] of a joint by the control software, also of one that follows a rate; without limits.
   [[nodiscard]] double position_target(int object) const noexcept { return target_[static_cast<std::size_t>(object)]; }
   [[nodiscard]] const VelocityJoints& turning() const { return turning_; }
   [[nodiscard]] const MimicJoints& coupled() const { return coupled_; }
@@ -57,12 +57,12 @@ class ServoBus {
   VelocityJoints turning_;
   MimicJoints coupled_;
   multibody::LoopJoints linkages_;
-  bool commands_linkages_;     // some joint is commanded
-  std::span<const double> q_;  // [rad | m] where joints stand; empty if none is
-  std::vector<double> rates_;  // [rad/s | m/s] not used; working memory
+  bool commands_linkages_;     // some joint is commanded (loop_commanded)
+  std::span<const double> q_;  // [rad | m] joint positions; empty if no joint is commanded
+  std::vector<double> rates_;  // [rad/s | m/s] ignored; working memory
   std::span<const int> objects_;
   double step_;                           // [s] of the simulation
-  bool plain_;                            // all are sent a position in every step, and take any
+  bool plain_;                            // all joints receive a position in every step, without limits
   std::vector<double> lowest_, highest_;  // [rad | m] of targets, by object
   std::vector<double> share_;       // [1] of the way to a target that a filter takes in a step, by object; 1: no filter
   std::vector<double> period_;      // [steps] by object; 0: every step

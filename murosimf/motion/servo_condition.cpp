@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
@@ -12,7 +13,7 @@
 namespace murosimf::motion {
 namespace {
 
-/// An input whose rows start with different numbers.
+/// An input whose rows have different start values.
 template <class Start>
 std::span<const double> input_of_servos(Setup& setup, const Property<double>& property, const Start& start) {
   const bool fresh = setup.entity().find(property) == nullptr;
@@ -81,6 +82,7 @@ void ServoCondition::take_over() noexcept {
 
 void ServoCondition::fill(int i, MotorInput& input) const noexcept {
   const Motor& motor = motors_[i];
+  MUROSIMF_ASSERT(i >= 0 && static_cast<std::size_t>(i) < motors_.size());
   input.enabled = enabled_[i];
   if (tunes_) tune(i, input);
   if (motor.per_volt > 0) input.supply = supply_[i] * motor.per_volt;
@@ -89,9 +91,10 @@ void ServoCondition::fill(int i, MotorInput& input) const noexcept {
   input.allowed = multibody::allowed_share(motor.numbers.heat, temperature_[i]);
 }
 
-/// Nothing is set where a number is NaN. A limit from the stall torque on is none: braking may take more.
+/// NaN: software has set nothing. A limit of the stall torque or more is none: braking may take more than the stall torque.
 void ServoCondition::tune(int i, MotorInput& input) const noexcept {
   const Motor& motor = motors_[i];
+  MUROSIMF_ASSERT(i >= 0 && static_cast<std::size_t>(i) < motors_.size());
   if (!position_gain_.empty() && motor.position_gain > 0 && position_gain_[i] >= 0) {
     input.gain = position_gain_[i] / motor.position_gain;
   }
@@ -101,6 +104,7 @@ void ServoCondition::tune(int i, MotorInput& input) const noexcept {
 }
 
 void ServoCondition::warm(int i, double torque, double dt) noexcept {
+  MUROSIMF_ASSERT(heats(i) && dt > 0);
   temperature_[i] = multibody::next_temperature(motors_[i].numbers, temperature_[i], torque, dt);
 }
 

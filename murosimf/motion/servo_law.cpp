@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/math/lanes.h"
 #include "murosimf/model/error.h"
 #include "murosimf/multibody/gear_friction.h"
@@ -17,9 +18,10 @@ namespace {
 
 constexpr double no_limit = std::numeric_limits<double>::infinity();  // [N m]
 
-/// What is left of a motor's torque [N m] behind the gear, while it drives a load at a rate [rad/s].
+/// Rest of a motor's torque [N m] behind the gear, while it drives a load at a rate [rad/s].
 double behind_gear(const Servo& servo, double torque, double qd) {
-  const double load = -torque;  // nearly
+  // friction depends on the load, which is the torque less the friction: the first iteration is near enough for a report
+  const double load = -torque;
   const double lost = multibody::dry_friction(servo.friction, qd, torque, load) + servo.friction.viscous * std::abs(qd);
   return std::max(0.0, torque - lost);
 }
@@ -33,10 +35,13 @@ class IdealPd final : public ServoLaw {
         highest_(servo.stall_torque > 0 ? servo.highest_share * servo.stall_torque : no_limit) {}
 
   [[nodiscard]] MotorTorque torque(const MotorInput& in, double dt) const noexcept override {
+    MUROSIMF_ASSERT(dt >= 0);
     if (in.enabled == 0) return {};
     const double kp = servo_.position_gain * in.gain, kd = servo_.velocity_gain + in.damping;
     const double low = std::max(lowest_, -in.limit), high = std::max(low, std::min(highest_, in.limit));
+    // the software's limit narrows the servo's own; `high` is at least `low`, as std::clamp requires
     const double error = by_rate_ ? 0 : position_error(in);
+    // within the dead band the spring is slack
     const double stiffness = error == 0 && servo_.dead_band > 0 ? 0 : kp;
     const double wanted = by_rate_ ? kd * (in.target - in.rate) : kp * error - kd * in.rate;
     const multibody::TorqueLine<double> free{wanted - dt * stiffness * in.rate, dt * kd + dt * dt * stiffness};
@@ -61,6 +66,7 @@ class DcMotor final : public ServoLaw {
   explicit DcMotor(const Servo& servo) : servo_(servo), motor_(servo) {}
 
   [[nodiscard]] MotorTorque torque(const MotorInput& in, double dt) const noexcept override {
+    MUROSIMF_ASSERT(dt >= 0);
     return multibody::motor_torque(motor_, in, dt);
   }
   [[nodiscard]] multibody::MotorTorque<Pack8> torque_in_lanes(const multibody::MotorInput<Pack8>& in,
@@ -68,6 +74,7 @@ class DcMotor final : public ServoLaw {
     return multibody::motor_torque(motor_, in, dt);
   }
   [[nodiscard]] double available(double qd, double direction) const noexcept override {
+    MUROSIMF_ASSERT(direction == 1.0 || direction == -1.0);
     return behind_gear(servo_, std::min(motor_.torque_limit, motor_.most - direction * motor_.line * qd), qd);
   }
 
@@ -92,6 +99,7 @@ constexpr std::array entries{
 multibody::MotorTorque<Pack8> ServoLaw::torque_in_lanes(const multibody::MotorInput<Pack8>& input,
                                                         double dt) const noexcept {
   multibody::MotorTorque<Pack8> result;
+  MUROSIMF_ASSERT(dt >= 0);
   for (int lane = 0; lane < Pack8::lanes; ++lane) {
     set_lane(result, lane, torque(lane_of(input, lane), dt));
   }
@@ -107,6 +115,7 @@ Servo with_law(const Servo& servo, std::string_view law) {
   if (law.empty() || law == servo.law) return other;
   other.law = law;
   if (law == "ideal_pd" && servo.velocity_gain == 0 && servo.no_load_speed > 0) {
+    // the slope of the speed-torque line
     other.velocity_gain = servo.stall_torque / servo.no_load_speed;
   }
   return other;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/collision/contact_properties.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/fixed_base.h"
 #include "murosimf/motion/free_state.h"
 #include "murosimf/motion/motion_properties.h"
@@ -75,6 +76,7 @@ void SimplifiedDynamics::take_over(const Momentum& momentum) {
   if (fixed_) {
     follow_fixed_base();
   } else {
+    // the angular momentum of limbs counts as that of the whole body
     columns_.w[0] = inverse(inertia_) * momentum.angular;
     columns_.update_velocities();
     velocity_ = (1 / mass_) * momentum.linear;
@@ -95,6 +97,7 @@ bool SimplifiedDynamics::goes_with(const Algorithm& other) const {
 }
 
 std::unique_ptr<LaneGroup> SimplifiedDynamics::join(std::span<Algorithm* const> members) const {
+  MUROSIMF_ASSERT(!members.empty() && members.size() <= Pack8::lanes);
   return std::make_unique<RigidLanes>(members_of<SimplifiedDynamics>(members));
 }
 
@@ -115,6 +118,7 @@ void SimplifiedDynamics::step(const Instant& instant) noexcept {
 }
 
 void SimplifiedDynamics::step_fixed(double dt) noexcept {
+  MUROSIMF_ASSERT(dt > 0);
   if (!contacts_.solved()) {
     begin_step(dt);
     contacts_.settle([&] {
@@ -140,6 +144,7 @@ SimplifiedDynamics::Course SimplifiedDynamics::find_course(const Instant& instan
       return true;
     });
   }
+  MUROSIMF_ASSERT(dt_ > 0);
   multibody::FreeBody<double> body{center_ + separation_, velocity_, columns_.Q[0], columns_.w[0]};
   Vec3d angular_momentum = inertia_ * columns_.w[0] + dt_ * outer_moment();
   multibody::advance(body, acceleration_, dt_);
@@ -153,6 +158,7 @@ SimplifiedDynamics::Course SimplifiedDynamics::find_course(const Instant& instan
   }
   contacts_.commit();
   if (!options_.base_rigid && !pushed_in_island_ && in_flight()) {
+    // as in moving_tree.h: the rate in the middle of the step keeps the energy of a tumbling body
     const Vec3d middle_rate = columns_.w[0] + (0.5 * dt_) * acceleration_.w;
     body.turn = normalized(exponential(dt_ * middle_rate) * columns_.Q[0]);
   } else {
@@ -170,6 +176,7 @@ void SimplifiedDynamics::turn(const multibody::FreeBody<double>& body) noexcept 
 }
 
 void SimplifiedDynamics::step_rk4(double dt) noexcept {
+  MUROSIMF_ASSERT(dt > 0);
   begin_step(dt);
   if (!reference_.is_sane(columns_)) return halt(joints_insane);
   reference_.fade_offsets(dt);
@@ -180,7 +187,7 @@ void SimplifiedDynamics::step_rk4(double dt) noexcept {
     follow_center(body, body.rate);
   };
   bool first = true;
-  const std::vector<double> start = row_;
+  const std::vector<double> start = row_;  // the state to return to if a number is not sane
   runge_kutta_.step(row_, dt, [&](const std::vector<double>& y, std::vector<double>& dy) {
     auto body = read_state(y, columns_);
     place(body);
@@ -200,16 +207,20 @@ void SimplifiedDynamics::step_rk4(double dt) noexcept {
   reference_.stop_at_limits(columns_);
   place(end);
   columns_.remember_base();
+  // after the poses are back at the last sane state
   if (!sane) return halt(too_fast);
 }
 
 void SimplifiedDynamics::begin_step(double dt) noexcept {
+  MUROSIMF_ASSERT(dt > 0);
   dt_ = dt;
   center_ += columns_.take_displacement();
+  // differences are exactly 0 unless a user has written the base's columns
   velocity_ += columns_.take_velocity_change();
 }
 
 void SimplifiedDynamics::solve(double dt) noexcept {
+  MUROSIMF_ASSERT(dt >= 0);
   if (fixed_) {
     acceleration_ = {};
     return;
@@ -218,7 +229,7 @@ void SimplifiedDynamics::solve(double dt) noexcept {
   Wrenchd force{-cross(w, inertia_ * w), mass_ * gravity_};
   Sym6d matrix{inertia_, {Vec3d{}, Vec3d{}, Vec3d{}}, diagonal(mass_)};
   for (const int object : columns_.model.bodies()) {
-    // untouched bodies, by far the most, cost a look
+    // most bodies are untouched: comparing with zero is cheaper than moving a load
     if (!is_zero(external_force_[object])) force += moved(external_force_[object], center_ - columns_.r[object]);
     if (!is_zero(external_damping_[object]))
       matrix += dt * moved(external_damping_[object], center_ - columns_.r[object]);
@@ -239,7 +250,8 @@ bool SimplifiedDynamics::free_pass(double dt) noexcept {
   pushed_in_island_ = false;
   begin_step(dt);
   solve(dt);
-  if (!fixed_) factor_.emplace(matrix_);
+  if (!fixed_) factor_.emplace(matrix_);  // for the responses to impulses of the island
+  // checked before others rely on the answers of this entity
   return reference_.is_sane(columns_) && is_sane(acceleration_, dt);
 }
 
@@ -249,11 +261,14 @@ Vec3d SimplifiedDynamics::free_velocity(int, const Vec3d& point, const Vec3d& ve
 
 void SimplifiedDynamics::respond(int, const Vec3d& point, const Mat3d& directions,
                                  collision::ResponseRows& y) const noexcept {
-  if (!fixed_) collision::add_rigid_response(*factor_, collision::unit_forces(point - center_, directions), y);
+  if (fixed_) return;
+  MUROSIMF_ASSERT(factor_);
+  collision::add_rigid_response(*factor_, collision::unit_forces(point - center_, directions), y);
 }
 
 void SimplifiedDynamics::apply(std::span<const double> z) noexcept {
   if (fixed_) return;
+  MUROSIMF_ASSERT(factor_ && z.size() >= 6 && dt_ > 0);
   pushed_in_island_ = std::any_of(z.begin(), z.end(), [](double number) { return number != 0; });
   acceleration_ += (1 / dt_) * factor_->backward({z[0], z[1], z[2], z[3], z[4], z[5]});
 }
@@ -270,7 +285,7 @@ bool SimplifiedDynamics::in_flight() const noexcept {
 
 void SimplifiedDynamics::follow_center(const multibody::FreeBody<double>& body,
                                        const Vec3d& angular_momentum) noexcept {
-  // everything relative to a base at rest at the origin; then the base goes where the center of mass wants it
+  // everything relative to a base at rest at the origin; the base's position then follows from that of the center of mass
   columns_.r[0] = columns_.v[0] = columns_.w[0] = {};
   columns_.update_poses();
   columns_.update_velocities();
@@ -310,6 +325,7 @@ void SimplifiedDynamics::follow_fixed_base() noexcept {
 }
 
 void SimplifiedDynamics::store_common_body(const multibody::CommonBody<double>& common) noexcept {
+  MUROSIMF_ASSERT(common.mass > 0);
   mass_ = common.mass;
   center_ = common.center;
   velocity_ = common.velocity;

@@ -2,29 +2,28 @@
 /// center of mass and inertia; joints follow their targets.
 ///
 ///     m vc' = m g + sum f            L' = sum ((r - c) x f + n)            w = I^-1 L
-///
+/// L is the angular momentum of the composite body about its center of mass. Only external forces change it, also
 /// L is the angular momentum of the composite body about its center of mass. It changes by forces from outside only, also
 /// while limbs change the inertia I(q): a robot that draws its limbs in turns faster. With joints at rest these are Euler's
 /// equations, I w' + w x I w = sum ((r - c) x f + n); a step solves these for w' and takes the moment from them,
 ///
 ///     L_k+1 = I_k w_k + dt (I_k w' + w_k x I_k w_k)      Q_k+1 = exp(dt (w_k + dt w')) Q_k      w_k+1 = I_k+1^-1 L_k+1
 ///
-/// so that L is kept to rounding. While anything touches it, L_k+1 = I(Q_k+1, q_k) (w_k + dt w') instead: contacts have
-/// been solved
-/// for that rate, and a stack of boxes comes to rest; the difference is one of dt^2. In flight the base turns with the rate
-/// in the middle of the step, w_k + dt w'/2, as in
-/// moving_tree.h: else a tumbling body would gain energy. With Runge-Kutta L is a part of its state, in the place of w.
-/// L is not the sum over the links: what limbs turn against the base does not count, and never turns it.
+/// so that L is conserved up to rounding. While anything touches the robot, L_k+1 = I(Q_k+1, q_k) (w_k + dt w') instead: contacts
+/// have been solved for that rate, and a stack of boxes comes to rest; the difference is one of dt^2. In flight the base turns with
+/// the rate in the middle of the step, w_k + dt w'/2, as in moving_tree.h: otherwise a tumbling body would gain energy. With
+/// Runge-Kutta L is a part of its state, in the place of w.
+/// L is not the sum over the links: motions of limbs relative to the base do not contribute, and never turn it.
 ///
 /// External forces enter implicitly through their damping D (contact.h): (diag(I, m) + dt D_c) a = forces at the
 /// beginning of the step, with D_c the damping of all bodies moved to the center of mass. A ball is the same thing
 /// with a single object.
 ///
-/// What a joint motion does to the base:
+/// Effect of joint motion on the base:
 ///  * center-continuous (default): c and vc are integrated, the base follows from them: r_0 = c - R c_B(q),
 ///    v_0 = vc - w x R c_B - R c_B'. Limbs moving in free flight do not move the center of mass.
 ///  * base-rigid (the paper's literal reading): the base is integrated as part of the rigid body, limbs then move the
-///    center of mass (55 mm in the project's flight test), and w by Euler's equations, whatever they do to I.
+///    center of mass (55 mm in the project's flight test), and w by Euler's equations, whatever the change of I.
 /// Joint motion never turns the base: that is the simplification; `full_dynamics` has it.
 /// A base that is bolted to the world (model/fixed_base.h) keeps its place, whatever pushes the robot: joints follow their targets.
 /// Source: paper 4.2.
@@ -69,7 +68,7 @@ class SimplifiedDynamics final : public MotionLevel, private collision::ImpulseR
  private:
   friend class RigidLanes;
 
-  /// Where a step takes the body and the base's attitude.
+  /// Motion of the body and the base's attitude in a step.
   struct Course {
     multibody::FreeBody<double> body;
     Vec3d angular_momentum;  // [N m s] about the center of mass
@@ -91,9 +90,9 @@ class SimplifiedDynamics final : public MotionLevel, private collision::ImpulseR
   [[nodiscard]] Vec3d next_velocity(const Vec3d& point, const Vec3d& velocity) const noexcept;
   void predict_contacts() noexcept;
   void step_fixed(double dt) noexcept;
-  /// The base at rest where it is, all else by the joints.
+  /// Keeps the base at rest at its place; all else follows from the joints.
   void follow_fixed_base() noexcept;
-  /// [N m] that forces from outside make about the center of mass in the present step.
+  /// Moment [N m] of external forces about the center of mass in the present step.
   [[nodiscard]] Vec3d outer_moment() const noexcept;
   [[nodiscard]] bool in_flight() const noexcept;
   void follow_center(const multibody::FreeBody<double>& body, const Vec3d& angular_momentum) noexcept;
@@ -123,7 +122,7 @@ class SimplifiedDynamics final : public MotionLevel, private collision::ImpulseR
   RungeKutta4 runge_kutta_;
   std::vector<double> row_;        // the state while Runge-Kutta works on it
   double dt_ = 0;                  // [s] of the present step
-  bool pushed_in_island_ = false;  // in the present step; who is alone in an island flies as others do
+  bool pushed_in_island_ = false;  // in the present step; a robot alone in its island flies as others do
 };
 
 }  // namespace murosimf::motion

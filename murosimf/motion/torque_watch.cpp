@@ -5,13 +5,14 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
 
 namespace murosimf::motion {
 namespace {
 
-constexpr double smoothing = 0.02;  // [s]
+constexpr double smoothing = 0.02;  // [s] time constant: peaks of single steps, as at a landing, overload no servo
 
 }  // namespace
 
@@ -30,13 +31,15 @@ void TorqueWatch::initialize() noexcept {
 }
 
 void TorqueWatch::look(const Instant& instant, std::span<const double> torque, std::span<const double> rate) noexcept {
+  MUROSIMF_ASSERT(instant.period > Duration{} && torque.size() == need_.size() && rate.size() == need_.size());
   const double share = seconds(instant.period) / (smoothing + seconds(instant.period));
   for (const Joint& joint : joints_) {
     const int i = joint.object;
+    // first-order filter, implicit: stable for any step
     need_[i] += share * (torque[i] - need_[i]);
     const double needed = std::abs(need_[i]);
     const Overload& worst = overload_[i];
-    if (needed <= worst.needed - worst.given) continue;  // no servo gives less than nothing
+    if (needed <= worst.needed - worst.given) continue;  // cannot exceed the worst: no servo gives less than nothing
     const double given = joint.law->available(rate[i], std::copysign(1.0, need_[i]));
     if (needed - given > worst.needed - worst.given) overload_[i] = {needed, given, rate[i], seconds(instant.now)};
   }

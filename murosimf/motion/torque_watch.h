@@ -1,7 +1,7 @@
-/// torque_watch.h - whether servos could give the torques that a prescribed motion takes.
+/// torque_watch.h - whether servos could provide the torques that a prescribed motion requires.
 ///
 /// The need is smoothed by a first-order filter of 20 ms (peaks of a single step, when a foot lands, overload no servo)
-/// and compared with what the servo can give at that rate; the largest excess of every joint is kept.
+/// and compared with the torque that the servo can give at that rate; the largest excess of every joint is kept.
 #pragma once
 
 #include <memory>

@@ -4,10 +4,12 @@
 #include <bit>
 #include <cstring>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::motion {
 namespace {
 
-/// The bits that are set in any of some numbers.
+/// The union of the bits of some numbers.
 class SomeBits {
  public:
   template <std::size_t numbers>
@@ -19,8 +21,9 @@ class SomeBits {
       wide_ |= more;
     }
     for (std::size_t k = whole; k < numbers; ++k) rest_ |= std::bit_cast<std::uint64_t>(row[k]);
+    // bits are enough to tell zeros from other numbers, and need no comparison for each number
   }
-  /// Zeros may have a sign.
+  /// Whether any number is not zero; the sign bit of zeros is ignored.
   [[nodiscard]] bool of_other_than_zeros() const {
     std::uint64_t bits = rest_;
     for (int i = 0; i < register_lanes; ++i) bits |= static_cast<std::uint64_t>(wide_[i]);
@@ -47,10 +50,13 @@ TreeLanes::TreeLanes(std::vector<MovingTree*> trees)
     : poses(parts_of(trees, [](MovingTree& tree) { return &tree.columns; })),
       links(poses.structure.links.size()),
       trees_(std::move(trees)),
-      is_busy_(poses.objects()) {}
+      is_busy_(poses.objects()) {
+  MUROSIMF_ASSERT(!trees_.empty() && trees_.size() <= Pack8::lanes);
+}
 
 void TreeLanes::take(int lane) noexcept {
   MovingTree& tree = this->tree(lane);
+  // the lane still holds the state that the last step left: nothing to copy
   if (has_lane(fresh_, lane) && tree.lanes_ == this && !tree.written_.differs(tree.columns)) return;
   tree.take_changes();
   set_lane(base_, lane, tree.base());
@@ -77,19 +83,21 @@ void TreeLanes::take(int lane) noexcept {
 
 LaneMask TreeLanes::ready(LaneMask due) const noexcept {
   LaneMask lanes = 0;
+  MUROSIMF_ASSERT(due >> trees_.size() == 0);
   for_lanes(due, [&](int lane) {
     if (!tree(lane).contacts.solved()) lanes |= lane_bit(lane);
   });
   return std::popcount(lanes) < fewest_in_lanes ? 0 : lanes;
 }
 
-/// Bodies of all robots are looked at together: a bit that none of their numbers has, but for signs, need not be looked for in each.
+/// Bodies of all robots are tested together: most carry nothing in any robot, and one test for all of them is enough.
 void TreeLanes::look_for_loads(LaneMask lanes) noexcept {
   LaneRows<const Wrenchd> forces;
   LaneRows<const Sym6d> dampings;
   std::size_t robots = 0;
   std::fill(is_busy_.begin(), is_busy_.end(), false);
   for_lanes(lanes, [&](int lane) {
+    MUROSIMF_ASSERT(robots < forces.size());
     const MovingTree& robot = tree(lane);
     forces[robots] = robot.external_force.data();
     dampings[robots++] = robot.external_damping.data();
@@ -104,6 +112,7 @@ void TreeLanes::look_for_loads(LaneMask lanes) noexcept {
       bits.add<4>(&dampings[k][i].J.xx);  // what is_zero asks for, the diagonals, and one number more
       bits.add<4>(&dampings[k][i].M.xx);
     }
+    // touching bodies stay in the list even while their force is zero: later passes may load them
     if (is_busy_[i] || bits.of_other_than_zeros()) busy_.push_back(i);
   }
 }
@@ -126,14 +135,15 @@ void TreeLanes::gather_load(std::size_t object, LaneMask lanes) noexcept {
       [&](int lane) { return tree(lane).external_damping.data(); });
 }
 
-/// From force and damping at the body's origin to those at O, as MovingTree::for_loads has them.
+/// Moves force and damping from the body's origin to O, as MovingTree::for_loads does.
 void TreeLanes::see_load_from_base(int link, std::size_t object, double dt) noexcept {
+  MUROSIMF_ASSERT(link >= 0 && static_cast<std::size_t>(link) < links.size() && dt > 0);
   const auto& motion = links[static_cast<std::size_t>(link)];
   const Vec3<Pack8> to_base = poses.r[0] - poses.r[object];
   const Vec3<Pack8> d = poses.r[object] - poses.r[0];
   const auto& [w, v] = motion.velocity;
   const Vec3<Pack8> zero;
-  const Vec3<Pack8> alpha = motion.bias.w + zero;
+  const Vec3<Pack8> alpha = motion.bias.w + zero;  // + zero as for one robot: it turns -0 into 0
   const Vec3<Pack8> a = motion.bias.v + trees_.front()->gravity + zero + cross(alpha, d) + cross(w, v + cross(w, d));
   const Sym6<Pack8> damping = dt * load_.damping;
   Wrench<Pack8> force = load_.force;
@@ -162,6 +172,7 @@ TreeLanes::CenterMotion TreeLanes::momentum(const Vec3<Pack8>& center) const noe
 /// MovingTree::momentum_after.
 void TreeLanes::want_momentum(LaneMask flying, double dt) noexcept {
   Vec3<Pack8> center;
+  MUROSIMF_ASSERT(dt > 0 && flying != 0);
   for_lanes(flying, [&](int lane) { set_lane(center, lane, tree(lane).center_); });
   CenterMotion after = momentum(center);
   after.linear += (dt * whole.mass) * trees_.front()->gravity;
@@ -180,6 +191,7 @@ void TreeLanes::want_momentum(LaneMask flying, double dt) noexcept {
 }
 
 LaneMask TreeLanes::advance_bases(const Twist<Pack8>& acceleration, double dt, LaneMask lanes) noexcept {
+  MUROSIMF_ASSERT(dt > 0 && lanes >> trees_.size() == 0);
   flying_ = in_flight(lanes);
   multibody::FreeBody<Pack8> next = base_;
   const Vec3d& gravity = trees_.front()->gravity;
@@ -203,6 +215,7 @@ LaneMask TreeLanes::advance_bases(const Twist<Pack8>& acceleration, double dt, L
 }
 
 void TreeLanes::take_advanced(int lane) noexcept {
+  MUROSIMF_ASSERT(lane >= 0 && static_cast<std::size_t>(lane) < trees_.size());
   const MovingTree& tree = this->tree(lane);
   set_lane(base_, lane, tree.base());
   for (const std::size_t i : poses.joints()) {
@@ -218,6 +231,7 @@ void TreeLanes::take_advanced(int lane) noexcept {
 }
 
 void TreeLanes::finish_step(LaneMask lanes, LaneMask with_links) noexcept {
+  MUROSIMF_ASSERT((with_links & ~lanes) == 0);
   for_lanes(lanes, [&](int lane) { tree(lane).contacts.renew(); });
   poses.R[0] = to_matrix(base_.turn);
   refresh();
@@ -232,6 +246,7 @@ void TreeLanes::finish_step(LaneMask lanes, LaneMask with_links) noexcept {
     tree.has_own_links_ = has_lane(with_links, lane);
   });
   put_back_links(lanes & with_links);
+  // the next step may skip reading these lanes
   fresh_ = lanes;
 }
 
@@ -262,6 +277,7 @@ void TreeLanes::refresh() noexcept {
 
 /// Link by link: the packs of all are more than the first-level cache holds.
 void TreeLanes::put_back_links(LaneMask lanes) const noexcept {
+  MUROSIMF_ASSERT(lanes >> trees_.size() == 0);
   for (std::size_t l = 0; l < links.size(); ++l) {
     for_lanes(lanes, [&](int lane) { tree(lane).links[l] = lane_of_link(links[l], lane); });
   }

@@ -1,14 +1,15 @@
-/// tree_lanes.h - up to eight copies of one robot, each in its own lane: what moving_tree.h is for one.
+/// tree_lanes.h - up to eight copies of one robot, each in its own lane: the counterpart of moving_tree.h.
 ///
-/// Poses, velocities and links are worked out in packs, with the kernels and so with the bits of a robot alone. Columns get what
-/// others read of them. Links stay here from step to step: whoever needs those of one robot alone works them out again
-/// (MovingTree::take_changes), unless it gets them at the end of each step, as one that an island solver settles. A robot whose columns
-/// somebody has changed is taken in anew.
+/// Poses, velocities and links are computed in packs, with the kernels and so with the bits of a robot alone. Columns receive the part
+/// that others read. Links stay here from step to step: the links of one robot alone are computed again where they are needed
+/// (MovingTree::take_changes), unless the robot receives them at the end of each step, as one that an island solver settles. A robot whose
+/// columns have been changed by others is read in again.
 #pragma once
 
 #include <span>
 #include <vector>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/motion/moving_tree.h"
 #include "murosimf/motion/pose_lanes.h"
 
@@ -16,15 +17,15 @@ namespace murosimf::motion {
 
 class TreeLanes {
  public:
-  /// One to eight, of which each goes with each (MovingTree::goes_with); they outlive this.
+  /// One to eight, of which each goes with each (MovingTree::goes_with); they outlive this object.
   explicit TreeLanes(std::vector<MovingTree*> trees);
 
-  /// To be called first in a step, in the place of MovingTree::take_changes: the lane has the robot as its columns are.
+  /// To be called first in a step, in the place of MovingTree::take_changes: reads the robot's columns into its lane.
   void take(int lane) noexcept;
 
-  /// To be called at the beginning of a step: finds the bodies that may feel something in its passes.
+  /// To be called at the beginning of a step: finds the bodies that may have a load in its passes.
   void look_for_loads(LaneMask lanes) noexcept;
-  /// MovingTree::for_loads of these lanes: calls add(link, those of the lanes in which it feels anything, force, damping).
+  /// MovingTree::for_loads of these lanes: calls add(link, those of the lanes with a load, force, damping).
   template <class Add>
   void for_loads(LaneMask lanes, double dt, const Add& add) noexcept;
 
@@ -38,19 +39,22 @@ class TreeLanes {
     tree(lane).predict_contacts(dt, motion_of, acceleration_of);
   }
 
-  /// Those of these robots that can step in lanes now: nobody has settled their step already. None if they are too few.
+  /// The robots of `due` that can step in lanes: no island solver has settled their step. None if they are too few.
   [[nodiscard]] LaneMask ready(LaneMask due) const noexcept;
 
-  /// MovingTree::advance_base by a'_0 for a step of dt [s]: puts the bases of the lanes that have come to a sensible state back into their
-  /// columns; of the others nothing is changed. Returns these lanes.
+  /// MovingTree::advance_base by a'_0 for a step of dt [s]: writes the sane bases back to their columns; the other robots are not
+  /// changed. Returns the lanes with a sane base.
   [[nodiscard]] LaneMask advance_bases(const Twist<Pack8>& acceleration, double dt, LaneMask lanes) noexcept;
-  /// Takes in the base and the joints of a robot that has been advanced alone, for the end of its step.
+  /// Reads in the base and the joints of a robot that has been advanced alone, for the end of its step.
   void take_advanced(int lane) noexcept;
-  /// The end of a step of these lanes, once bases and joints stand where they will: as MovingTree::finish_step. Robots of `with_links` get
-  /// their links back.
+  /// Ends a step of these lanes, once bases and joints are final: as MovingTree::finish_step. Robots of `with_links` receive
+  /// their links.
   void finish_step(LaneMask lanes, LaneMask with_links = 0) noexcept;
 
-  [[nodiscard]] MovingTree& tree(int lane) const noexcept { return *trees_[static_cast<std::size_t>(lane)]; }
+  [[nodiscard]] MovingTree& tree(int lane) const noexcept {
+    MUROSIMF_ASSERT(lane >= 0 && static_cast<std::size_t>(lane) < trees_.size());
+    return *trees_[static_cast<std::size_t>(lane)];
+  }
 
   /// As in the columns of the lanes that have been taken.
   PoseLanes poses;
@@ -66,7 +70,7 @@ class TreeLanes {
   struct CenterMotion {
     Vec3<Pack8> linear, angular, center;
   };
-  /// What a body feels, by lane.
+  /// The load of a body, by lane.
   struct Load {
     LaneMask loaded = 0, damped = 0;
     Wrench<Pack8> force;
@@ -84,12 +88,12 @@ class TreeLanes {
   void put_back_links(LaneMask lanes) const noexcept;
 
   std::vector<MovingTree*> trees_;
-  LaneMask fresh_ = 0;  // lanes that have their robot as this left it
+  LaneMask fresh_ = 0;  // lanes that hold their robot's state as the last step left it
   multibody::FreeBody<Pack8> base_;
-  CenterMotion wanted_;            // after the present step, of the lanes in flight
-  LaneMask flying_ = 0;            // these
+  CenterMotion wanted_;            // momentum after the present step, of the lanes in flight
+  LaneMask flying_ = 0;            // lanes in flight
   std::vector<char> is_busy_;      // by object: it touches something
-  std::vector<std::size_t> busy_;  // those that may, in the model's order
+  std::vector<std::size_t> busy_;  // objects that may have a load, in the model's order
   Load load_;                      // working memory
 };
 

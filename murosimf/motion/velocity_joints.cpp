@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/servo_law.h"
 
@@ -22,13 +23,16 @@ VelocityJoints::VelocityJoints(Setup& setup)
       highest_[i] = range->y;
     }
     (turns ? joints_ : others_).push_back(i);
+    // only hinges without ends can turn for ever; sliders and limited hinges keep their position
     const bool hinge = model.objects()[i].kind == Kind::revolute;
     if (turns && hinge && !model.find(properties::joint_range, i)) endless_.push_back(i);
   }
   if (!joints_.empty()) target_ = setup.input(properties::joint_velocity_target, 0.0);
+  MUROSIMF_ASSERT(joints_.size() + others_.size() == model.joints().size());
 }
 
 void VelocityJoints::wrap(std::span<double> q) const noexcept {
+  MUROSIMF_ASSERT(q.size() == turns_.size());
   for (const int i : endless_) {
     if (std::abs(q[i]) > pi) q[i] = std::remainder(q[i], 2 * pi);
   }

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/setup.h"
 
 namespace murosimf::motion {
@@ -22,6 +23,7 @@ class VelocityJoints {
   [[nodiscard]] bool contains(int object) const { return turns_[static_cast<std::size_t>(object)]; }
   /// [rad/s | m/s] of one of joints(), held to its joint_target_range.
   [[nodiscard]] double target(int object) const noexcept {
+    MUROSIMF_ASSERT(contains(object));
     const auto i = static_cast<std::size_t>(object);
     return std::clamp(target_[i], lowest_[i], highest_[i]);
   }

@@ -2,19 +2,24 @@
 
 #include <bit>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/multibody/kinematics.h"
 
 namespace murosimf::motion {
 
 WalkingLanes::WalkingLanes(std::vector<KinematicWalking*> members)
     : members_(std::move(members)),
-      poses_(parts_of(members_, [](KinematicWalking& member) { return &member.columns_; })) {}
+      poses_(parts_of(members_, [](KinematicWalking& member) { return &member.columns_; })) {
+  MUROSIMF_ASSERT(members_.size() <= Pack8::lanes);
+}
 
 void WalkingLanes::step(LaneMask due, const Instant& instant) noexcept {
+  MUROSIMF_ASSERT(due >> members_.size() == 0 && instant.period > Duration{});
   if (std::popcount(due) < fewest_in_lanes) {
     return for_lanes(due, [&](int lane) { member(lane).step(instant); });
   }
   LaneMask lanes = 0;
+  // a robot whose numbers are not sane is frozen by begin_step and leaves the lanes
   for_lanes(due, [&](int lane) {
     if (member(lane).begin_step(seconds(instant.period))) lanes |= lane_bit(lane);
   });
@@ -33,6 +38,7 @@ template <class Act>
 void WalkingLanes::for_standing_feet(LaneMask lanes, const Act& act) noexcept {
   const auto& feet = members_.front()->feet_;
   for (std::size_t foot = 0; foot < feet.size(); ++foot) {
+    // each foot has its own path of joints: lanes that stand on the other foot compute numbers that are not used
     LaneMask standing = 0;
     for_lanes(lanes, [&](int lane) {
       if (member(lane).standing() == foot) standing |= lane_bit(lane);

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/lane_group.h"
 #include "murosimf/motion/kinematic_walking.h"
 #include "murosimf/motion/pose_lanes.h"
@@ -21,7 +22,10 @@ class WalkingLanes final : public LaneGroup {
   void for_standing_feet(LaneMask lanes, const Act& act) noexcept;
   void pin(LaneMask lanes) noexcept;
   void set_base_twists(LaneMask lanes) noexcept;
-  [[nodiscard]] KinematicWalking& member(int lane) const noexcept { return *members_[static_cast<std::size_t>(lane)]; }
+  [[nodiscard]] KinematicWalking& member(int lane) const noexcept {
+    MUROSIMF_ASSERT(lane >= 0 && static_cast<std::size_t>(lane) < members_.size());
+    return *members_[static_cast<std::size_t>(lane)];
+  }
 
   std::vector<KinematicWalking*> members_;
   PoseLanes poses_;

@@ -4,11 +4,14 @@
 #include <cstring>
 #include <limits>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::motion {
 namespace {
 
-/// By bits: NaN equals itself.
+/// By bits: NaN equals itself, and -0 differs from 0.
 bool equal(std::span<const double> a, std::span<const double> b) noexcept {
+  MUROSIMF_ASSERT(a.size() == b.size());
   return std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
 }
 
@@ -22,6 +25,7 @@ WrittenState::Base WrittenState::base_of(const PoseColumns& columns) noexcept {
 
 void WrittenState::remember(const PoseColumns& columns) noexcept {
   base_ = base_of(columns);
+  MUROSIMF_ASSERT(columns.q.size() == q_.size() && columns.qd.size() == qd_.size());
   std::copy(columns.q.begin(), columns.q.end(), q_.begin());
   std::copy(columns.qd.begin(), columns.qd.end(), qd_.begin());
 }

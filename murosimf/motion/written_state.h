@@ -1,7 +1,7 @@
-/// written_state.h - what a level has left in its columns, so that it notices what others have written there since.
+/// written_state.h - the state that a level has left in its columns, so that it notices later changes by others.
 ///
-/// Levels keep working memory that follows from their columns. Whoever changes these between two steps, by name, through a span
-/// or a view, does not have to say so: the level compares. Equal bits are no change.
+/// Levels keep working memory that follows from their columns. Changes of columns between two steps, by name, through a span
+/// or a view, need no notification: the level compares. Equal bits are no change.
 #pragma once
 
 #include <vector>
@@ -14,11 +14,11 @@ class WrittenState {
  public:
   explicit WrittenState(const PoseColumns& columns);
 
-  /// The base's pose and velocity, joint positions and rates as they are now.
+  /// Stores the base's pose and velocity, joint positions and rates.
   void remember(const PoseColumns& columns) noexcept;
-  /// Whether any of them is another one than remembered.
+  /// Whether any of them differs from those that were stored.
   [[nodiscard]] bool differs(const PoseColumns& columns) const noexcept;
-  /// Nothing is like what was remembered.
+  /// Removes what was stored: differs() returns true.
   void forget() noexcept;
 
  private:

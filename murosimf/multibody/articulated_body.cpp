@@ -1,7 +1,6 @@
 #include "murosimf/multibody/articulated_body.h"
 
-#include <cassert>
-
+#include "murosimf/math/assert.h"
 #include "murosimf/math/pack.h"
 #include "murosimf/multibody/articulated_parts.h"
 #include "murosimf/multibody/span_sizes.h"
@@ -10,6 +9,7 @@ namespace murosimf::multibody {
 
 template <class S>
 void clear_loads(std::span<ArticulatedLink<S>> bodies) noexcept {
+  // only the flags: add_link and hand_over overwrite the numbers of a body that is not loaded
   for (auto& body : bodies) body.loaded = false;
 }
 
@@ -27,8 +27,11 @@ void add_load(ArticulatedLink<S>& body, const Wrench<S>& force, const Sym6<S>& d
 template <class S>
 void sweep_to_base(const Tree& tree, std::span<const LinkMotion<S>> links,
                    std::span<ArticulatedLink<S>> bodies) noexcept {
-  assert(one_row_per_link(tree, links, bodies));
+  MUROSIMF_ASSERT(one_row_per_link(tree, links, bodies));
+  MUROSIMF_ASSERT(!links.empty());
+  // children have larger numbers than their parents: going down, each body is complete when its turn comes
   for (std::size_t l = links.size() - 1; l > 0; --l) {
+    MUROSIMF_ASSERT(tree.links[l].parent >= 0 && static_cast<std::size_t>(tree.links[l].parent) < l);
     ArticulatedLink<S>& body = bodies[l];
     const Twist<S>& s = links[l].axis;
     parts::add_link(links[l], body);
@@ -44,7 +47,8 @@ void sweep_to_base(const Tree& tree, std::span<const LinkMotion<S>> links,
 template <class S>
 void accelerate(const Tree& tree, std::span<const LinkMotion<S>> links, std::span<ArticulatedLink<S>> bodies,
                 const Twist<S>& base) noexcept {
-  assert(one_row_per_link(tree, links, bodies));
+  MUROSIMF_ASSERT(one_row_per_link(tree, links, bodies));
+  MUROSIMF_ASSERT(!bodies.empty());
   bodies[0].acceleration = base;
   for (std::size_t l = 1; l < links.size(); ++l) {
     ArticulatedLink<S>& body = bodies[l];

@@ -1,4 +1,4 @@
-/// articulated_parts.h - pieces of the sweeps of the articulated-body algorithm, for its variants' .cpp files.
+/// articulated_parts.h - steps shared by the variants of the articulated-body algorithm.
 ///
 /// Notation of articulated_body.h.
 #pragma once
@@ -7,7 +7,7 @@
 
 namespace murosimf::multibody::parts {
 
-/// to = (or +=) rigid. By members: whole temporaries would go through memory, and wait for it.
+/// Adds a rigid inertia: to += rigid. Member by member: whole temporaries would go through memory and stall.
 template <class S>
 MUROSIMF_INLINE void add_rigid(const RigidInertia<S>& rigid, Sym6<S>& to) {
   const Vec3<S>& h = rigid.first;
@@ -23,6 +23,7 @@ MUROSIMF_INLINE void add_rigid(const RigidInertia<S>& rigid, Sym6<S>& to) {
   to.M.zz = to.M.zz + rigid.mass;
 }
 
+/// Assigns a rigid inertia: to = rigid.
 template <class S>
 MUROSIMF_INLINE void set_rigid(const RigidInertia<S>& rigid, Sym6<S>& to) {
   const Vec3<S>& h = rigid.first;
@@ -39,7 +40,8 @@ MUROSIMF_INLINE void set_rigid(const RigidInertia<S>& rigid, Sym6<S>& to) {
   to.M.xy = to.M.xz = to.M.yz = zero;
 }
 
-/// Calls take(to, number) for every number of A - s F F^T and the place that it has in `to`: what is left need not stand anywhere before.
+/// Calls take(to, number) for every number of A - s F F^T and its place in `to`, so that the result can be assigned or added
+/// without a temporary.
 template <class S, class Take>
 MUROSIMF_INLINE void take_rest(const Sym6<S>& A, const S& s, const Wrench<S>& F, Sym6<S>& to, const Take& take) {
   const Vec3<S> n = s * F.n, f = s * F.f;
@@ -65,7 +67,7 @@ MUROSIMF_INLINE void take_rest(const Sym6<S>& A, const S& s, const Wrench<S>& F,
   take(to.M.yz, A.M.yz - f.y * F.f.z);
 }
 
-/// The link itself joins what its children and loads have left.
+/// Adds the link's own inertia and bias force to the contributions of its children and loads.
 template <class S>
 MUROSIMF_INLINE void add_link(const LinkMotion<S>& link, ArticulatedLink<S>& body) {
   if (body.loaded) {
@@ -77,7 +79,7 @@ MUROSIMF_INLINE void add_link(const LinkMotion<S>& link, ArticulatedLink<S>& bod
   }
 }
 
-/// What a link leaves to its parent once U, 1/D and u/D (`share`) are known.
+/// Adds a link's articulated inertia and force to its parent; U, 1/D and u/D (`share`) are given.
 template <class S>
 MUROSIMF_INLINE void hand_over(const ArticulatedLink<S>& body, const S& share, ArticulatedLink<S>& parent) {
   if (parent.loaded) {

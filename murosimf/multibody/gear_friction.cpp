@@ -4,35 +4,40 @@
 #include <cmath>
 #include <type_traits>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/math/exponential.h"
 #include "murosimf/math/pack.h"
 
 namespace murosimf::multibody {
 namespace {
 
-constexpr double least_exponent = 0.5, largest_exponent = 10, least_rate = 0.01;
-constexpr double decayed = 20;  // x in s = exp(-x) from which on s counts as 0: it is 2e-9
+constexpr double least_exponent = 0.5, largest_exponent = 10, least_rate = 0.01;  // of the header's documented range
+constexpr double decayed = 20;  // exponent x from which on s = exp(-x) counts as 0: it is 2e-9
 
-/// A ratio |w|/v_s that is fast for this exponent: its power is above `decayed`. No power is needed to say so.
+/// A ratio |w|/v_s whose power with this exponent is certainly above `decayed`: a comparison instead of a power.
 double fast_ratio(double alpha) {
+  MUROSIMF_ASSERT(!(alpha < least_exponent) && !(alpha > largest_exponent));
   if (alpha >= 4) return 2.12;
   if (alpha >= 2) return 4.48;
   if (alpha >= 1.5) return 7.37;
   return alpha >= 1 ? 20.01 : 400.1;
 }
 
+/// Whether the Stribeck part of the friction is not zero.
 bool rises_at_rest(const GearFriction& k) {
   return k.stribeck_rate > 0 && (k.stribeck > 0 || k.stribeck_motor_load > 0 || k.stribeck_external_load > 0 ||
                                  k.quadratic_motor_load > 0 || k.quadratic_external_load > 0);
 }
 
-/// ratio^alpha for ratio >= 0, at most `decayed`. A: double or S.
+/// ratio^alpha for ratio >= 0, limited to `decayed`. A: double or S.
 template <class S, class A>
 S power(const S& ratio, const A& alpha) {
   const S linear = select(ratio > S(decayed), S(decayed), ratio);
   if constexpr (std::is_same_v<A, double>) {
+    // the usual exponent, exact: s is then independent of the polynomial of the logarithm
     if (alpha == 1) return linear;
   }
+  // the logarithm takes normal positive numbers only; at 1e-30 and alpha >= 0.5 the power is below 1e-15
   const S positive = select(ratio < S(1e-30), S(1e-30), ratio);
   const S exponent = alpha * logarithm(positive);
   const S largest = 2.9957322735539909;  // log(decayed)
@@ -69,7 +74,7 @@ S quadratic(const GearFriction& k, const S& motor, const S& external) {
 
 }  // namespace
 
-/// s, the same bits as decay's. The shortcuts give what the long way gives.
+/// s with the same bits as decay(): the shortcuts return exactly what the full computation returns.
 template <class S>
 S stribeck_share(const GearFriction& k, const S& rate) noexcept {
   if (!rises_at_rest(k)) return 0.0;
@@ -102,6 +107,7 @@ S dry_friction(const GearFriction& k, const S& rate, const S& motor, const S& ex
 
 void StribeckShares::add(const GearFriction& k, double rate, double& share) noexcept {
   if (!rises_at_rest(k)) return;
+  MUROSIMF_ASSERT(count_ >= 0 && count_ < Pack8::lanes);
   ratio_.set_lane(count_, std::abs(rate) * inverse_rate_of(k));
   exponent_.set_lane(count_, exponent_of(k));
   shares_[static_cast<std::size_t>(count_)] = &share;
@@ -110,7 +116,9 @@ void StribeckShares::add(const GearFriction& k, double rate, double& share) noex
 
 void StribeckShares::write() noexcept {
   if (count_ == 0) return;
-  const Pack8 all = decay(ratio_, exponent_);
+  MUROSIMF_ASSERT(count_ <= Pack8::lanes);
+  const Pack8 all =
+      decay(ratio_, exponent_);  // unused lanes hold numbers of earlier joints: valid input, ignored output
   for (int lane = 0; lane < count_; ++lane) *shares_[static_cast<std::size_t>(lane)] = all.lane(lane);
   count_ = 0;
 }

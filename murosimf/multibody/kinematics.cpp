@@ -1,7 +1,6 @@
 #include "murosimf/multibody/kinematics.h"
 
-#include <cassert>
-
+#include "murosimf/math/assert.h"
 #include "murosimf/math/pack.h"
 #include "murosimf/multibody/joint_axis.h"
 #include "murosimf/multibody/span_sizes.h"
@@ -9,7 +8,7 @@
 namespace murosimf::multibody {
 namespace {
 
-/// R rot(axis, q). About a coordinate axis two columns turn in their plane and the third stays.
+/// R rot(axis, q). About a coordinate axis two columns turn in their plane and the third is unchanged.
 template <class S>
 MUROSIMF_INLINE Mat3<S> turned(const Mat3<S>& R, const Link& link, S q) {
   const SinCos<S> a = sin_cos(q);
@@ -27,6 +26,7 @@ MUROSIMF_INLINE Mat3<S> turned(const Mat3<S>& R, const Link& link, S q) {
 template <class S>
 MUROSIMF_INLINE void place_joint(const Link& link, const S& q, const Vec3<S>& r_parent, const Mat3<S>& R_parent,
                                  Vec3<S>& r, Mat3<S>& R) {
+  MUROSIMF_ASSERT(link.kind != LinkKind::base);
   const Mat3<S> at_zero = link.turned ? R_parent * link.turn : R_parent;
   r = r_parent + R_parent * link.offset;
   if (link.kind == LinkKind::revolute) {
@@ -37,6 +37,7 @@ MUROSIMF_INLINE void place_joint(const Link& link, const S& q, const Vec3<S>& r_
   }
 }
 
+/// Pose (r, R) of an object that is fixed to a link, from the link's pose.
 template <class S>
 MUROSIMF_INLINE void place_fixed(const FixedObject& fixed, const Vec3<S>& r_link, const Mat3<S>& R_link, Vec3<S>& r,
                                  Mat3<S>& R) {
@@ -48,13 +49,17 @@ MUROSIMF_INLINE void place_fixed(const FixedObject& fixed, const Vec3<S>& r_link
 
 template <class S>
 void poses(const Tree& tree, std::span<const S> q, std::span<Vec3<S>> r, std::span<Mat3<S>> R) noexcept {
-  assert(one_row_per_object(tree, q, r, R));
+  MUROSIMF_ASSERT(one_row_per_object(tree, q, r, R));
+  MUROSIMF_ASSERT(!tree.links.empty() && tree.links[0].object == 0);
+  // parents come first, so one pass in the order of the links is enough
   for (std::size_t l = 1; l < tree.links.size(); ++l) {
     const Link& link = tree.links[l];
+    MUROSIMF_ASSERT(link.parent >= 0 && static_cast<std::size_t>(link.parent) < l);
     const int p = tree.links[link.parent].object;
     place_joint(link, q[link.object], r[p], R[p], r[link.object], R[link.object]);
   }
   for (const FixedObject& fixed : tree.followers) {
+    MUROSIMF_ASSERT(fixed.link >= 0 && static_cast<std::size_t>(fixed.link) < tree.links.size());
     const int p = tree.links[fixed.link].object;
     place_fixed(fixed, r[p], R[p], r[fixed.object], R[fixed.object]);
   }
@@ -63,9 +68,10 @@ void poses(const Tree& tree, std::span<const S> q, std::span<Vec3<S>> r, std::sp
 template <class S>
 Transform<S> pose_in_base(const Tree& tree, std::span<const int> path, const FixedObject& object,
                           std::span<const S> q) noexcept {
-  assert(one_row_per_object(tree, q));
+  MUROSIMF_ASSERT(one_row_per_object(tree, q));
   Transform<S> link_pose;
   for (const int l : path) {
+    MUROSIMF_ASSERT(l > 0 && static_cast<std::size_t>(l) < tree.links.size());
     Transform<S> next;
     place_joint(tree.links[l], q[tree.links[l].object], link_pose.position, link_pose.orientation, next.position,
                 next.orientation);
@@ -79,9 +85,10 @@ Transform<S> pose_in_base(const Tree& tree, std::span<const int> path, const Fix
 template <class S>
 Twist<S> twist_against_base(const Tree& tree, std::span<const int> path, const Vec3<S>& at, std::span<const S> qd,
                             std::span<const Vec3<S>> r, std::span<const Mat3<S>> R) noexcept {
-  assert(one_row_per_object(tree, qd, r, R));
+  MUROSIMF_ASSERT(one_row_per_object(tree, qd, r, R));
   Twist<S> twist;
   for (const int l : path) {
+    MUROSIMF_ASSERT(l > 0 && static_cast<std::size_t>(l) < tree.links.size());
     const Link& link = tree.links[l];
     const Vec3<S> joint = qd[link.object] * joint_axis(R[link.object], link);
     if (link.kind == LinkKind::revolute) {
@@ -97,19 +104,21 @@ Twist<S> twist_against_base(const Tree& tree, std::span<const int> path, const V
 template <class S>
 void velocities(const Tree& tree, std::span<const S> qd, std::span<const Vec3<S>> r, std::span<const Mat3<S>> R,
                 std::span<Vec3<S>> v, std::span<Vec3<S>> w) noexcept {
-  assert(one_row_per_object(tree, qd, r, R, v, w));
+  MUROSIMF_ASSERT(one_row_per_object(tree, qd, r, R, v, w));
   for (std::size_t l = 1; l < tree.links.size(); ++l) {
     const Link& link = tree.links[l];
     const int i = link.object;
+    MUROSIMF_ASSERT(link.parent >= 0 && static_cast<std::size_t>(link.parent) < l);
     const int p = tree.links[link.parent].object;
     const Vec3<S> joint = qd[i] * joint_axis(R[i], link);
-    Vec3<S> turning = w[p];  // in registers: a copy in memory would wait for what was just written there
+    Vec3<S> turning = w[p];  // in registers: a copy in memory would wait for the preceding store
     Vec3<S> moving = v[p] + cross(turning, r[i] - r[p]);
     (link.kind == LinkKind::revolute ? turning : moving) += joint;
     w[i] = turning;
     v[i] = moving;
   }
   for (const FixedObject& fixed : tree.followers) {
+    MUROSIMF_ASSERT(fixed.link >= 0 && static_cast<std::size_t>(fixed.link) < tree.links.size());
     const int p = tree.links[fixed.link].object;
     w[fixed.object] = w[p];
     v[fixed.object] = v[p] + cross(w[p], r[fixed.object] - r[p]);

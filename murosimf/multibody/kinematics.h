@@ -6,7 +6,8 @@
 ///     w_i = w_p (+ R_i s qd)               v_i = v_p + w_p x (r_i - r_p) (+ R_i s qd)
 ///
 /// with d, T the place of joint i in its parent link, s the joint axis; the terms in brackets by kind of joint.
-/// Rows of structural objects (model/object.h) are left out. All spans have one row per object. Row 0 of r, R, v, w (the base) is input; the other rows are output.
+/// Rows of structural objects (model/object.h) are not computed. All spans have one row per object. Row 0 of r, R, v, w (the
+/// base) is input; the other rows are output.
 #pragma once
 
 #include <span>
@@ -26,19 +27,19 @@ template <class S>
 void velocities(const Tree& tree, std::span<const S> qd, std::span<const Vec3<S>> r, std::span<const Mat3<S>> R,
                 std::span<Vec3<S>> v, std::span<Vec3<S>> w) noexcept;
 
-/// Pose of one fixed object in the frame of the base, from the joint positions on the way to it alone.
+/// Pose of one fixed object in the frame of the base, from the joint positions on the path to it alone.
 /// `path`: links from the base (excluded) to the object's link.
 template <class S>
 Transform<S> pose_in_base(const Tree& tree, std::span<const int> path, const FixedObject& object,
                           std::span<const S> q) noexcept;
 
-/// Velocity [rad/s, m/s] of the point `at` [m] of the path's last link, seen from a base at rest; world axes:
+/// Velocity [rad/s, m/s] of the point `at` [m] of the path's last link, relative to a base at rest; world axes:
 ///     w = sum s_i qd_i     v = sum s_i x (at - r_i) qd_i   (or s_i qd_i)
 template <class S>
 Twist<S> twist_against_base(const Tree& tree, std::span<const int> path, const Vec3<S>& at, std::span<const S> qd,
                             std::span<const Vec3<S>> r, std::span<const Mat3<S>> R) noexcept;
 
-/// Adds `shift` to every row: moves positions or velocities of a whole robot.
+/// Adds `shift` to every row: translates positions or velocities of a whole robot.
 template <class S>
 void shift_all(std::span<Vec3<S>> rows, const Vec3<S>& shift) noexcept;
 

@@ -1,8 +1,8 @@
 #include "murosimf/multibody/link_motion.h"
 
-#include <cassert>
 #include <vector>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/math/pack.h"
 #include "murosimf/multibody/joint_axis.h"
 #include "murosimf/multibody/span_sizes.h"
@@ -10,7 +10,7 @@
 namespace murosimf::multibody {
 namespace {
 
-/// R m R^T; a diagonal m, as primitive shapes have it, costs half.
+/// R m R^T; a diagonal m, as of primitive shapes, costs half.
 template <class S>
 MUROSIMF_INLINE SymMat3<S> seen_in_world(const Mat3<S>& R, const Link& link) {
   const SymMat3d& m = link.inertia;
@@ -21,8 +21,8 @@ MUROSIMF_INLINE SymMat3<S> seen_in_world(const Mat3<S>& R, const Link& link) {
           a.x * R.x.z + b.x * R.y.z + c.x * R.z.z, a.y * R.x.z + b.y * R.y.z + c.y * R.z.z};
 }
 
-/// Writes member by member; a whole vector would be copied in pieces of other size than it was computed in, and the
-/// processor waits for such.
+/// Writes member by member: a whole vector would be copied in pieces of another size than it was computed in, which defeats
+/// store forwarding.
 template <class S>
 MUROSIMF_INLINE void store(const Vec3<S>& from, Vec3<S>& to) {
   to.x = from.x;
@@ -30,9 +30,10 @@ MUROSIMF_INLINE void store(const Vec3<S>& from, Vec3<S>& to) {
   to.z = from.z;
 }
 
-/// The inertia of a link and the force p; d [m] from O to its origin, R its orientation.
+/// Sets a link's inertia and bias force p; d [m] from O to its origin, R its orientation.
 template <class S>
 MUROSIMF_INLINE void add_mass(const Link& link, const Vec3<S>& d, const Mat3<S>& R, LinkMotion<S>& to) {
+  MUROSIMF_ASSERT(link.mass >= 0);
   if (link.mass == 0) {
     to.inertia = {};
     to.bias_force = {};
@@ -65,15 +66,17 @@ MUROSIMF_INLINE void add_mass(const Link& link, const Vec3<S>& d, const Mat3<S>&
 template <class S>
 void link_motions(const Tree& tree, std::span<const Vec3<S>> r, std::span<const Mat3<S>> R, const Vec3<S>& w,
                   std::span<const S> qd, std::span<LinkMotion<S>> links) noexcept {
-  assert(one_row_per_link(tree, links) && one_row_per_object(tree, r, R, qd));
+  MUROSIMF_ASSERT(one_row_per_link(tree, links) && one_row_per_object(tree, r, R, qd));
+  MUROSIMF_ASSERT(!links.empty());
   links[0].axis = links[0].bias = {};
   links[0].velocity = {w, {}};
   add_mass(tree.links[0], Vec3<S>{}, R[0], links[0]);
   for (std::size_t l = 1; l < links.size(); ++l) {
     const Link& link = tree.links[l];
+    MUROSIMF_ASSERT(link.parent >= 0 && static_cast<std::size_t>(link.parent) < l && link.kind != LinkKind::base);
     const LinkMotion<S>& parent = links[link.parent];
     LinkMotion<S>& to = links[l];
-    const Vec3<S> d = r[link.object] - r[0];
+    const Vec3<S> d = r[link.object] - r[0];  // relative to the base: no digits are lost far from the world's origin
     const Vec3<S> a = joint_axis(R[link.object], link);
     const Vec3<S> rate = qd[link.object] * a;
     const Vec3<S> turn = parent.velocity.w;
@@ -105,6 +108,7 @@ RigidInertia<S> composite_inertia(std::span<const LinkMotion<S>> links) noexcept
 }
 
 void moved_inertias(const Tree& tree, std::span<const LinkMotion<double>> links, std::span<double> moved) {
+  MUROSIMF_ASSERT(one_row_per_link(tree, links, moved) && !links.empty());
   std::vector<RigidInertia<double>> composite;
   for (const auto& link : links) composite.push_back(link.inertia);
   for (std::size_t l = links.size() - 1; l > 0; --l) {

@@ -1,15 +1,15 @@
-/// link_motion.h - what every algorithm of rigid-body dynamics needs to know about every link.
+/// link_motion.h - the motion and inertia of every link, as all algorithms of rigid-body dynamics use them.
 ///
 /// All vectors are in world axes, and all moments and linear velocities are taken at one point: the origin O of the
-/// base, as it stands at this instant, seen by an observer that moves along with the base's origin at constant velocity
-/// (mechanics is the same for it, and the base's own linear velocity is zero). So nothing has to be transformed
-/// from link to link: sums over links are plain sums. With s the joint axis and d = r - r_0:
+/// base at this instant, in the inertial frame that moves with the present constant velocity of the base's origin (the
+/// equations of motion are the same in it, and the base's own linear velocity is zero). So nothing has to be transformed
+/// between links: sums over links are plain sums. With s the joint axis and d = r - r_0:
 ///
 ///     s_i = [a_i; d_i x a_i] (revolute)   [0; a_i] (prismatic)
 ///     v_i = v_p + s_i qd_i                b_i = b_p + v_p x s_i qd_i
 ///     p_i = I_i b_i + v_i x* I_i v_i
 ///
-/// b is the acceleration of a link while the base and all joints have none, p the force that this takes. True
+/// b is the acceleration of a link while the base and all joints have none, p the force that b requires. True
 /// accelerations are linear on top of that: a_i = b_i + J_i [a_0; qdd].
 /// Source: Featherstone, Rigid Body Dynamics Algorithms, 2008, sec. 5.3 (recursive Newton-Euler algorithm), 2.10
 /// (accelerations); the common reference point as in ch. 5, "global" form.
@@ -28,7 +28,7 @@ struct LinkMotion {
   Twist<S> velocity;        ///< v: [rad/s; m/s], of the base: [w; 0]
   Twist<S> bias;            ///< b: [rad/s^2; m/s^2]
   RigidInertia<S> inertia;  ///< I
-  Wrench<S> bias_force;     ///< p: [N m; N]; gravity is not in it
+  Wrench<S> bias_force;     ///< p: [N m; N]; without gravity
 };
 
 /// Fills one row per link of the tree. r [m], R: poses of the objects, world; w [rad/s] of the base, world; qd [rad/s |
@@ -41,11 +41,11 @@ void link_motions(const Tree& tree, std::span<const Vec3<S>> r, std::span<const 
 template <class S>
 RigidInertia<S> composite_inertia(std::span<const LinkMotion<S>> links) noexcept;
 
-/// What each joint moves while all others stand still [kg m^2 | kg], by link; without rotors.
+/// Inertia that each joint moves while all other joints are fixed [kg m^2 | kg], by link; without rotors.
 void moved_inertias(const Tree& tree, std::span<const LinkMotion<double>> links, std::span<double> moved);
 
-/// Momentum of all links: moment of momentum about O [N m s] and momentum [N s], for the observer that moves along
-/// with the base.
+/// Momentum of all links: moment of momentum about O [N m s] and momentum [N s], in the frame that moves with the base's
+/// origin.
 template <class S>
 Wrench<S> momentum(std::span<const LinkMotion<S>> links) noexcept;
 

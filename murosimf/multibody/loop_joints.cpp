@@ -3,26 +3,28 @@
 #include <algorithm>
 #include <cmath>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/math/quaternion.h"
 #include "murosimf/multibody/joint_axis.h"
 
 namespace murosimf::multibody {
 namespace {
 
-constexpr double turn_length = 0.1;   // [m] that a turn of 1 rad counts
-constexpr double closed = 1e-10;      // [m]
-constexpr int most_iterations = 30;   // of them few are needed: steps are small
-constexpr double least_share = 1e-9;  // [1] of the largest number of J^T J: m while all goes well
-constexpr double most_share = 1e3;
-constexpr double least_gain = 0.999;  // [1] of e^2 left by an iteration after which more may come
+constexpr double turn_length = 0.1;   // [m] length that weights a turn of 1 rad against a shift: the size of a joint
+constexpr double closed = 1e-10;      // [m] residual of a closed loop
+constexpr int most_iterations = 30;   // few are needed: joints move little from step to step
+constexpr double least_share = 1e-9;  // [1] of the largest diagonal number of J^T J: m while the gap shrinks
+constexpr double most_share = 1e3;    // [1] likewise: larger steps of m would move nothing
+constexpr double least_gain = 0.999;  // [1] ratio of e^2 to that before an iteration, above which iterations end
 constexpr double longest_step = 0.3;  // [rad | m] of any joint, in one iteration
-constexpr int assembly_steps = 64;
+constexpr int assembly_steps = 64;    // small enough to stay on the branch that the file's start position is on
 
 }  // namespace
 
 LoopJoints::LoopJoints(const Model& model, const std::vector<bool>& follows, std::vector<double> start)
     : start_(std::move(start)) {
   const auto loops = loops_of(model);
+  MUROSIMF_ASSERT(start_.size() == static_cast<std::size_t>(model.size()) && follows.size() == start_.size());
   std::vector<int> column(static_cast<std::size_t>(model.size()), -1);
   for (const int joint : model.joints()) {
     if (!follows[joint] || !is_in_loop(model, loops, joint)) continue;
@@ -51,10 +53,11 @@ LoopJoints::LoopJoints(const Model& model, const std::vector<bool>& follows, std
   points_.resize(2 * loops_.size());
 }
 
-/// The frame at the end of a side, and the axes on the way.
+/// Pose of the frame at the end of a side; stores the joint axes and origins of the side.
 Transformd LoopJoints::walk(Side& side, std::span<const double> q) noexcept {
   Transformd pose;
   for (Hinge& hinge : side.hinges) {
+    MUROSIMF_ASSERT(hinge.link && hinge.object >= 0 && static_cast<std::size_t>(hinge.object) < q.size());
     const Link& link = *hinge.link;
     pose.position += pose.orientation * link.offset;
     if (link.turned) pose.orientation = pose.orientation * link.turn;
@@ -69,9 +72,10 @@ Transformd LoopJoints::walk(Side& side, std::span<const double> q) noexcept {
   return pose * Transformd{side.frame.offset, side.frame.turn};
 }
 
-/// e and J; returns the sum of the squares of e.
+/// Computes e and J; returns the sum of the squares of e.
 double LoopJoints::look(std::span<const double> q) noexcept {
   std::fill(J_.begin(), J_.end(), 0.0);
+  MUROSIMF_ASSERT(q.size() == start_.size());
   std::size_t row = 0;
   for (std::size_t i = 0; i < loops_.size(); ++i) {
     LoopSides& loop = loops_[i];
@@ -93,6 +97,7 @@ double LoopJoints::look(std::span<const double> q) noexcept {
     differentiate(loop.sides[1], second.position, 1, row, loop.welded);
     row += loop.welded ? 6 : 3;
   }
+  MUROSIMF_ASSERT(row == rows_);
   double sum = 0;
   for (const double e : gap_) sum += e * e;
   return sum;
@@ -102,6 +107,7 @@ void LoopJoints::differentiate(const Side& side, const Vec3d& end, double sign, 
   for (const Hinge& hinge : side.hinges) {
     if (hinge.column < 0) continue;
     const auto put = [&](std::size_t at, const Vec3d& v) {
+      MUROSIMF_ASSERT(static_cast<std::size_t>(hinge.column) < columns_);
       J_[at * columns_ + hinge.column] += v.x;
       J_[(at + 1) * columns_ + hinge.column] += v.y;
       J_[(at + 2) * columns_ + hinge.column] += v.z;
@@ -112,9 +118,10 @@ void LoopJoints::differentiate(const Side& side, const Vec3d& end, double sign, 
   }
 }
 
-/// The gap's rates instead of the gap, for where look() has been last.
+/// Computes the gap's rates in place of the gap, at the positions of the last look().
 void LoopJoints::find_rates(std::span<const double> qd) noexcept {
   std::fill(gap_.begin(), gap_.end(), 0.0);
+  MUROSIMF_ASSERT(qd.size() == start_.size());
   std::size_t row = 0;
   for (std::size_t i = 0; i < loops_.size(); ++i) {
     for (std::size_t k = 0; k < 2; ++k) {
@@ -148,8 +155,9 @@ double LoopJoints::largest_diagonal() const noexcept {
   return most;
 }
 
-/// step = (J^T J + damping 1)^-1 J^T e, by Cholesky's factorization.
+/// step = (J^T J + damping 1)^-1 J^T e, by Cholesky's factorization; the factor replaces J^T J row by row.
 void LoopJoints::solve(double damping) noexcept {
+  MUROSIMF_ASSERT(!(damping < 0));
   const auto L = [&](std::size_t i, std::size_t j) -> double& { return normal_[i * columns_ + j]; };
   for (std::size_t i = 0; i < columns_; ++i) {
     step_[i] = 0;
@@ -177,16 +185,17 @@ void LoopJoints::settle(std::span<double> q) noexcept {
   double error = look(q), share = least_share;
   for (int i = 0; i < most_iterations && error > closed * closed && share < most_share; ++i) {
     const double scale = largest_diagonal();
-    if (!(scale > 0)) return;
+    // m is relative to J^T J, so that the result does not depend on the robot's size
+    if (!(scale > 0)) return;  // no joint moves the gap, or a number is not finite
     solve(share * scale);
     double longest = 0;
     for (const double s : step_) longest = std::max(longest, std::abs(s));
     if (!std::isfinite(longest)) return;
-    const double cut = longest > longest_step ? longest_step / longest : 1;
+    const double cut = longest > longest_step ? longest_step / longest : 1;  // Newton steps from far away overshoot
     move(q, -cut);
     const double next = look(q);
     if (next < error) {
-      if (next > least_gain * error) return;  // as near as they can
+      if (next > least_gain * error) return;  // the loop does not close further
       error = next;
       share = std::max(share / 10, least_share);
     } else {
@@ -198,12 +207,15 @@ void LoopJoints::settle(std::span<double> q) noexcept {
 }
 
 void LoopJoints::keep(std::span<const double> q) noexcept {
+  MUROSIMF_ASSERT(empty() || q.size() == start_.size());
   for (std::size_t c = 0; c < columns_; ++c) kept_[c] = q[following_[c]];
 }
 
 void LoopJoints::follow(std::span<double> q, std::span<double> qd) noexcept {
   if (empty()) return;
+  MUROSIMF_ASSERT(q.size() == start_.size() && qd.size() == start_.size());
   for (std::size_t c = 0; c < columns_; ++c) {
+    // from the kept positions, not from the present ones: a trial step repeated from the same state has the same bits
     q[following_[c]] = kept_[c];
     qd[following_[c]] = 0;
   }
@@ -215,7 +227,9 @@ void LoopJoints::follow(std::span<double> q, std::span<double> qd) noexcept {
 
 void LoopJoints::assemble(std::span<double> q) noexcept {
   if (empty()) return;
+  MUROSIMF_ASSERT(q.size() == start_.size());
   const std::vector<double> goal(q.begin(), q.end());
+  // continuation from the closed position: a jump could end on another branch of the linkage
   std::vector<double> way = start_;
   for (int i = 0; i <= assembly_steps; ++i) {
     const double share = static_cast<double>(i) / assembly_steps;

@@ -1,13 +1,12 @@
-/// loop_joints.h - joints that loops take along where the others' motion is given: Newton's method.
+/// loop_joints.h - passive joints of loops, whose positions follow from those of the driven joints: Newton's method.
 ///
-/// The gap e of the loops' frames (difference of their origins; of welded ones 0.1 m times the rotation vector, too) depends on the
-/// joints that nothing drives, p, and on all others, a:
+/// The gap e of the loops' frames (difference of their origins; of welded ones also 0.1 m times the rotation vector) depends on the
+/// passive joints p and on all other joints a:
 ///
 ///     p -= (J^T J + m 1)^-1 J^T e,   J = de/dp;       p' = -(J^T J + m 1)^-1 J^T (de/da a')
 ///
-/// m is next to nothing while the gap shrinks (Levenberg, Marquardt): where joints are not determined, as the turn of a rod about itself,
-/// they move least; where loops cannot close, as near as they can.
-/// Which joints follow, motion/mimic_joints.h says.
+/// m is close to zero while the gap shrinks (Levenberg, Marquardt). Where joints are not determined, as the turn of a rod about
+/// itself, they move least; where loops cannot close, the gap is smallest. motion/mimic_joints.h selects the joints that follow.
 /// Source: Nocedal, Wright, Numerical Optimization, sec. 10.3; loops: Featherstone 2008, sec. 8.
 #pragma once
 
@@ -21,21 +20,21 @@ namespace murosimf::multibody {
 
 class LoopJoints {
  public:
-  /// `follows`: by object, joints that nothing drives; those of them that are in no loop stay out. `start` [rad | m] by object: where
+  /// `follows`: by object, passive joints; those that are in no loop are ignored. `start` [rad | m] by object: a posture in which
   /// the loops are closed.
   LoopJoints(const Model& model, const std::vector<bool>& follows, std::vector<double> start);
 
   [[nodiscard]] bool empty() const { return following_.empty(); }
-  /// Objects.
+  /// Objects of the joints that follow.
   [[nodiscard]] std::span<const int> joints() const { return following_; }
 
-  /// Remembers where they are: follow() begins there.
+  /// Stores the present positions: follow() begins there.
   void keep(std::span<const double> q) noexcept;
-  /// They go where the loops take them: positions and rates, by object.
+  /// Moves the joints to where the loops close: positions and rates, by object.
   void follow(std::span<double> q, std::span<double> qd) noexcept;
-  /// The same from where the loops are closed, in small steps of all joints: the branch of the file. At rest.
+  /// The same for a robot at rest, from the closed posture in small steps of all joints, so that the result is on the file's branch.
   void assemble(std::span<double> q) noexcept;
-  /// [m] root of the sum of all gaps' squares.
+  /// Root of the sum of all gaps' squares [m].
   [[nodiscard]] double gap(std::span<const double> q) noexcept;
 
  private:

@@ -1,5 +1,6 @@
 #include "murosimf/multibody/loop_rows.h"
 
+#include "murosimf/math/assert.h"
 #include "murosimf/math/quaternion.h"
 
 namespace murosimf::multibody {
@@ -31,13 +32,16 @@ LoopRows::LoopRows(const Model& model) : loops_(loops_of(model)) {
 
 void LoopRows::find(std::span<const Vec3d> r, std::span<const Mat3d> R,
                     std::span<const LinkMotion<double>> links) noexcept {
+  MUROSIMF_ASSERT(r.size() == R.size() && links.size() == object_of_.size());
   auto row = rows_.begin();
   for (std::size_t i = 0; i < loops_.size(); ++i) {
     const auto place = [&](const FixedObject& frame) {
       const int object = object_of_[frame.link];
       return Transformd{r[object], R[object]} * Transformd{frame.offset, frame.turn};
     };
+    MUROSIMF_ASSERT(row != rows_.end());
     const Transformd first = place(loops_[i].ends[0].frame), second = place(loops_[i].ends[1].frame);
+    // the middle between the frames: the two opposite forces then have no moment, however large the gap
     const Vec3d d = 0.5 * (first.position + second.position) - r[0], shift = second.position - first.position;
     const LinkMotion<double>& one = links[row->links[0]];
     const LinkMotion<double>& other = links[row->links[1]];
@@ -57,6 +61,7 @@ void LoopRows::find(std::span<const Vec3d> r, std::span<const Mat3d> R,
       row->bias = dot(axes[k], other.bias.w - one.bias.w);
     }
   }
+  MUROSIMF_ASSERT(row == rows_.end());
 }
 
 }  // namespace murosimf::multibody

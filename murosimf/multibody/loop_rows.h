@@ -1,13 +1,13 @@
-/// loop_rows.h - what holds a loop closed, one direction at a time: how far its frames are apart, how fast that grows, and between which
-/// forces on its two links it is held.
+/// loop_rows.h - the constraints that hold a loop closed, one direction at a time: the gap of the loop's frames, its rate, and
+/// the pair of forces on the two links that holds them together.
 ///
 /// With x the middle between the frames' origins, d = x - O, and a world axis e:
 ///
 ///     shift e:   gap = e . (x_2 - x_1)              force on the second link F = [d x e; e], on the first -F
 ///     turn e:    gap = e . log(R_2 R_1^T)           F = [e; 0]
-///     rate = F . (v_2 - v_1)                        bias = the rate's rate while no joint and no base accelerates
+///     rate = F . (v_2 - v_1)                        bias = derivative of the rate while no joint and no base accelerates
 ///
-/// (notation of link_motion.h). Both forces act in one point, so that they are no moment together, however large the gap.
+/// (notation of link_motion.h). Both forces act at one point, so their moments cancel, however large the gap.
 /// Source: Featherstone 2008, sec. 8.2 to 8.4 (loop constraints).
 #pragma once
 
@@ -21,7 +21,7 @@
 namespace murosimf::multibody {
 
 struct LoopRow {
-  int object = 0;         ///< that closes the loop
+  int object = 0;         ///< object that closes the loop
   int axis = 0;           ///< 0 to 2: shift along x, y, z; 3 to 5: turn about them
   int links[2] = {0, 0};  ///< first, second
   Wrenchd force;          ///< F about O

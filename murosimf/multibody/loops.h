@@ -1,4 +1,4 @@
-/// loops.h - loops of a tree: two of its frames that stand in one place, whatever is between them (linkages).
+/// loops.h - loops of a tree: pairs of its frames that coincide although links are between them (linkages).
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace murosimf {
 
-/// The origin of the object that has it coincides with that of another one, and if `welded` the axes, too.
+/// The origin of the object with this property coincides with that of another one, and if `welded` the axes as well.
 struct LoopClosure {
   std::string other;  ///< name of an object of the same model
   bool welded = false;
@@ -31,21 +31,21 @@ namespace murosimf::multibody {
 struct Loop {
   struct End {
     FixedObject frame;
-    std::vector<int> path;  ///< links from the last one that both ends hang on (excluded) to the frame's
+    std::vector<int> path;  ///< links from the last common link of both ends (excluded) to the frame's link
   };
-  int object = 0;           ///< that has the closure: the frame of ends[1]
+  int object = 0;           ///< object with the closure: the frame of ends[1]
   std::array<End, 2> ends;  ///< the other object's frame, the object's
   bool welded = false;
 
   [[nodiscard]] int rows() const { return welded ? 6 : 3; }
 };
 
-/// In the order of the objects. Throws SetupError if an object does not exist, or both are on the same link.
+/// All loops in the order of their objects. Throws SetupError if an object does not exist, or both are on the same link.
 [[nodiscard]] std::vector<Loop> loops_of(const Model& model);
 
 /// Whether a joint (an object) is a part of a loop.
 [[nodiscard]] bool is_in(const Model& model, const Loop& loop, int joint);
-/// The same of any of some loops.
+/// Whether a joint (an object) is a part of any of the loops.
 [[nodiscard]] bool is_in_loop(const Model& model, const std::vector<Loop>& loops, int joint);
 
 }  // namespace murosimf::multibody

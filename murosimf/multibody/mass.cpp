@@ -1,7 +1,6 @@
 #include "murosimf/multibody/mass.h"
 
-#include <cassert>
-
+#include "murosimf/math/assert.h"
 #include "murosimf/math/pack.h"
 #include "murosimf/multibody/span_sizes.h"
 
@@ -10,8 +9,10 @@ namespace murosimf::multibody {
 template <class S>
 CommonBody<S> common_body(const Tree& tree, std::span<const Vec3<S>> r, std::span<const Mat3<S>> R,
                           std::span<const Vec3<S>> v, std::span<const Vec3<S>> w) noexcept {
-  assert(one_row_per_object(tree, r, R, v, w));
-  // moments of mass about the base first: one pass, then moved to the common center
+  MUROSIMF_ASSERT(one_row_per_object(tree, r, R, v, w));
+  MUROSIMF_ASSERT(tree.mass > 0);
+  // moments of mass about the base first: one pass, then moved to the common center; relative to the base, so that no digits
+  // are lost far from the world's origin
   CommonBody<S> body;
   body.mass = tree.mass;
   const Vec3<S> origin = r[0];

@@ -1,4 +1,4 @@
-/// span_sizes.h - whether spans that a kernel is given have as many rows as its tree, for assertions.
+/// span_sizes.h - whether a kernel's spans have as many rows as its tree, for assertions.
 #pragma once
 
 #include "murosimf/model/tree.h"

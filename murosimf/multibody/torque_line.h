@@ -1,5 +1,5 @@
-/// torque_line.h - a torque that is linear in the joint's acceleration of this step; a motor's, which has bounds; and that of an end
-/// of the joint's range, which acts beyond it.
+/// torque_line.h - torques that are linear in the joint's acceleration of this step: of a motor, with its limits, and of an end
+/// of the joint's range, which acts beyond the end.
 #pragma once
 
 #include <limits>
@@ -13,9 +13,9 @@ namespace murosimf::multibody {
 template <class S>
 struct TorqueLine {
   S torque{};   ///< [N m | N] after a step without acceleration
-  S inertia{};  ///< [kg m^2 | kg] how fast that falls with the acceleration
+  S inertia{};  ///< [kg m^2 | kg] decrease of the torque with the acceleration
 
-  /// In lanes: where they are the same.
+  /// In lanes: where they are equal.
   [[nodiscard]] friend auto operator==(const TorqueLine& a, const TorqueLine& b) {
     return (a.torque == b.torque) & (a.inertia == b.inertia);
   }
@@ -28,7 +28,7 @@ template <class S>
   return (one.torque - other.torque) * D > (one.inertia - other.inertia) * push;
 }
 
-/// What a motor makes: `free`, but no more than `ceiling` and no less than `floor`; and whatever these say, between `lowest` and `highest`.
+/// Torque of a motor: `free`, limited by `ceiling` and `floor`, and finally by `lowest` and `highest`.
 template <class S>
 struct MotorTorque {
   static constexpr double unbounded = std::numeric_limits<double>::infinity();
@@ -37,21 +37,21 @@ struct MotorTorque {
   TorqueLine<S> free;
   TorqueLine<S> highest{unbounded};
   TorqueLine<S> lowest{-unbounded};
-  TorqueLine<S> ceiling{unbounded};  ///< as a limit of its rate has it
-  TorqueLine<S> floor{-unbounded};
+  TorqueLine<S> ceiling{unbounded};  ///< upper limit due to the limit of its rate
+  TorqueLine<S> floor{-unbounded};   ///< likewise, lower
 };
 
-/// Whether the free line is beyond some other one at the acceleration `push` / D, in any lane.
+/// Whether the free line is beyond another one at the acceleration `push` / D, in any lane.
 template <class S>
 [[nodiscard]] MUROSIMF_INLINE bool leaves_free_line(const MotorTorque<S>& motor, const S& D, const S& push) {
   return any(is_above(motor.free, motor.highest, D, push)) || any(is_above(motor.lowest, motor.free, D, push)) ||
          any(is_above(motor.free, motor.ceiling, D, push)) || any(is_above(motor.floor, motor.free, D, push));
 }
 
-/// The line that a motor goes to from `line`, which gives the acceleration `push` / D: the lowest one that it must not be above, else the
-/// highest that it must not be below. From a limit of the rate it goes to one of the torque, and from there nowhere. Each line falls with
-/// the acceleration, and so does all that acts in a joint: of two lines, the one that the step follows shows at the acceleration of either.
-/// So it is found after lines_in_turn lines.
+/// The line that a motor changes to from `line`, which gives the acceleration `push` / D: the lowest one that it must not be above,
+/// else the highest that it must not be below. From a limit of the rate it changes to one of the torque, and from there to none. Each
+/// line falls with the acceleration, and so does all that acts in a joint: of two lines, the relevant one shows at the acceleration of
+/// either. So the line is found after at most lines_in_turn lines.
 template <class S>
 [[nodiscard]] MUROSIMF_INLINE TorqueLine<S> followed_line(const MotorTorque<S>& motor, const TorqueLine<S>& line,
                                                           const S& D, const S& push) {
@@ -71,17 +71,17 @@ template <class S>
 }
 constexpr int lines_in_turn = 3;
 
-/// From the free line.
+/// The same, from the free line.
 template <class S>
 [[nodiscard]] MUROSIMF_INLINE TorqueLine<S> followed_line(const MotorTorque<S>& motor, const S& D, const S& push) {
   return followed_line(motor, motor.free, D, push);
 }
 
-/// The end of a joint's range that it is nearer to: its line acts where the step's acceleration takes the joint beyond it.
+/// The nearer end of a joint's range: its line acts where the step's acceleration takes the joint beyond it.
 template <class S>
 struct RangeEnd {
   S direction = 1.0;                                ///< 1: upwards, -1: downwards
-  S gap = std::numeric_limits<double>::infinity();  ///< [rad | m] to it after a step without acceleration
+  S gap = std::numeric_limits<double>::infinity();  ///< [rad | m] distance to it after a step without acceleration
   TorqueLine<S> line;
 };
 
