@@ -16,7 +16,7 @@ render::EntityAppearance drawn(const Appearance& appearance) {
   return result;
 }
 
-/// [1] White or black, whichever can be read on the color (Rec. 709 weights).
+/// [1] White or black, whichever is legible on the color (Rec. 709 weights).
 Color readable_on(const Color& color) {
   const double brightness = 0.2126 * color.red + 0.7152 * color.green + 0.0722 * color.blue;
   return brightness < 0.5 ? Color{0.97, 0.97, 0.97} : Color{0.03, 0.03, 0.03};

@@ -1,4 +1,4 @@
-/// entity_appearance.h - what entities look like to the renderer: visual meshes, shapes, numbers on shirts.
+/// entity_appearance.h - appearance of entities for the renderer: visual meshes, shapes, numbers on shirts.
 #pragma once
 
 #include <map>
@@ -10,14 +10,14 @@
 
 namespace murosimf::appearance {
 
-/// 3 of "blue3"; -1 if the name ends in no number, or in one of more than three digits.
+/// 3 of "blue3"; -1 if the name does not end in a number of at most three digits.
 [[nodiscard]] int jersey_number(const std::string& name);
 
 /// Reads meshes once per model: equal robots share them. Meshes of a robot have at most `usual_triangles` together
 /// (visual_meshes.h).
 class AppearanceLibrary {
  public:
-  /// Robots of a team whose names end in a number wear it on chest and back.
+  /// The appearance of an entity. Robots of a team with names that end in a number have it on chest and back.
   [[nodiscard]] render::EntityAppearance appearance(const Entity& entity);
   /// One line for each mesh that could not be read and is left out.
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }

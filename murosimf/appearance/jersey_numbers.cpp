@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
 
 #include "murosimf/geometry/digit_triangles.h"
 #include "murosimf/geometry/ray.h"
 #include "murosimf/geometry/support.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/multibody/kinematics.h"
 
 namespace murosimf::appearance {
@@ -36,7 +38,7 @@ struct Box {
   Vec3d low{infinity, infinity, infinity}, high{-infinity, -infinity, -infinity};
 };
 
-/// What is seen of one link, in axes of the base.
+/// Visible parts of one link, in axes of the base.
 struct Part {
   std::vector<std::array<Vec3d, 3>> triangles;
   std::vector<std::pair<Shape, Transformd>> shapes;
@@ -58,7 +60,10 @@ std::vector<PlateFrame> frames_of(const Model& model) {
 }
 
 void add_mesh(const SeenMesh& seen, const PlateFrame& frame, Part& part) {
-  const auto at = [&](std::uint32_t i) { return frame.r + frame.R * seen.mesh.vertices[i]; };
+  const auto at = [&](std::uint32_t i) {
+    MUROSIMF_ASSERT(i < seen.mesh.vertices.size());
+    return frame.r + frame.R * seen.mesh.vertices[i];
+  };
   for (const auto& [a, b, c] : seen.mesh.triangles) {
     part.triangles.push_back({at(a), at(b), at(c)});
     for (const Vec3d& p : part.triangles.back()) part.box.add(p);
@@ -78,8 +83,9 @@ void add_shape(const SeenShape& seen, const PlateFrame& frame, Part& part) {
   }
 }
 
-/// By link.
+/// Visible parts by link.
 std::vector<Part> parts_of(const Model& model, const Appearance& appearance, const std::vector<PlateFrame>& frames) {
+  MUROSIMF_ASSERT(frames.size() == static_cast<std::size_t>(model.size()));
   const Tree& tree = model.tree();
   std::vector<Part> parts(tree.links.size());
   for (const SeenMesh& seen : appearance.meshes) add_mesh(seen, frames[seen.object], parts[tree.link_of[seen.object]]);
@@ -89,6 +95,7 @@ std::vector<Part> parts_of(const Model& model, const Appearance& appearance, con
 }
 
 std::size_t find_trunk(const Tree& tree, const std::vector<Part>& parts) {
+  MUROSIMF_ASSERT(!parts.empty() && parts.size() == tree.links.size());
   std::vector<int> limbs(parts.size());
   for (const Link& link : tree.links) {
     if (link.parent >= 0) ++limbs[link.parent];
@@ -106,7 +113,7 @@ struct Window {
   double half_width = 0, half_height = 0, side = 1;
 };
 
-/// What of a polygon is at p[axis] * sign <= limit.
+/// The part of a polygon at p[axis] * sign <= limit (Sutherland and Hodgman).
 std::vector<Vec3d> cut(const std::vector<Vec3d>& polygon, double Vec3d::*axis, double sign, double limit) {
   std::vector<Vec3d> kept;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -118,7 +125,7 @@ std::vector<Vec3d> cut(const std::vector<Vec3d>& polygon, double Vec3d::*axis, d
   return kept;
 }
 
-/// [m] How far the triangle comes out behind the window, along its side; -infinity if it is not behind it.
+/// [m] Largest extent of the triangle behind the window, along its side; -infinity if it is not behind it.
 double outermost(const std::array<Vec3d, 3>& triangle, const Window& window) {
   std::vector<Vec3d> polygon(triangle.begin(), triangle.end());
   for (const double sign : {-1.0, 1.0}) {
@@ -130,7 +137,7 @@ double outermost(const std::array<Vec3d, 3>& triangle, const Window& window) {
   return most;
 }
 
-/// The same, by rays.
+/// The same for a shape, by rays.
 double outermost(const std::pair<Shape, Transformd>& shape, const Window& window, double far) {
   double most = -infinity;
   for (int i = 0; i < rays; ++i) {
@@ -145,8 +152,9 @@ double outermost(const std::pair<Shape, Transformd>& shape, const Window& window
   return most;
 }
 
-/// Its center comes to lie in front of the part.
+/// Moves the window in front of the part.
 void push_out(const Part& part, Window& window) {
+  MUROSIMF_ASSERT(std::abs(window.side) == 1);
   const double edge = window.side > 0 ? part.box.high.x : -part.box.low.x;
   double most = -infinity;
   for (const auto& triangle : part.triangles) most = std::max(most, outermost(triangle, window));
@@ -178,6 +186,7 @@ std::vector<JerseyNumber> jersey_numbers(const Model& model, const Appearance& a
     plates.push_back({object, transposed_times(R, window.center - r), transposed_times(R, Vec3d{0, side, 0}),
                       transposed_times(R, Vec3d{0, 0, 1}), window.half_width, window.half_height});
   }
+  MUROSIMF_ASSERT(plates.size() == 2);
   return plates;
 }
 

@@ -23,7 +23,7 @@ constexpr double gap = 0.15;  // [1] between two views, of the height of the fir
 constexpr double room = 0.9;  // [1] the title needs some
 constexpr int samples = 4;    // to a pixel
 
-/// Adds those that can be read, in the frame of the base. False if none can: robot_checks names them.
+/// Adds the readable ones, in the frame of the base. False if there are none: robot_checks reports them.
 bool add_meshes(const std::vector<VisualMesh>& visuals, const Transformd& place, render::EntityAppearance& robot) {
   bool any = false;
   for (const VisualMesh& visual : visuals) {
@@ -39,7 +39,7 @@ bool add_meshes(const std::vector<VisualMesh>& visuals, const Transformd& place,
   return any;
 }
 
-/// Everything in the frame of the base.
+/// The appearance of the robot in the frame of the base.
 render::EntityAppearance appearance_of(const robot_formats::RobotDescription& description) {
   render::EntityAppearance robot;
   const auto places = robot::body_places(description);
@@ -48,6 +48,7 @@ render::EntityAppearance appearance_of(const robot_formats::RobotDescription& de
     const bool has_meshes = add_meshes(robot_formats::visuals_of(description, body), places[i], robot);
     for (const robot_formats::ShapeDescription& shape : body.shapes) {
       PlacedShape placed = shape.placed;
+      // Collision shapes are hidden by visual meshes.
       if (placed.color.alpha <= 0 || (has_meshes && placed.collides) || std::holds_alternative<Plane>(placed.shape))
         continue;
       const Transformd at = places[i] * placed.place();
@@ -59,7 +60,7 @@ render::EntityAppearance appearance_of(const robot_formats::RobotDescription& de
   return robot;
 }
 
-/// Corners of the box around the robot after a turn; two of the base's origin if there is nothing to be seen.
+/// Corners of the box around the robot after a turn; both zero if nothing is visible.
 std::array<Vec3d, 2> extent_of(const render::EntityAppearance& robot, const Mat3d& turn) {
   Vec3d low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
   const auto add = [&](const Vec3d& at) {
@@ -91,7 +92,7 @@ void place(Entity& entity, const Vec3d& position, const Mat3d& orientation) {
 }  // namespace
 
 imaging::ColorImage robot_picture(const robot_formats::RobotDescription& description, int columns, int rows) {
-  // the eye looks along y: x is to the right, z up
+  // The eye looks along y: x is to the right, z up.
   const std::array turns{rotation_z(-0.5 * pi), rotation_z(pi), rotation_x(0.5 * pi) * rotation_z(0.5 * pi),
                          rotation_x(0.3) * rotation_z(-0.5 * pi + 0.6)};
   const render::EntityAppearance robot = appearance_of(description);
@@ -107,7 +108,7 @@ imaging::ColorImage robot_picture(const robot_formats::RobotDescription& descrip
     corners.insert(corners.end(), {low + shift, high + shift});
     right += high.x - low.x + gap * (highest.z - lowest.z);
   }
-  // over the left shoulder of whoever looks
+  // The light comes over the observer's left shoulder.
   const render::Light light{.toward = {-0.5, -0.65, 0.55}, .background = {0.83, 0.86, 0.88}, .shadows = false};
   render::Renderer renderer(row, {}, [&](const Entity& /*entity*/) { return robot; },
                             {.light = light, .samples = samples, .ground = false});

@@ -1,4 +1,4 @@
-/// robot_picture.h - what a robot file looks like: from the front, from its left side, from above and from an angle.
+/// robot_picture.h - pictures of a robot file: from the front, from its left side, from above and from an angle.
 #pragma once
 
 #include <string>

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::appearance {
@@ -48,7 +49,7 @@ std::int64_t last_frame(const std::string& progress) {
   return count;
 }
 
-/// Most players want even sizes and 4:2:0; a GIF has a palette for each picture; numbers are kept as they are.
+/// Output options: most players need even sizes and 4:2:0; a GIF has a palette for each picture; numbers are stored without loss.
 std::vector<std::string> form_of(const std::filesystem::path& file, VideoFile::Pixels pixels) {
   if (pixels == VideoFile::Pixels::numbers) return {"-c:v", "ffv1", "-level", "3", "-pix_fmt", "gray16le"};
   if (file.extension() == ".gif") {
@@ -67,7 +68,7 @@ std::vector<std::string> command(const std::filesystem::path& file, VideoFile::P
                                  "-r",        fmt::format("{}", rate),
                                  "-i",        "-"};
   for (std::string& word : form_of(file, pixels)) words.push_back(std::move(word));
-  words.push_back("file:" + file.string());  // a name with a colon is no address
+  words.push_back("file:" + file.string());  // a name with a colon is not an address
   return words;
 }
 
@@ -88,6 +89,7 @@ VideoFile::VideoFile(std::filesystem::path file, Pixels pixels, int width, int h
 VideoFile::~VideoFile() = default;
 
 void VideoFile::add(std::span<const std::byte> picture) {
+  MUROSIMF_ASSERT(ffmpeg_.has_value() && !picture.empty());
   ffmpeg_->write(picture);
   ++pictures_;
 }
@@ -99,7 +101,7 @@ void VideoFile::finish() {
   part_.commit();
 }
 
-/// Reads it again, without decoding.
+/// Reads the video again, without decoding.
 void VideoFile::check_whole() const {
   const auto read = files::run_process({"ffmpeg", "-v", "error", "-nostdin", "-i", "file:" + part_.path().string(),
                                         "-map", "0:v", "-c", "copy", "-progress", "pipe:1", "-f", "null", "-"},

@@ -1,4 +1,4 @@
-/// video_file.h - pictures, one after the other, as a video: an ffmpeg process writes it.
+/// video_file.h - writes pictures as a video, by a process of ffmpeg.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,8 @@
 
 namespace murosimf::appearance {
 
-/// The extension decides about the kind of video: .mp4, .webm, .gif, .mkv, .mov or .avi. Throws SetupError if it is none
-/// of these, if the file could not be written now, or if there is no ffmpeg: found out before a long run, not after it.
+/// The extension determines the kind of video: .mp4, .webm, .gif, .mkv, .mov or .avi. Throws SetupError if it is another
+/// one, if the file could not be written, or if there is no ffmpeg: to be called before a long run.
 void check_video(const std::filesystem::path& file);
 /// The same for a video of numbers, which only .mkv keeps (FFV1, without loss).
 void check_number_video(const std::filesystem::path& file);
@@ -29,11 +29,11 @@ class VideoFile {
   VideoFile(const VideoFile&) = delete;
   VideoFile& operator=(const VideoFile&) = delete;
 
-  /// A picture of the size and kind above. Throws SetupError with ffmpeg's words if it gives up.
+  /// Adds a picture of the size and kind above. Throws SetupError with ffmpeg's message if it fails.
   void add(const imaging::ColorImage& picture) { add(std::as_bytes(picture.pixels())); }
   void add(const imaging::NumberImage& picture) { add(std::as_bytes(picture.pixels())); }
-  /// The video is whole, and takes the place of what had its name. Throws as add(), also if ffmpeg is content with a video that lacks
-  /// pictures or its index, as it is when the disk is full.
+  /// Completes the video, and replaces the previous file of its name. Throws as add(), also if ffmpeg succeeds with a video that lacks
+  /// pictures or its index, as on a full disk.
   void finish();
 
  private:

@@ -8,6 +8,7 @@
 #include "murosimf/collision/relief/relief.h"
 #include "murosimf/geometry/mesh_mass.h"
 #include "murosimf/geometry/mesh_reduction.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/robot_formats/mesh/mesh_file.h"
@@ -16,7 +17,7 @@
 namespace murosimf::appearance {
 namespace {
 
-/// True if something of it can be seen.
+/// Adds visual meshes. True if one of them is visible.
 bool add_visuals(const Model& model, int object, Appearance& appearance) {
   const Visuals* visuals = model.find(properties::visuals, object);
   bool any = false;
@@ -47,6 +48,7 @@ void reduce(Appearance& appearance, std::size_t most) {
   std::vector<geometry::TriangleMesh> meshes;
   for (SeenMesh& seen : appearance.meshes) meshes.push_back(std::move(seen.mesh));
   auto [reduced, error] = geometry::reduce_meshes(std::move(meshes), most);
+  MUROSIMF_ASSERT(reduced.size() == appearance.meshes.size());
   for (std::size_t i = 0; i < reduced.size(); ++i) appearance.meshes[i].mesh = std::move(reduced[i]);
   std::erase_if(appearance.meshes, [](const SeenMesh& seen) { return seen.mesh.triangles.empty(); });
   appearance.error = error;

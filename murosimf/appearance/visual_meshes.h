@@ -1,4 +1,4 @@
-/// visual_meshes.h - visual meshes (model/visual_mesh.h) as triangles: here their files are read.
+/// visual_meshes.h - reads the files of visual meshes (model/visual_mesh.h) as triangles.
 #pragma once
 
 #include <string>
@@ -24,13 +24,13 @@ struct SeenMesh {
   Color color;
 };
 
-/// A shape that is no mesh.
+/// A shape other than a mesh.
 struct SeenShape {
   int object = 0;  ///< of the model
   PlacedShape placed;
 };
 
-/// What is to be drawn of a model.
+/// Parts to draw of a model.
 struct Appearance {
   std::vector<SeenMesh> meshes;   ///< of visual meshes and convex polyhedra
   std::vector<SeenShape> shapes;  ///< all others

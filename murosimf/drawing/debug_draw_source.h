@@ -1,4 +1,4 @@
-/// debug_draw_source.h - where one sees what programs draw that are no software of a robot: as they send it (roboviz_server.h), or as it was
+/// debug_draw_source.h - source of drawings by programs that are not software of a robot: live (roboviz_server.h), or
 /// recorded.
 #pragma once
 
@@ -32,14 +32,14 @@ class DebugDrawSource {
   virtual ~DebugDrawSource() = default;
   DebugDrawSource(const DebugDrawSource&) = delete;
   DebugDrawSource& operator=(const DebugDrawSource&) = delete;
-  /// What is to be seen now, from any thread; never null.
+  /// The present drawings, from any thread; never null.
   [[nodiscard]] virtual std::shared_ptr<const ExternalDrawings> shown() const = 0;
 };
 
-/// Shows what somebody puts there, in any thread.
+/// Provides drawings that are set from any thread.
 class DebugDrawBuffer final : public DebugDrawSource {
  public:
-  /// `changes` are counted here.
+  /// Replaces the drawings; `changes` are counted here.
   void pin(ExternalDrawings drawn) {
     const std::lock_guard lock(mutex_);
     drawn.changes = shown_->changes + 1;

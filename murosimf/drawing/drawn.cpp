@@ -4,6 +4,8 @@
 #include <string_view>
 #include <utility>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::drawing {
 namespace {
 
@@ -15,7 +17,7 @@ const Drawings* drawings_of(const Entity& entity) {
   return drawn && !drawn->values.empty() ? drawn->values.data() : nullptr;
 }
 
-/// The count goes back with the state, after which there may be as many drawings that are others.
+/// Adds drawings to the hash. The count of changes is restored with a state; then other drawings may have the same count.
 void add_to(Hasher& hasher, const Drawings& drawings) {
   hasher.add(drawings.changes);
   for (const DrawnGroup& group : drawings.groups) {
@@ -60,7 +62,7 @@ std::vector<std::string> teams_of(const World& world) {
 }
 
 std::vector<std::optional<TeamPlace>> team_places(std::span<const std::string> teams) {
-  std::vector<std::string_view> names;  // of teams, and how many robots there were of each
+  std::vector<std::string_view> names;  // of teams; `members`: number of robots so far
   std::vector<int> members;
   std::vector<std::optional<TeamPlace>> places;
   for (const std::string& team : teams) {
@@ -69,12 +71,15 @@ std::vector<std::optional<TeamPlace>> team_places(std::span<const std::string> t
       continue;
     }
     const auto number = static_cast<std::size_t>(std::ranges::find(names, team) - names.begin());
+    // Teams are numbered in the order of their first robots.
     if (number == names.size()) {
       names.push_back(team);
       members.push_back(0);
     }
+    MUROSIMF_ASSERT(names.size() == members.size() && number < names.size());
     places.push_back(TeamPlace{static_cast<int>(number), members[number]++});
   }
+  MUROSIMF_ASSERT(places.size() == teams.size());
   return places;
 }
 
@@ -83,6 +88,7 @@ std::vector<Drawn> external_drawings(const ExternalDrawings& others, std::span<c
   if (!others.groups.empty()) all.push_back({-1, std::string(others_name), others.groups});
   const std::vector<std::optional<TeamPlace>> places = team_places(teams);
   for (const ExternalDrawings::Note& note : others.notes) {
+    // Notes for robots that do not exist are ignored.
     const auto place = std::ranges::find(places, TeamPlace{note.team, note.number});
     if (place == places.end()) continue;
     const auto entity = static_cast<int>(place - places.begin());

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::drawing {
 namespace {
 
@@ -27,6 +29,7 @@ class RobovizDrawings::Reader {
   int byte() { return static_cast<unsigned char>(bytes(1)[0]); }
   double number() {
     std::string_view text = bytes(6);
+    // Numbers are padded by blanks, zeros and plus signs, differently by different agents.
     while (!text.empty() && (text.front() == ' ' || text.front() == '+')) text.remove_prefix(1);
     while (!text.empty() && (text.back() == ' ' || text.back() == '\0')) text.remove_suffix(1);
     double value = 0;
@@ -36,6 +39,7 @@ class RobovizDrawings::Reader {
     return value;
   }
   Vec3d point() {
+    // Not in one initializer with y: numbers must be read in the order of the packet.
     const double x = number(), y = number();
     return {x, y, number()};
   }
@@ -47,7 +51,7 @@ class RobovizDrawings::Reader {
     const std::size_t end = left_.find('\0');
     if (end == std::string_view::npos || end > longest_name) throw Damaged();
     std::string found;
-    for (const char c : left_.substr(0, end)) {  // others than letters of ASCII could be no text at all
+    for (const char c : left_.substr(0, end)) {  // other bytes than printable ASCII might be no valid text
       found += static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) > 0x7e ? '?' : c;
     }
     left_.remove_prefix(end + 1);
@@ -70,32 +74,32 @@ bool RobovizDrawings::take(std::string_view packet) {
     Reader in(packet);
     if (!in.any()) return false;
     all_had_place_ = true;
-    while (in.any()) take_command(in);
+    while (in.any()) read_command(in);
     return all_had_place_;
   } catch (const Damaged&) {
     return false;
   }
 }
 
-void RobovizDrawings::take_command(Reader& in) {
+void RobovizDrawings::read_command(Reader& in) {
   switch (in.byte()) {
     case 0:
       if (in.byte() != 0) throw Damaged();
       return swap(in.text());
-    case 1: return take_shape(in);
-    case 2: return take_text(in);
+    case 1: return read_shape(in);
+    case 2: return read_text(in);
     case 3: (void)in.byte(); return;
     default: throw Damaged();
   }
 }
 
-void RobovizDrawings::take_shape(Reader& in) {
+void RobovizDrawings::read_shape(Reader& in) {
   DrawnShape shape;
   switch (in.byte()) {
     case 0: {
       const double x = in.number();
       shape = {.kind = DrawnShape::circle, .points = {{x, in.number(), 0.005}}, .size = in.number()};
-      (void)in.number();  // thickness: circles are as thin as can be seen
+      (void)in.number();  // thickness: circles have the least visible one
       break;
     }
     case 1: {
@@ -127,7 +131,7 @@ void RobovizDrawings::take_shape(Reader& in) {
   add(in.text(), std::move(shape));
 }
 
-void RobovizDrawings::take_text(Reader& in) {
+void RobovizDrawings::read_text(Reader& in) {
   switch (in.byte()) {
     case 0: {
       DrawnShape shape{.kind = DrawnShape::text, .points = {in.point()}, .size = text_height};
@@ -137,6 +141,7 @@ void RobovizDrawings::take_text(Reader& in) {
     }
     case 1: {
       const int agent = in.byte();
+      MUROSIMF_ASSERT(agent >= 0 && agent < 256);
       const Color color = in.color();
       notes_[agent] = {.team = agent / 128, .number = agent % 128, .color = color, .text = in.text()};
       ++changes_;
@@ -155,7 +160,7 @@ bool RobovizDrawings::has_place(const std::string& set, const DrawnShape& shape)
   return known->second.drawn.size() < most_shapes && known->second.points + more <= most_points;
 }
 
-/// What finds no place is left out; a swap behind it may make some.
+/// Adds a shape. One beyond the limits is dropped; a later swap may make room again.
 void RobovizDrawings::add(const std::string& set, DrawnShape shape) {
   if (!has_place(set, shape)) {
     all_had_place_ = false;
@@ -165,15 +170,18 @@ void RobovizDrawings::add(const std::string& set, DrawnShape shape) {
   into.points += shape.points.size();
   points_ += shape.points.size();
   into.drawn.push_back(std::move(shape));
+  MUROSIMF_ASSERT(points_ <= most_in_all);
 }
 
 void RobovizDrawings::swap(const std::string& begin) {
   for (auto set = sets_.lower_bound(begin); set != sets_.end() && set->first.starts_with(begin);) {
+    // All sets with names that begin so: an agent may swap its sets one by one or at once.
     if (set->second.shown.empty() && set->second.drawn.empty()) {
-      set = sets_.erase(set);  // nobody has used it between two swaps
+      set = sets_.erase(set);  // unused between two swaps
       continue;
     }
     set->second.shown = std::exchange(set->second.drawn, {});
+    MUROSIMF_ASSERT(points_ >= set->second.shown_points);
     points_ -= set->second.shown_points;
     set->second.shown_points = std::exchange(set->second.points, 0);
     ++changes_;

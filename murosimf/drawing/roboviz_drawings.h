@@ -1,8 +1,8 @@
-/// roboviz_drawings.h - what programs draw that know RoboViz: its packets, as they are, become groups of shapes (model/drawing.h).
+/// roboviz_drawings.h - packets of programs that draw by the protocol of RoboViz, as groups of shapes (model/drawing.h).
 ///
 /// A packet has one command after another:
 ///
-///     0 0 SET0                            show what was drawn for all sets whose names begin so, and begin anew
+///     0 0 SET0                            show what was drawn for all sets with names that begin so, and begin anew
 ///     1 0 x y r thickness RGB SET0        circle on the ground
 ///     1 1 x y z x y z thickness RGB SET0  line
 ///     1 2 x y z size RGB SET0             point
@@ -31,26 +31,26 @@ namespace murosimf::drawing {
 class RobovizDrawings {
  public:
   static constexpr std::size_t most_sets = 200, most_shapes = 2000, most_points = 10'000;  // of a set between two swaps
-  static constexpr std::size_t most_in_all = 50'000;  // points, of what waits and what is shown
+  static constexpr std::size_t most_in_all = 50'000;                                       // points, waiting and shown
 
-  /// False: something of it is too much, or it is no packet from some byte on, and the rest is ignored.
+  /// Processes a packet. False: it exceeds a limit, or is invalid from some byte on, and the rest is ignored.
   bool take(std::string_view packet);
-  /// What is to be seen now.
+  /// The present drawings.
   [[nodiscard]] ExternalDrawings shown() const;
   [[nodiscard]] std::uint64_t changes() const { return changes_; }
 
  private:
   class Reader;
-  void take_command(Reader& in);
-  void take_shape(Reader& in);
-  void take_text(Reader& in);
+  void read_command(Reader& in);
+  void read_shape(Reader& in);
+  void read_text(Reader& in);
   void add(const std::string& set, DrawnShape shape);
   [[nodiscard]] bool has_place(const std::string& set, const DrawnShape& shape) const;
   void swap(const std::string& begin);
 
   struct Set {
     std::vector<DrawnShape> drawn, shown;
-    std::size_t points = 0, shown_points = 0;  // of those that wait, of the others
+    std::size_t points = 0, shown_points = 0;  // of waiting and of shown shapes
   };
   std::map<std::string, Set> sets_;
   std::map<int, ExternalDrawings::Note> notes_;  // by agent

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t longest_packet = 65536;
 
-/// A socket for datagrams at that place.
+/// A socket for datagrams at that address.
 int bound_socket(const wire::Address& address) {
   addrinfo hints{};
   hints.ai_family = AF_UNSPEC;
@@ -73,6 +73,7 @@ RobovizServer::~RobovizServer() {
 
 std::shared_ptr<const ExternalDrawings> RobovizServer::shown() const {
   const std::lock_guard lock(mutex_);
+  // Copied only if there is something new: observers ask in every picture.
   if (shown_->changes != drawings_.changes()) shown_ = std::make_shared<const ExternalDrawings>(drawings_.shown());
   return shown_;
 }
@@ -82,6 +83,7 @@ void RobovizServer::listen() {
   while (!ends_) {
     std::array<pollfd, 2> asked{{{wake_, POLLIN, 0}, {socket_, POLLIN, 0}}};
     if (::poll(asked.data(), asked.size(), -1) < 0 || asked[1].revents == 0) continue;
+    // One datagram per wait; poll() returns at once if more have arrived.
     const ssize_t size = ::recv(socket_, packet.data(), packet.size(), MSG_DONTWAIT);
     if (size < 0) continue;
     const std::lock_guard lock(mutex_);

@@ -1,9 +1,9 @@
-/// roboviz_server.h - takes what other programs draw for RoboViz (roboviz_drawings.h), by UDP, in a thread of its own.
+/// roboviz_server.h - receives drawings of other programs in the protocol of RoboViz (roboviz_drawings.h), by UDP, in its own thread.
 ///
 ///     drawing::RobovizServer door({"127.0.0.1", 32769});
 ///     draw(*door.shown());                               // from any thread
 ///
-/// Packets that are none are ignored and counted.
+/// Invalid packets are ignored and counted.
 #pragma once
 
 #include <atomic>
@@ -21,7 +21,7 @@ class RobovizServer final : public DebugDrawSource {
  public:
   static constexpr std::uint16_t usual_port = 32769;
 
-  /// Port 0: one that is free. Throws WireError if nobody can listen there.
+  /// Port 0: one that is free. Throws WireError if the address cannot be listened at.
   explicit RobovizServer(const wire::Address& address);
   ~RobovizServer() override;
 

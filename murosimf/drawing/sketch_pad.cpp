@@ -39,6 +39,7 @@ std::string SketchPad::why_not(const DrawnGroup& group) const {
     if (shape.words.size() > longest_text) return "a text is too long";
   }
   if (points > most_points) return fmt::format("a group has {} points; {} are allowed", points, most_points);
+  // A group of a known name replaces the old one, and needs no new place.
   if (drawings_->groups.size() >= most_groups && is_new()) return fmt::format("more than {} groups", most_groups);
   return {};
 }
@@ -47,6 +48,7 @@ bool SketchPad::draw(DrawnGroup group) {
   refusal_ = why_not(group);
   if (!refusal_.empty()) return false;
   auto& groups = drawings_->groups;
+  // Sorted by name: reports and recordings have one order.
   const auto place = std::ranges::lower_bound(groups, group.name, {}, &DrawnGroup::name);
   const bool there = place != groups.end() && place->name == group.name;
   if (group.shapes.empty()) {

@@ -1,4 +1,4 @@
-/// sketch_pad.h - where control software draws for people who watch (model/drawing.h): so much, and no more.
+/// sketch_pad.h - drawings of control software for observers (model/drawing.h), within limits.
 #pragma once
 
 #include <string>
@@ -20,10 +20,10 @@ class SketchPad {
                                most_points = 10'000;  // of a robot; of a group each
   static constexpr std::size_t longest_text = 1000;
 
-  /// In the place of the group of that name; without shapes that group is gone. False, and refusal() says why: too much, a shape
-  /// without points, numbers that are not finite. Then the old one stays.
+  /// Replaces the group of that name; without shapes it is removed. False, with the reason in refusal(): too much, a shape
+  /// without points, numbers that are not finite. Then the last group remains.
   bool draw(DrawnGroup group);
-  /// Nothing is drawn.
+  /// Removes all drawings.
   void clear();
   [[nodiscard]] const std::string& refusal() const { return refusal_; }
 

@@ -4,6 +4,7 @@
 #include <sys/socket.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -13,6 +14,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::files {
@@ -26,8 +28,10 @@ namespace {
   cannot_run(program, std::generic_category().message(error));
 }
 
-/// `streams` become the program's standard input, output and errors. 0, or errno of what failed.
+/// Starts a program; `streams` become its standard input, output and errors. Returns 0, or errno of what failed.
 int spawn(const std::vector<std::string>& arguments, const std::array<int, 3>& streams, pid_t& child) {
+  MUROSIMF_ASSERT(!arguments.empty());
+  MUROSIMF_ASSERT(std::ranges::all_of(streams, [](int stream) { return stream >= 0; }));
   std::vector<char*> argv;
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
@@ -36,9 +40,11 @@ int spawn(const std::vector<std::string>& arguments, const std::array<int, 3>& s
   for (int i = 0; i < 3; ++i) posix_spawn_file_actions_adddup2(&actions, streams[i], i);
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
+  // Its own process group: Ctrl-C in the terminal must not end it before this program decides to.
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
   posix_spawnattr_setpgroup(&attributes, 0);
   const int error = posix_spawnp(&child, argv[0], &actions, &attributes, argv.data(), environ);
+  MUROSIMF_ASSERT(error != 0 || child > 0);
   posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   return error;
@@ -46,7 +52,7 @@ int spawn(const std::vector<std::string>& arguments, const std::array<int, 3>& s
 
 bool is_missing(int error) { return error == ENOENT || error == EACCES; }
 
-/// Of what waitpid has told; -1 if a signal ended the program.
+/// Exit code from the status of waitpid; -1 if a signal ended the program.
 int exit_code(int status) { return WIFEXITED(status) ? WEXITSTATUS(status) : -1; }
 
 FilePtr temporary(const std::string& program) {
@@ -56,6 +62,7 @@ FilePtr temporary(const std::string& program) {
 }
 
 std::string contents(std::FILE* file) {
+  MUROSIMF_ASSERT(file != nullptr);
   std::string text;
   std::array<char, 65536> buffer{};
   std::rewind(file);
@@ -63,7 +70,7 @@ std::string contents(std::FILE* file) {
   return text;
 }
 
-/// The last one that is not empty.
+/// The last line that is not empty.
 std::string last_line(std::FILE* file) {
   std::rewind(file);
   std::string line, last;
@@ -82,6 +89,7 @@ std::string last_line(std::FILE* file) {
 
 std::optional<ProcessResult> run_process(const std::vector<std::string>& arguments, const std::string& input) {
   const std::string& program = arguments.at(0);
+  // Files, not pipes: a program that writes much before it reads all would block both sides.
   const FilePtr in = temporary(program), out = temporary(program), err = temporary(program);
   if (std::fwrite(input.data(), 1, input.size(), in.get()) != input.size() || std::fflush(in.get()) != 0) {
     cannot_run(program, errno);
@@ -100,14 +108,14 @@ std::optional<ProcessResult> run_process(const std::vector<std::string>& argumen
   return ProcessResult{exit_code(status), contents(out.get()), contents(err.get())};
 }
 
-// a socket, not a pipe: writing to it when the program is gone is an error, not a signal
+// A socket, not a pipe: writing to it after the program has ended is an error, not a signal.
 ChildPipe::ChildPipe(const std::vector<std::string>& arguments, const std::string& advice)
     : program_(arguments.at(0)), errors_(temporary(program_)) {
   std::array<int, 2> ends{-1, -1};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) cannot_run(program_, errno);
   socket_ = ends[0];
   const int words = fileno(errors_.get()), error = spawn(arguments, {ends[1], words, words}, child_);
-  close(ends[1]);
+  close(ends[1]);  // only the program holds this end now, so that its exit is noticed
   if (error == 0) {
     running_.emplace(child_);
     return;
@@ -124,8 +132,9 @@ ChildPipe::~ChildPipe() {
   (void)wait();
 }
 
-/// Exit code of the program.
+/// Waits for the end of the program and returns its exit code.
 int ChildPipe::wait() noexcept {
+  MUROSIMF_ASSERT(child_ > 0);
   int status = 0;
   while (waitpid(child_, &status, 0) < 0 && errno == EINTR) {
   }
@@ -140,6 +149,7 @@ void ChildPipe::refuse() {
 }
 
 void ChildPipe::write(std::span<const std::byte> bytes) {
+  MUROSIMF_ASSERT(socket_ >= 0 && child_ > 0);
   while (!bytes.empty()) {
     const ssize_t sent = send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
     if (sent >= 0) {
@@ -153,6 +163,7 @@ void ChildPipe::write(std::span<const std::byte> bytes) {
 }
 
 std::string ChildPipe::finish() {
+  MUROSIMF_ASSERT(child_ > 0);
   close(socket_);
   if (wait() != 0) refuse();
   return last_line(errors_.get());

@@ -1,8 +1,8 @@
-/// child_process.h - other programs, started without a shell: run to their end with texts as their standard streams, or fed
+/// child_process.h - other programs, started without a shell: run to their end with texts as their standard streams, or supplied with
 /// bytes while they run.
 ///
-/// They are looked up in PATH. Each is in a process group of its own: a signal that a terminal sends to this program's
-/// group, as Ctrl-C does, does not reach it; who started it decides about its end.
+/// They are searched for in PATH. Each is in its own process group: a signal that a terminal sends to this program's
+/// group, as Ctrl-C does, does not reach it; the caller decides about its end.
 #pragma once
 
 #include <cstddef>
@@ -24,12 +24,12 @@ struct ProcessResult {
 };
 
 /// Runs `arguments[0]` with `input` as standard input, and waits for its end. Nothing if there is no such program. Throws
-/// SetupError if the system cannot start one. Streams are unnamed temporary files, so that neither side ever waits for
+/// SetupError if the system cannot start one. Streams are unnamed temporary files, so that neither side ever blocks
 /// the other.
 [[nodiscard]] std::optional<ProcessResult> run_process(const std::vector<std::string>& arguments,
                                                        const std::string& input);
 
-/// A program that is fed bytes while it runs.
+/// A program that is supplied with bytes while it runs.
 class ChildPipe {
  public:
   /// Starts `arguments[0]`. Throws SetupError with `advice` if there is no such program, and if the system cannot start
@@ -42,8 +42,8 @@ class ChildPipe {
 
   /// Waits until the program has taken all bytes. Throws SetupError with the last line of its errors if it has ended.
   void write(std::span<const std::byte> bytes);
-  /// No more bytes: waits for the program's end. Throws SetupError if it was not content. The last line of its errors; empty: it said
-  /// none.
+  /// Sends no more bytes and waits for the program's end. Throws SetupError if it failed. Returns the last line of its errors; empty if there
+  /// is none.
   std::string finish();
 
  private:

@@ -1,6 +1,6 @@
-/// cleanup_guard.h - what a program that a signal ends must take away: half-written files, and programs that it has started.
+/// cleanup_guard.h - cleanup for a program that a signal ends: removes half-written files, and ends programs that it has started.
 ///
-///     const CleanupGuard part(file);      // for as long as it is there
+///     const CleanupGuard part(file);      // while the file exists
 ///     ...
 ///     run_cleanup();             // in a signal's handler, before the program dies
 #pragma once
@@ -12,22 +12,22 @@
 
 namespace murosimf::files {
 
-/// Known to run_cleanup() while it lives. There are places for 32 at a time; more are not noted.
+/// Registered with run_cleanup() while it lives. There are places for 32 at a time; more are not registered.
 class CleanupGuard {
  public:
-  /// A file that nobody wants before it is whole and has got another name.
+  /// A file that is incomplete until it is renamed.
   explicit CleanupGuard(const std::filesystem::path& file) noexcept;
-  /// A child process that nobody waits for when this one is gone.
+  /// A child process that must not outlive this one.
   explicit CleanupGuard(pid_t child) noexcept;
   ~CleanupGuard();
   CleanupGuard(const CleanupGuard&) = delete;
   CleanupGuard& operator=(const CleanupGuard&) = delete;
 
  private:
-  std::atomic<int>* state_ = nullptr;  // of its place; null: none was free
+  std::atomic<int>* state_ = nullptr;  // state of its place; null: none was free
 };
 
-/// Ends the children and removes the files. Nothing but system calls that a signal's handler may make.
+/// Ends the children and removes the files. Uses only system calls that are allowed in a signal's handler.
 void run_cleanup() noexcept;
 
 }  // namespace murosimf::files

@@ -11,12 +11,13 @@
 #include "murosimf/files/text_encoding.h"
 #include "murosimf/files/text_lines.h"
 #include "murosimf/files/xml_element.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::files {
 namespace {
 
-/// What stands most often between the names of a header, outside quotes and units in brackets; a comma if in doubt.
+/// The most frequent separator between the names of a header, outside quotes and units in brackets; a comma if in doubt.
 char separator_of(std::string_view header) {
   std::array<std::pair<char, int>, 3> counts{{{',', 0}, {';', 0}, {'\t', 0}}};
   bool quoted = false;
@@ -27,6 +28,7 @@ char separator_of(std::string_view header) {
     brackets = std::max(0, brackets + (c == '[') - (c == ']'));
     for (auto& [separator, count] : counts) count += brackets == 0 && c == separator;
   }
+  // The first of equal counts: the comma.
   return std::ranges::max_element(counts, {}, &std::pair<char, int>::second)->first;
 }
 
@@ -53,6 +55,7 @@ CsvCells::CsvCells(const std::filesystem::path& file)
 
 void CsvCells::find_separator() {
   place_ = std::min(text_.find_first_not_of("\r\n"), text_.size());
+  MUROSIMF_ASSERT(place_ <= text_.size());
   const std::string_view first = std::string_view(text_).substr(place_, text_.find_first_of("\r\n", place_) - place_);
   line_ =
       static_cast<std::size_t>(std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(place_), '\n'));
@@ -68,6 +71,7 @@ void CsvCells::find_separator() {
 std::optional<double> CsvCells::find_number(const CsvCell& cell) const {
   std::string_view text = trimmed(cell.text);
   if (text.starts_with('+')) text.remove_prefix(1);
+  // from_chars does not depend on the locale of the program; a decimal comma is replaced here.
   std::string with_point(text);
   const bool decimal_comma = separator_ != ',' && text.find('.') == std::string_view::npos;
   if (const auto comma = with_point.find(','); decimal_comma && comma != std::string::npos) with_point[comma] = '.';
@@ -101,6 +105,7 @@ void CsvCells::read_line(std::vector<CsvCell>& cells) {
   line_ += 1 + lines_in_cells_;
   lines_in_cells_ = 0;
   line_begin_ = place_;
+  MUROSIMF_ASSERT(place_ < text_.size());
   while (!at_end_of_line() || !cells.empty()) {
     cells.push_back({{}, 1 + place_ - line_begin_});
     read_cell(cells.back());
@@ -109,6 +114,7 @@ void CsvCells::read_line(std::vector<CsvCell>& cells) {
   }
   place_ = std::min(text_.size(), text_.find('\n', place_));
   if (place_ < text_.size()) ++place_;
+  MUROSIMF_ASSERT(place_ > line_begin_ && place_ <= text_.size());
 }
 
 void CsvCells::read_cell(CsvCell& cell) {
@@ -117,7 +123,9 @@ void CsvCells::read_cell(CsvCell& cell) {
 }
 
 void CsvCells::read_quoted(CsvCell& cell) {
+  MUROSIMF_ASSERT(text_[place_] == '"');
   for (++place_; place_ < text_.size(); ++place_) {
+    // Two quotes stand for one.
     if (text_[place_] == '"' && text_.compare(place_, 2, "\"\"") == 0)
       ++place_;
     else if (text_[place_] == '"')

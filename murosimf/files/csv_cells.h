@@ -1,7 +1,7 @@
-/// csv_cells.h - the cells of a file of comma-separated values (RFC 4180), line by line; each knows where it stands.
+/// csv_cells.h - the cells of a file of comma-separated values (RFC 4180), line by line, with their places.
 ///
-/// Semicolons and tabs separate cells, too, as spreadsheets of many countries write them: the separator is what the first line has
-/// most of, outside quotes and brackets, or what a line "sep=;" before it says. Where it is no comma, numbers may have a decimal
+/// Semicolons and tabs separate cells, too, as spreadsheets of many countries write them: the separator is the most frequent one of the
+/// first line, outside quotes and brackets, or that of a line "sep=;" before it. Where it is no comma, numbers may have a decimal
 /// comma: 0,5. The file may be in any encoding of Unicode (text_encoding.h).
 #pragma once
 
@@ -19,13 +19,13 @@ struct CsvCell {
   std::size_t column = 1;  ///< where it begins in its line, from 1
 };
 
-/// What a cell of the first line says: "name [unit]", or a name alone.
+/// Contents of a cell of the first line: "name [unit]", or a name alone.
 struct CsvHeader {
   std::string name, unit;
 };
 [[nodiscard]] CsvHeader csv_header(std::string_view cell);
 
-/// Empty, or nothing but blanks and tabs.
+/// Whether the cell is empty, or only blanks and tabs.
 [[nodiscard]] bool is_blank(const CsvCell& cell);
 class CsvCells {
  public:
@@ -34,9 +34,9 @@ class CsvCells {
 
   /// Writes the cells of the next line that has any; false at the end of the file. Throws SetupError.
   bool next(std::vector<CsvCell>& cells);
-  /// Nothing if the cell is no number; nan and inf are numbers.
+  /// The number of a cell, nothing if it is no number; nan and inf are numbers.
   [[nodiscard]] std::optional<double> find_number(const CsvCell& cell) const;
-  /// Throws SetupError if the cell is no number.
+  /// The number of a cell. Throws SetupError if it is no number.
   [[nodiscard]] double number(const CsvCell& cell) const;
 
   /// Throws SetupError: file:line:column: message.

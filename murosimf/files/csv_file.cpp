@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/files/csv_cells.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::files {
 namespace {
@@ -32,16 +33,19 @@ CsvTable read_header(CsvCells& reader, std::vector<Cell>& cells) {
 }
 
 void read_row(const CsvCells& reader, const std::vector<Cell>& cells, CsvTable& table) {
+  MUROSIMF_ASSERT(!cells.empty());
   if (cells.size() != table.columns.size() + 1) {
     reader.fail(1, fmt::format("{} cells, where the first line has {}", cells.size(), table.columns.size() + 1));
   }
   const double time = reader.number(cells[0]);
   if (!std::isfinite(time)) reader.fail(1, "the time must be a finite number");
   for (std::size_t i = 1; i < cells.size(); ++i) {
+    // An empty cell is a missing sample: columns may have different times.
     if (is_blank(cells[i])) continue;
     table.columns[i - 1].times.push_back(time);
     table.columns[i - 1].values.push_back(reader.number(cells[i]));
   }
+  MUROSIMF_ASSERT(table.columns.front().times.size() == table.columns.front().values.size());
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "murosimf/files/allowed_files.h"
 #include "murosimf/files/files_read.h"
 #include "murosimf/files/moved_files.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::files {
@@ -20,6 +21,7 @@ namespace fs = std::filesystem;
 std::optional<fs::path> look_for(std::string_view name, std::string_view kind, std::string_view extension,
                                  const fs::path& beside) {
   std::vector<fs::path> places{fs::path(name)};
+  MUROSIMF_ASSERT(!kind.empty());
   if (!beside.empty()) places.push_back(beside / name);
   for (const fs::path& root : data_folders()) {
     places.push_back(root / name);
@@ -28,13 +30,14 @@ std::optional<fs::path> look_for(std::string_view name, std::string_view kind, s
   for (const fs::path& place : places) {
     for (const fs::path& candidate : {place, fs::path(place.string() + std::string(extension))}) {
       std::error_code error;
+      // Limited files count as missing: see allowed_files.h.
       if (may_be_read(candidate) && fs::is_regular_file(candidate, error)) return candidate;
     }
   }
   return std::nullopt;
 }
 
-/// The shared library that this code is in; empty: it is in the program itself.
+/// The shared library that contains this code; empty: it belongs to the program itself.
 fs::path find_own_library() {
   static const int here = 0;
   Dl_info info{};
@@ -44,7 +47,7 @@ fs::path find_own_library() {
   return error || file.string().find(".so") == std::string::npos ? fs::path() : file;
 }
 
-/// Looking for it goes through all symbols of the program: once.
+/// The same, found once: the search goes through all symbols of the program.
 const fs::path& own_library() {
   static const fs::path library = find_own_library();
   return library;
@@ -79,6 +82,7 @@ std::filesystem::path find_data_file(std::string_view name, std::string_view kin
 std::optional<std::filesystem::path> look_for_data_file(std::string_view name, std::string_view kind,
                                                         std::string_view extension,
                                                         const std::filesystem::path& beside) {
+  // A run that is repeated from a recording finds the files of that time, not those of today.
   if (const MovedFiles* moved = MovedFiles::now()) {
     const fs::path folder = beside.empty() ? beside : moved->to_there(fs::absolute(beside).lexically_normal());
     if (const std::string* found = moved->found(look_up_key(name, kind, extension, folder))) {

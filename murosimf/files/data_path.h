@@ -1,4 +1,4 @@
-/// data_path.h - finding scenes, models and servos from any working directory.
+/// data_path.h - finds scenes, models and servos from any working directory.
 #pragma once
 
 #include <filesystem>
@@ -9,11 +9,11 @@
 
 namespace murosimf::files {
 
-/// The folders of what comes with the program, in the order in which they are looked through: the one that MUROSIMF_DATA names,
+/// The folders of files that come with the program, in the order of the search: the one that MUROSIMF_DATA names,
 /// share/murosimf beside the program, beside the shared library that is loaded, and of the installation, the source tree.
 [[nodiscard]] std::vector<std::filesystem::path> data_folders();
 
-/// The file that `name` means. Tried in this order: the name as it is; the name in `beside`; the name, alone and in the
+/// The file of a name. Tried in this order: the name as it is; the name in `beside`; the name, alone and in the
 /// folder `kind` ("lenses", "models", "parts", "scenes", "servos"), in the folder that MUROSIMF_DATA names, in
 /// share/murosimf of the installation, and in the source tree. Every place is tried with `extension` appended too.
 /// What this thread may not read (allowed_files.h) is not found. Throws SetupError.
@@ -26,10 +26,10 @@ namespace murosimf::files {
                                                                       std::string_view extension,
                                                                       const std::filesystem::path& beside = {});
 
-/// The folders with files that come with the program, also those that are not there.
+/// The folders with files that come with the program, also those that do not exist.
 [[nodiscard]] std::vector<std::filesystem::path> program_folders();
 
-/// What can be named without a path: the files of a kind in the folders above, without extension, in alphabetical
+/// Names that can be used without a path: the files of a kind in the folders above, without extension, in alphabetical
 /// order.
 [[nodiscard]] std::vector<std::string> data_file_names(std::string_view kind, std::string_view extension);
 

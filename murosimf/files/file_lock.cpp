@@ -11,6 +11,8 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::files {
 namespace {
 
@@ -21,8 +23,9 @@ struct flock whole_file() {
   return lock;
 }
 
-/// From the kernel's list of locks; 0: it is not there.
+/// The process that holds the lock, from the kernel's list of locks; 0: it is not there.
 long holder_in_list(int descriptor) {
+  MUROSIMF_ASSERT(descriptor >= 0);
   struct stat about {};
   if (::fstat(descriptor, &about) != 0) return 0;
   std::ifstream list("/proc/locks");
@@ -39,15 +42,17 @@ long holder_in_list(int descriptor) {
 
 std::string name_of_holder(int descriptor) {
   struct flock lock = whole_file();
+  // The kernel does not report a process' own fcntl() locks to it: these are in the list.
   const bool told = ::fcntl(descriptor, F_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
-  const long process = told ? lock.l_pid : holder_in_list(descriptor);  // its own fcntl() locks a process is not told
+  const long process = told ? lock.l_pid : holder_in_list(descriptor);
   return process > 0 ? fmt::format("process {}", process) : "another run";
 }
 
 }  // namespace
 
-// Two kinds at once: flock() is of the open file, also within one process; fcntl() tells who has it.
+// Two kinds at once: flock() belongs to the open file, also within one process; fcntl() reports the process that holds it.
 bool lock_file(int descriptor) noexcept {
+  MUROSIMF_ASSERT(descriptor >= 0);
   if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) return false;
   struct flock lock = whole_file();
   (void)::fcntl(descriptor, F_SETLK, &lock);

@@ -1,6 +1,6 @@
-/// file_lock.h - files that grow for a long time are locked by who writes them, so that no other run takes them.
+/// file_lock.h - files that grow for a long time are locked by their writer, so that no other run writes to them.
 ///
-/// The lock is advisory, ends with the process however that ends, and names its process to others. On file systems without locks
+/// The lock is advisory, ends with the process in any case, and reports its process to others. On file systems without locks
 /// there is none.
 #pragma once
 
@@ -9,10 +9,10 @@
 
 namespace murosimf::files {
 
-/// Of an open descriptor that may write; as long as it is open. False: another one has it.
+/// Locks an open descriptor with write access, while it is open. False: another process holds the lock.
 [[nodiscard]] bool lock_file(int descriptor) noexcept;
 
-/// "process 4711" that has the lock of a file, "another run" if the system does not tell; empty: nothing locks it, or it is not there.
+/// "process 4711" that holds the lock of a file, "another run" if the system does not report it; empty: the file is not locked, or missing.
 [[nodiscard]] std::string who_writes(const std::filesystem::path& file);
 
 }  // namespace murosimf::files

@@ -1,7 +1,6 @@
 #include "murosimf/files/file_roles.h"
 
 #include <algorithm>
-#include <cassert>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -13,6 +12,7 @@
 #include "murosimf/files/output_file.h"
 #include "murosimf/files/output_place.h"
 #include "murosimf/files/xml_element.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::files {
@@ -24,7 +24,7 @@ constexpr const char* is_read = ": this file is read by the same command; name a
 
 struct ClaimedOutput {
   fs::path place;
-  bool continued = false;  ///< it is read, too
+  bool continued = false;  ///< it is also read
 };
 
 struct Roles {
@@ -35,7 +35,7 @@ struct Roles {
 std::mutex mutex;
 std::optional<Roles> roles;
 
-/// Also two names of a file that is not there yet.
+/// Whether both are the same file; also for two names of a file that does not exist yet.
 bool are_same(const fs::path& a, const fs::path& b) {
   std::error_code error;
   return a == b || fs::equivalent(a, b, error);
@@ -45,7 +45,7 @@ std::string said(const std::string& option, const fs::path& file) {
   return one_line(fmt::format("{} '{}'", option, file.string()));
 }
 
-/// A file may have been replaced since it was read: what counts is what has its name now.
+/// A file may have been replaced since it was read: the present file of the name decides.
 bool is_input(const fs::path& place) {
   if (!roles) return false;
   std::error_code error;
@@ -71,12 +71,13 @@ void claim(const std::string& option, const fs::path& file, bool continued) {
 
 FileRoles::FileRoles() {
   const std::lock_guard lock(mutex);
-  assert(!roles && "the files of two commands at once");
+  MUROSIMF_ASSERT(!roles && "the files of two commands at once");
   roles.emplace();
 }
 
 FileRoles::~FileRoles() {
   const std::lock_guard lock(mutex);
+  MUROSIMF_ASSERT(roles.has_value());
   roles.reset();
 }
 
@@ -90,7 +91,8 @@ void note_input(const fs::path& file) {
   std::error_code error;
   const fs::path absolute = fs::absolute(file, error);
   if (!error && !absolute.string().starts_with("/proc/"))
-    roles->inputs.insert(absolute);  // also if nobody heeds what is thrown
+    // Also if the caller ignores the exception.
+    roles->inputs.insert(absolute);
   for (const auto& [name, output] : roles->outputs) {
     if (!output.continued && are_same(output.place, file)) throw SetupError(name + is_read);
   }

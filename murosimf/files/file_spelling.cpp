@@ -24,7 +24,7 @@ bool same_letters(std::string_view a, std::string_view b) {
   return std::ranges::equal(a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
-/// The one entry of a folder that is called so but for capital letters; nothing if there are none or several.
+/// The only entry of a folder with this name but for capital letters; nothing if there are none or several.
 std::optional<fs::path> entry_like(const fs::path& folder, const std::string& name) {
   std::optional<fs::path> found;
   std::error_code error;
@@ -37,7 +37,7 @@ std::optional<fs::path> entry_like(const fs::path& folder, const std::string& na
   return found;
 }
 
-/// The path with the letters that its parts really have, as far as each part is there only once.
+/// The path with the capital letters of its existing parts, if each part is unique.
 std::optional<fs::path> with_true_letters(const fs::path& path) {
   fs::path so_far;
   for (const fs::path& part : path.lexically_normal()) {
@@ -52,7 +52,7 @@ std::optional<fs::path> with_true_letters(const fs::path& path) {
   return is_file(so_far) ? std::optional(so_far) : std::nullopt;
 }
 
-/// As it is, and as other systems mean it; each once.
+/// The name as it is, and as other systems spell it; each once.
 std::vector<std::string> spellings(std::string_view name) {
   std::vector<std::string> all{std::string(name)};
   const auto add = [&](std::string other) {

@@ -1,4 +1,4 @@
-/// file_spelling.h - files by names as robot files of other systems spell them: percent escapes, backslashes, capital letters.
+/// file_spelling.h - finds files by names as robot files of other systems spell them: percent escapes, backslashes, capital letters.
 ///
 /// Source of percent escapes and of file: addresses: RFC 3986, 2.1; RFC 8089.
 #pragma once
@@ -10,10 +10,10 @@
 
 namespace murosimf::files {
 
-/// `text` with every "%20" and the like as the byte that it stands for; what is no escape stays.
+/// `text` with every "%20" and the like replaced by its byte; other characters remain.
 [[nodiscard]] std::string percent_decoded(std::string_view text);
 
-/// What follows "SCHEME:" and up to two slashes, if the address has that scheme, in small or capital letters: "pkg/a.stl" of
+/// The part behind "SCHEME:" and up to two slashes, if the address has that scheme, in small or capital letters: "pkg/a.stl" of
 /// "package://pkg/a.stl". Nothing if it has another one, or none.
 [[nodiscard]] std::optional<std::string> after_scheme(std::string_view address, std::string_view scheme);
 
@@ -21,7 +21,7 @@ namespace murosimf::files {
 [[nodiscard]] std::optional<std::string> path_of_address(std::string_view address);
 
 /// The ordinary file `name` in `folder`: as it is spelled; else with escapes decoded, with backslashes as slashes, or both; else with
-/// other small and capital letters, if just one such file is there. Absolute names are looked for where they say.
+/// other small and capital letters, if exactly one such file exists. Absolute names are searched for at their own place.
 [[nodiscard]] std::optional<std::filesystem::path> find_spelled(const std::filesystem::path& folder,
                                                                 std::string_view name);
 

@@ -1,7 +1,8 @@
 #include "murosimf/files/files_read.h"
 
 #include <algorithm>
-#include <cassert>
+
+#include "murosimf/math/assert.h"
 
 namespace murosimf::files {
 namespace {
@@ -11,7 +12,7 @@ thread_local FilesRead* listener = nullptr;
 }  // namespace
 
 FilesRead::FilesRead() {
-  assert(!listener && "two lists of files in one thread");
+  MUROSIMF_ASSERT(!listener && "two lists of files in one thread");
   listener = this;
 }
 

@@ -1,4 +1,4 @@
-/// files_read.h - which files were read while something was built: what a recording has to name.
+/// files_read.h - the files that were read while something was built: contents of a recording.
 ///
 ///     const FilesRead files;
 ///     scene::Scene scene("walk");
@@ -13,7 +13,7 @@
 
 namespace murosimf::files {
 
-/// Notes the files that this thread opens while it lives; one at a time in a thread.
+/// Records the files that this thread opens while it lives; one at a time in a thread.
 class FilesRead {
  public:
   FilesRead();
@@ -21,11 +21,11 @@ class FilesRead {
   FilesRead(const FilesRead&) = delete;
   FilesRead& operator=(const FilesRead&) = delete;
 
-  /// What is read from now on is not noted.
+  /// Stops recording.
   void stop();
   /// Each once, in the order of opening.
   [[nodiscard]] const std::vector<std::filesystem::path>& list() const { return list_; }
-  /// Which of them, or of others, names have meant (data_path.h).
+  /// The files that names were resolved to (data_path.h).
   [[nodiscard]] const FoundNames& names() const { return names_; }
 
  private:
@@ -35,9 +35,9 @@ class FilesRead {
   FoundNames names_;
 };
 
-/// For who opens a file.
+/// To be called when a file is opened.
 void note_file_read(const std::filesystem::path& file);
-/// For who finds one by a name, or (an empty path) none.
+/// To be called when a name was resolved to a file, or (an empty path) to none.
 void note_name_found(const std::string& key, const std::filesystem::path& file);
 
 }  // namespace murosimf::files

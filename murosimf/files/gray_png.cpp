@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::files {
@@ -16,9 +17,13 @@ using namespace std::string_view_literals;
   throw SetupError(fmt::format("{}: {}", name, message));
 }
 
-unsigned byte_at(std::string_view bytes, std::size_t i) { return static_cast<unsigned char>(bytes[i]); }
+unsigned byte_at(std::string_view bytes, std::size_t i) {
+  MUROSIMF_ASSERT(i < bytes.size());
+  return static_cast<unsigned char>(bytes[i]);
+}
 
 std::size_t big_number(std::string_view bytes, std::size_t place) {
+  MUROSIMF_ASSERT(place + 4 <= bytes.size());
   std::size_t value = 0;
   for (std::size_t i = 0; i < 4; ++i) value = 256 * value + byte_at(bytes, place + i);
   return value;
@@ -37,7 +42,7 @@ void read_header(const std::string& name, std::string_view data, Picture& pictur
   if (color != 0) refuse_picture(name, "is no gray picture; save it in gray, without colors and transparency");
   if (bits != 8 && bits != 16) refuse_picture(name, fmt::format("has {} bits to a pixel; save it with 8 or 16", bits));
   if (interlace != 0) refuse_picture(name, "is interlaced; save it without");
-  // each number alone first: their product must not overflow
+  // Each number alone first: their product must not overflow.
   if (picture.columns > most_heights || picture.rows > most_heights || picture.columns * picture.rows > most_heights) {
     refuse_picture(name, fmt::format("more than {} heights; make the grid coarser", most_heights));
   }
@@ -49,9 +54,11 @@ Picture read_chunks(const std::string& name, std::string_view bytes) {
   if (!bytes.starts_with("\x89PNG\r\n\x1a\n"sv)) refuse_picture(name, "is no PNG file");
   Picture picture;
   std::size_t place = 8;
+  MUROSIMF_ASSERT(place <= bytes.size());
   while (bytes.size() - place >= 12) {
     const std::size_t size = big_number(bytes, place);
     const std::string_view kind = bytes.substr(place + 4, 4);
+    // A size beyond the end of the file: the subtraction cannot wrap, since 12 bytes remain.
     if (size > bytes.size() - place - 12) break;
     const std::string_view data = bytes.substr(place + 8, size);
     if (kind == "IHDR") read_header(name, data, picture);
@@ -65,7 +72,7 @@ Picture read_chunks(const std::string& name, std::string_view bytes) {
   refuse_picture(name, "ends too early");
 }
 
-/// The one of left, above and above left that is nearest to left + above - above left.
+/// The one of left, above and above left that is nearest to left + above - above left (the Paeth predictor).
 unsigned nearest_of(int left, int above, int corner) {
   const int guess = left + above - corner;
   const int to_left = std::abs(guess - left), to_above = std::abs(guess - above), to_corner = std::abs(guess - corner);
@@ -73,8 +80,10 @@ unsigned nearest_of(int left, int above, int corner) {
   return static_cast<unsigned>(to_above <= to_corner ? above : corner);
 }
 
-/// Undoes what the filter of a line has done; false if there is no such filter.
+/// Reverses the filter of a line; false if there is no such filter.
 bool unfilter(unsigned filter, std::string& line, const std::string& before, std::size_t sample) {
+  MUROSIMF_ASSERT(sample == 1 || sample == 2);
+  MUROSIMF_ASSERT(line.size() == before.size());
   if (filter > 4) return false;
   for (std::size_t i = 0; i < line.size(); ++i) {
     const unsigned left = i < sample ? 0 : byte_at(line, i - sample), above = byte_at(before, i);
@@ -93,6 +102,7 @@ HeightTable png_heights(const std::string& name, const std::string& bytes) {
   const std::size_t width = picture.columns * picture.sample;
   const auto pixels = inflated(picture.packed, picture.rows * (width + 1));
   if (!pixels) refuse_picture(name, "its pixels are broken");
+  MUROSIMF_ASSERT(pixels->size() == picture.rows * (width + 1));
   HeightTable table{.rows = picture.rows, .columns = picture.columns, .heights = {}, .is_picture = true};
   std::string line, before(width, '\0');
   for (std::size_t i = 0; i < picture.rows; ++i) {
@@ -106,6 +116,7 @@ HeightTable png_heights(const std::string& name, const std::string& bytes) {
     }
     before = line;
   }
+  MUROSIMF_ASSERT(table.heights.size() == table.rows * table.columns);
   return table;
 }
 

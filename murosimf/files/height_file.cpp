@@ -10,6 +10,7 @@
 #include "murosimf/files/input_file.h"
 #include "murosimf/files/lower_case.h"
 #include "murosimf/files/npy_array.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::files {
@@ -31,6 +32,7 @@ HeightTable read_csv_heights(const std::filesystem::path& file) {
       if (!std::isfinite(height)) lines.fail(cell.column, "a height must be finite");
       table.heights.push_back(height);
     }
+    // Checked in every line: a file of a gigabyte of numbers is not read to its end.
     if (table.heights.size() > most_heights) break;
   }
   return table;
@@ -48,6 +50,7 @@ void check_heights(std::string_view file, const HeightTable& table) {
   }
   const auto bad = std::ranges::find_if_not(table.heights, [](double height) { return std::isfinite(height); });
   if (bad == table.heights.end()) return;
+  MUROSIMF_ASSERT(table.columns > 0);
   const auto place = static_cast<std::size_t>(bad - table.heights.begin());
   throw SetupError(fmt::format("{}: the height in row {}, column {} is not finite", file, place / table.columns + 1,
                                place % table.columns + 1));

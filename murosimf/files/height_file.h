@@ -16,8 +16,8 @@ struct HeightTable {
   bool is_picture = false;
 };
 
-/// The kind of file goes by its extension, .png, .npy or .csv in any case. Throws SetupError, one line: file, line if there is one,
-/// what is wrong, what to do. All heights are finite.
+/// Reads a file of a kind by its extension, .png, .npy or .csv in small or capital letters. Throws SetupError, one line: file, line if
+/// there is one, what is wrong, what to do. All heights are finite.
 [[nodiscard]] HeightTable read_height_file(const std::filesystem::path& file);
 
 /// Throws SetupError that begins with `file`: fewer than two rows or columns, more than most_heights, a number that is not finite.

@@ -14,6 +14,7 @@
 #include "murosimf/files/file_roles.h"
 #include "murosimf/files/files_read.h"
 #include "murosimf/files/xml_element.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::files {
@@ -27,10 +28,12 @@ namespace {
   refuse_input(file, fmt::format("the file is too large: at most {} MB of such a file are read", most / 1'000'000));
 }
 
-/// The bytes of an open file, `most` and one more at most.
+/// The bytes of an open file, at most `most` and one more block.
 std::string bytes_of(std::FILE* stream, std::uintmax_t most) {
+  MUROSIMF_ASSERT(stream != nullptr);
   std::string bytes;
   std::string block(1 << 16, '\0');
+  // Counted while reading: the size that the system reports may be wrong or change.
   while (bytes.size() <= most) {
     const std::size_t count = std::fread(block.data(), 1, block.size(), stream);
     if (count == 0) break;
@@ -57,6 +60,7 @@ std::uintmax_t check_input_file(const std::filesystem::path& file, std::uintmax_
   const std::uintmax_t size = std::filesystem::file_size(file, error);
   if (error) refuse_input(file, fmt::format("the file cannot be read: {}", error.message()));
   if (size > most) refuse_large(file, most);
+  // Recorded last: a refused file is neither an input of the command nor part of a recording.
   note_input(file);
   note_file_read(file);
   return size;
@@ -68,7 +72,7 @@ std::string read_input_file(const std::filesystem::path& file, std::uintmax_t mo
   if (!stream) refuse_input(file, fmt::format("the file cannot be read: {}", std::generic_category().message(errno)));
   std::string bytes = bytes_of(stream.get(), most);
   if (std::ferror(stream.get()) != 0) refuse_input(file, "the file cannot be read to its end");
-  if (bytes.size() > most) refuse_large(file, most);  // it has grown, or never knew its size (/proc)
+  if (bytes.size() > most) refuse_large(file, most);  // it has grown, or reports no size (/proc)
   return bytes;
 }
 

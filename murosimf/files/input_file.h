@@ -1,6 +1,6 @@
-/// input_file.h - how every reader opens a file: an ordinary one, and none that is larger than the reader takes.
+/// input_file.h - opens files for all readers: ordinary files only, and none that is larger than the reader accepts.
 ///
-/// Devices and pipes are refused: /dev/zero has no end, and a pipe that nobody writes into never begins.
+/// Devices and pipes are refused: /dev/zero has no end, and a pipe without a writer never begins.
 #pragma once
 
 #include <cstdint>

@@ -9,9 +9,9 @@ namespace {
 
 using nlohmann::json;
 
-void name_what_is_not_finite(json& value) {
+void spell_non_finite_numbers(json& value) {
   if (value.is_structured()) {
-    for (json& element : value) name_what_is_not_finite(element);
+    for (json& element : value) spell_non_finite_numbers(element);
   } else if (value.is_number_float()) {
     const double number = value.get<double>();
     if (std::isnan(number)) value = "NaN";
@@ -22,7 +22,7 @@ void name_what_is_not_finite(json& value) {
 }  // namespace
 
 std::string json_text(json document) {
-  name_what_is_not_finite(document);
+  spell_non_finite_numbers(document);
   return document.dump(4, ' ', false, json::error_handler_t::replace) + "\n";
 }
 

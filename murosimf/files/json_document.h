@@ -1,7 +1,7 @@
-/// json_document.h - what the JSON documents of this program share (docs/json.md): the key "schema", which says what a document
-/// is and in which version, and their text.
+/// json_document.h - common parts of the JSON documents of this program (docs/json.md): the key "schema", which names the kind and
+/// the version of a document, and their text.
 ///
-/// Who makes a document includes <nlohmann/json.hpp>, in its .cpp file only: that header takes seconds to compile.
+/// Sources that make a document include <nlohmann/json.hpp>, in their .cpp file only: that header takes seconds to compile.
 #pragma once
 
 #include <string>
@@ -11,13 +11,13 @@
 
 namespace murosimf::files {
 
-/// "murosimf/run/1". The number grows when a key goes or changes its meaning, not when one is added.
+/// "murosimf/run/1". The number grows when a key is removed or changes its meaning, not when one is added.
 [[nodiscard]] inline std::string json_schema(std::string_view document, int version = 1) {
   return "murosimf/" + std::string(document) + "/" + std::to_string(version);
 }
 
 /// Lines with keys in alphabetical order. JSON has only finite numbers: others become the texts "NaN", "Infinity" and
-/// "-Infinity". What is no UTF-8 becomes U+FFFD.
+/// "-Infinity". Bytes that are not UTF-8 become U+FFFD.
 [[nodiscard]] std::string json_text(nlohmann::json document);
 
 }  // namespace murosimf::files

@@ -1,10 +1,10 @@
 #include "murosimf/files/moved_files.h"
 
-#include <cassert>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/math/hash.h"
 
 namespace murosimf::files {
@@ -24,17 +24,21 @@ std::string hidden_key(const std::string& key) {
   const std::size_t end = key.find('\n');
   if (!key.starts_with('/') || end == std::string::npos) return key;
   Hasher hasher;
+  // Only the name: kind and extension are no secrets, and tell the keys apart.
   hasher.add(std::string_view(key).substr(0, end));
   return fmt::format("#{:016x}{}", hasher.value(), key.substr(end));
 }
 
 MovedFiles::MovedFiles(std::filesystem::path folder, const FoundNames& names)
     : folder_(std::move(folder)), names_(names) {
-  assert(!in_force && "files of two runs at once");
+  MUROSIMF_ASSERT(!in_force && "files of two runs at once");
   in_force = this;
 }
 
-MovedFiles::~MovedFiles() { in_force = nullptr; }
+MovedFiles::~MovedFiles() {
+  MUROSIMF_ASSERT(in_force == this);
+  in_force = nullptr;
+}
 
 const MovedFiles* MovedFiles::now() noexcept { return in_force; }
 
@@ -49,6 +53,7 @@ std::filesystem::path MovedFiles::to_there(const std::filesystem::path& path) co
 
 const std::string* MovedFiles::found(const std::string& key) const {
   auto name = names_.find(key);
+  // A key of an absolute name may be recorded as a hash alone.
   if (name == names_.end()) name = names_.find(hidden_key(key));
   return name == names_.end() ? nullptr : &name->second;
 }

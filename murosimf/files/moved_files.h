@@ -1,4 +1,4 @@
-/// moved_files.h - files of an earlier run that stand in another folder now: names mean the same files again, not those of today.
+/// moved_files.h - files of an earlier run that are stored in another folder: names refer to those files, not to present ones.
 ///
 ///     const MovedFiles moved(folder, names);    // folder/home/me/walk.toml takes the place of /home/me/walk.toml
 ///     scene::Scene scene("walk");
@@ -11,32 +11,32 @@
 
 namespace murosimf::files {
 
-/// Which file a name has meant, by look_up_key(); an empty path: none.
+/// The file that a name was resolved to, by look_up_key(); an empty path: none.
 using FoundNames = std::map<std::string, std::string>;
 
-/// What decides which file a name means (data_path.h).
+/// Everything that decides which file a name refers to (data_path.h).
 [[nodiscard]] std::string look_up_key(std::string_view name, std::string_view kind, std::string_view extension,
                                       const std::filesystem::path& beside);
 
-/// The same for who must not learn an absolute name: of that only a hash is in it.
+/// The same without an absolute name, which must not be disclosed: only its hash is in it.
 [[nodiscard]] std::string hidden_key(const std::string& key);
 
-/// Concerns this thread while it lives; one at a time in a thread.
+/// Applies to this thread while it lives; one at a time in a thread.
 class MovedFiles {
  public:
-  /// `folder` holds what was at /PATH as folder/PATH; `names` lead to where the files were.
+  /// `folder` holds the file of /PATH as folder/PATH; `names` lead to the original places of the files.
   MovedFiles(std::filesystem::path folder, const FoundNames& names);
   ~MovedFiles();
   MovedFiles(const MovedFiles&) = delete;
   MovedFiles& operator=(const MovedFiles&) = delete;
 
-  /// Of this thread; null: files are where they are.
+  /// The one of this thread; null: files are at their own places.
   [[nodiscard]] static const MovedFiles* now() noexcept;
-  /// Where what was at `path` stands.
+  /// The stored place of the file that was at `path`.
   [[nodiscard]] std::filesystem::path to_here(const std::filesystem::path& path) const;
-  /// Where what stands at `path` was.
+  /// The original place of the file that is stored at `path`.
   [[nodiscard]] std::filesystem::path to_there(const std::filesystem::path& path) const;
-  /// What was found under that key, or its hidden one, as it was; null if nobody looked for it.
+  /// The recorded file of that key, or of its hidden one; null if it was not looked for.
   [[nodiscard]] const std::string* found(const std::string& key) const;
 
  private:

@@ -1,4 +1,4 @@
-// Instead of inflate.cpp, where zlib is missing.
+// Replaces inflate.cpp where zlib is missing.
 #include "murosimf/files/gray_png.h"
 #include "murosimf/model/error.h"
 

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::files {
@@ -22,6 +23,7 @@ struct ArrayParts {
 }
 
 std::size_t little_number(const std::string& bytes, std::size_t place, std::size_t size) {
+  MUROSIMF_ASSERT(place + size <= bytes.size());
   std::size_t value = 0;
   for (std::size_t i = size; i-- > 0;) value = 256 * value + static_cast<unsigned char>(bytes[place + i]);
   return value;
@@ -32,10 +34,11 @@ ArrayParts split_array(const std::string& name, const std::string& bytes) {
   if (bytes.size() < 12 || !bytes.starts_with("\x93NUMPY"sv)) refuse_array(name, "is no file of numpy.save");
   const std::size_t size = bytes[6] == 1 ? 2 : 4, length = little_number(bytes, 8, size), data = 8 + size + length;
   if (length > 10'000 || data > bytes.size()) refuse_array(name, "ends within its header");
+  MUROSIMF_ASSERT(data <= bytes.size());
   return {bytes.substr(8 + size, length), data};
 }
 
-/// What stands in the group of the pattern, in the header.
+/// The text of the first group of the pattern in the header.
 std::string find_in_header(const std::string& name, const std::string& header, const char* pattern, const char* what) {
   std::smatch match;
   if (!std::regex_search(header, match, std::regex(pattern)))
@@ -45,6 +48,7 @@ std::string find_in_header(const std::string& name, const std::string& header, c
 
 template <class Number>
 HeightTable numbers(const std::string& name, const std::string& bytes, std::size_t data, HeightTable table) {
+  MUROSIMF_ASSERT(data <= bytes.size());
   const std::size_t count = table.rows * table.columns;
   if (bytes.size() - data != count * sizeof(Number)) {
     refuse_array(name, fmt::format("has {} bytes of numbers, where {} x {} take {}", bytes.size() - data, table.rows,
@@ -52,10 +56,12 @@ HeightTable numbers(const std::string& name, const std::string& bytes, std::size
   }
   table.heights.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
+    // Copied: the numbers of a file need not be aligned. Both are little-endian here.
     Number number;
     std::memcpy(&number, bytes.data() + data + i * sizeof(Number), sizeof(Number));
     table.heights.push_back(static_cast<double>(number));
   }
+  MUROSIMF_ASSERT(table.heights.size() == count);
   return table;
 }
 

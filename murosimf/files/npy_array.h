@@ -1,4 +1,4 @@
-/// npy_array.h - tables of heights that numpy.save has written.
+/// npy_array.h - reads tables of heights that numpy.save has written.
 ///
 /// Source: NumPy, "NEP 1 - A simple file format for NumPy arrays": magic, version, length of the header, a Python literal, numbers.
 #pragma once
@@ -9,7 +9,7 @@
 
 namespace murosimf::files {
 
-/// Of the file's bytes: two dimensions, in the order of C, of integers of 8 or 16 bits or floats of 32 or 64 bits. Throws SetupError
+/// Reads the bytes of a file: two dimensions, in the order of C, of integers of 8 or 16 bits or floats of 32 or 64 bits. Throws SetupError
 /// that begins with `name`.
 [[nodiscard]] HeightTable npy_heights(const std::string& name, const std::string& bytes);
 

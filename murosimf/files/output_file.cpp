@@ -15,6 +15,7 @@
 #include "murosimf/files/file_roles.h"
 #include "murosimf/files/output_place.h"
 #include "murosimf/files/xml_element.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::files {
@@ -28,6 +29,7 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void refuse(const fs::path& file, int error) { refuse(file, std::generic_category().message(error)); }
 
+/// The process number in the name keeps two runs that write the same file apart.
 fs::path part_of(const fs::path& place, PartFile::Extension extension) {
   if (extension == PartFile::Extension::part) return place.string() + fmt::format(".{}.part", ::getpid());
   return place.parent_path() /
@@ -49,12 +51,14 @@ void check_place(const fs::path& file, const OutputPlace& place) {
   }
   if (fs::exists(place.path(), error) && ::access(place.path().c_str(), W_OK) != 0) refuse(file, errno);
   if (!place.is_replaced()) return;
+  // A recording that another run is writing must not be replaced under it.
   if (const std::string holder = who_writes(place.path()); !holder.empty())
     refuse(file, "it is being written by " + holder);
 }
 
-/// 0, or errno of what failed.
+/// Writes all bytes. Returns 0, or errno of what failed.
 int write_all(int descriptor, std::string_view bytes) {
+  MUROSIMF_ASSERT(descriptor >= 0);
   while (!bytes.empty()) {
     const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
     if (count < 0 && errno == EINTR) continue;
@@ -64,16 +68,16 @@ int write_all(int descriptor, std::string_view bytes) {
   return 0;
 }
 
-/// 0, or errno of what failed.
+/// Opens the file and writes all bytes. Returns 0, or errno of what failed.
 int write_bytes(const fs::path& file, int flags, std::string_view bytes) {
   const int descriptor = ::open(file.c_str(), O_WRONLY | O_CLOEXEC | flags, 0666);
   if (descriptor < 0) return errno;
   const int failure = write_all(descriptor, bytes);
-  const int closed = ::close(descriptor) == 0 ? 0 : errno;
+  const int closed = ::close(descriptor) == 0 ? 0 : errno;  // network file systems report lack of space only here
   return failure != 0 ? failure : closed;
 }
 
-/// 0, or errno of what failed.
+/// Writes the file's data to the disk. Returns 0, or errno of what failed.
 int sync_file(const fs::path& file) {
   const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) return errno;
@@ -90,6 +94,7 @@ void check_writable(const fs::path& file) {
   const OutputPlace place(file);
   check_place(file, place);
   if (!place.is_replaced()) return;
+  // Creating a file is the only reliable test: permissions, quotas and read-only file systems all count.
   const PartFile probe(file);
   if (const int failure = write_bytes(probe.path(), only_new, {}); failure != 0) refuse(file, failure);
 }
@@ -99,7 +104,7 @@ void write_file(const fs::path& file, const std::string& bytes) {
   check_place(file, place);
   int failure = 0;
   if (place.descriptor() >= 0) {
-    (void)std::fflush(nullptr);  // what was said before comes before
+    (void)std::fflush(nullptr);  // output of earlier calls precedes it
     failure = write_all(place.descriptor(), bytes);
   } else if (!place.is_replaced()) {
     failure = write_bytes(place.path(), 0, bytes);
@@ -118,7 +123,7 @@ PartFile::PartFile(const fs::path& file, Extension extension) : file_(file) {
   place_ = place.path();
   part_ = part_of(place_, extension);
   half_.emplace(part_);
-  ::unlink(part_.c_str());  // of a process of the same number, long ago
+  ::unlink(part_.c_str());  // left by a process of the same number
 }
 
 PartFile::~PartFile() {
@@ -126,11 +131,12 @@ PartFile::~PartFile() {
 }
 
 void PartFile::commit(Replaces replaces) {
+  MUROSIMF_ASSERT(!part_.empty());
   if (replaces == Replaces::no_input) check_not_input(place_);
   check_place(file_, OutputPlace(place_));
   struct stat before {};
   if (::stat(place_.c_str(), &before) == 0) {
-    // a loss of power must not leave less than there was
+    // A loss of power must not leave less than there was: the data first, then the name.
     if (const int failure = sync_file(part_); failure != 0) refuse(file_, failure);
     (void)::chmod(part_.c_str(), before.st_mode & 07777);
   }

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 constexpr int most_links = 40;  // as the kernel follows
 
-/// /proc/self/fd/3, by whatever way: 3; else -1. Such a link leads to a file by a name, but is an open one.
+/// 3 for /proc/self/fd/3, by any path; else -1. Such a link shows the name of a file, but refers to an open one.
 int descriptor_at(const fs::path& file) {
   std::error_code error;
   const std::string name = file.filename().string();

@@ -1,4 +1,4 @@
-/// output_place.h - what the name of a result leads to: a file that is replaced, or a device, pipe or descriptor that is written to.
+/// output_place.h - the target of a result's name: a file that is replaced, or a device, pipe or descriptor that is written to.
 #pragma once
 
 #include <filesystem>
@@ -9,11 +9,11 @@ class OutputPlace {
  public:
   explicit OutputPlace(const std::filesystem::path& file);
 
-  /// A file, or none yet: it gets a new one's name when that is whole. Else it is written directly.
+  /// Whether it is a file, or does not exist yet: a new file gets its name when complete. Else it is written directly.
   [[nodiscard]] bool is_replaced() const { return replaced_; }
-  /// Of this process, for names like /dev/stdout and /proc/self/fd/3; -1: none.
+  /// Descriptor of this process, for names like /dev/stdout and /proc/self/fd/3; -1: none.
   [[nodiscard]] int descriptor() const { return descriptor_; }
-  /// Behind symbolic links, also where nothing is yet; absolute if its folder is there.
+  /// The path behind symbolic links, also if it does not exist yet; absolute if its folder exists.
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
  private:

@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/files/input_file.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::files {
@@ -29,17 +30,19 @@ std::uint32_t next_number() {
 }
 
 bool write_all(int descriptor, const std::string& bytes) {
+  MUROSIMF_ASSERT(descriptor >= 0);
   std::size_t done = 0;
   while (done < bytes.size()) {
     const ssize_t written = ::write(descriptor, bytes.data() + done, bytes.size() - done);
     if (written < 0 && errno == EINTR) continue;
     if (written <= 0) return false;
     done += static_cast<std::size_t>(written);
+    MUROSIMF_ASSERT(done == bytes.size());
   }
   return true;
 }
 
-/// A structure of the file; nothing if it is not in it.
+/// Reads a structure of the file; false if it is not within it.
 template <class T>
 bool read_at(const std::string& bytes, std::uint64_t offset, T& structure) {
   if (offset > bytes.size() || bytes.size() - offset < sizeof(T)) return false;
@@ -53,10 +56,12 @@ std::string read_library(const fs::path& file) { return read_input_file(file, mo
 
 bool is_whole_library(const std::string& bytes) {
   Elf64_Ehdr header{};
+  // A beginning of the ELF mark is an ELF file that has just been created.
   if (bytes.size() < SELFMAG) return !bytes.empty() && bytes.compare(0, bytes.size(), ELFMAG, bytes.size()) != 0;
   if (bytes.compare(0, SELFMAG, ELFMAG) != 0) return bytes.find_first_not_of('\0') != std::string::npos;
   if (!read_at(bytes, 0, header)) return false;
   if (header.e_ident[EI_CLASS] != ELFCLASS64) return true;
+  // The table of sections is the last thing that linkers write.
   const std::uint64_t sections = header.e_shoff + std::uint64_t{header.e_shnum} * header.e_shentsize;
   if (sections > bytes.size()) return false;
   for (std::uint64_t i = 0; i < header.e_phnum; ++i) {
@@ -67,11 +72,11 @@ bool is_whole_library(const std::string& bytes) {
   return true;
 }
 
-/// A lease to read is given only if no program has the file open for writing; it is given back at once.
+/// The kernel grants a lease to read only if no program has the file open for writing; it is returned at once.
 bool is_being_written(const fs::path& file) {
   const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (descriptor < 0) return false;
-  (void)::fcntl(descriptor, F_SETSIG, SIGURG);  // of who opens it in this moment; it is ignored
+  (void)::fcntl(descriptor, F_SETSIG, SIGURG);  // the signal of a program that opens it at this moment is ignored
   const bool taken = ::fcntl(descriptor, F_SETLEASE, F_RDLCK) == 0;
   const bool written = !taken && errno == EAGAIN;
   if (taken) (void)::fcntl(descriptor, F_SETLEASE, F_UNLCK);
@@ -93,6 +98,7 @@ bool PrivateCopy::write_beside(const fs::path& file, const std::string& bytes) {
   std::error_code error;
   const fs::path real = fs::canonical(file, error);
   if (error) return false;
+  // Process and number: several runs, and several copies in one run, do not collide.
   path_ = real.parent_path() / fmt::format(".{}.murosimf-{}-{}", real.filename().string(), ::getpid(), next_number());
   const int descriptor = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0700);
   if (descriptor < 0) return false;
@@ -102,7 +108,7 @@ bool PrivateCopy::write_beside(const fs::path& file, const std::string& bytes) {
   return beside_;
 }
 
-/// Descriptors are used again, and the loader knows libraries by their names: so each name is another one, with the digits of a
+/// Descriptors are reused, and the loader identifies libraries by their names: so each name is unique, with the bits of a
 /// number as "//" and "/.".
 bool PrivateCopy::write_to_memory(const std::string& bytes) {
   descriptor_ = ::memfd_create("library", MFD_CLOEXEC);
@@ -110,6 +116,7 @@ bool PrivateCopy::write_to_memory(const std::string& bytes) {
   std::string name = "/proc/self/fd";
   const std::uint32_t number = next_number();
   for (int bit = 0; bit < 32; ++bit) name += (number >> bit & 1) != 0 ? "/." : "//";
+  MUROSIMF_ASSERT(descriptor_ >= 0);
   path_ = fmt::format("{}/{}", name, descriptor_);
   return true;
 }

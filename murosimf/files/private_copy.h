@@ -1,7 +1,7 @@
-/// private_copy.h - a copy of a shared library that nobody else can write to, for the loader.
+/// private_copy.h - a copy of a shared library for the loader that no other process can write to.
 ///
-/// What is loaded is a map of its file: who writes into the file (cp, scp, rsync --inplace, a compiler) changes code that runs, and who
-/// makes it shorter has it crash. So the file is read once, checked to be whole, and a copy of it is loaded.
+/// A loaded library is a map of its file: a program that writes into the file (cp, scp, rsync --inplace, a compiler) changes code that runs,
+/// and one that truncates it makes the simulator crash. So the file is read once, checked to be complete, and a copy of it is loaded.
 #pragma once
 
 #include <filesystem>
@@ -9,11 +9,11 @@
 
 namespace murosimf::files {
 
-/// Exists as long as it is needed to load it. Stands beside the file, under a hidden name of its own, so that what the library looks
-/// for by $ORIGIN or dladdr beside itself is found; in memory where that folder cannot be written to.
+/// Exists until it is loaded. Stands beside the file, under a hidden name of its own, so that files which the library looks
+/// for beside itself, by $ORIGIN or dladdr, are found; in memory where that folder cannot be written to.
 class PrivateCopy {
  public:
-  /// Throws SetupError in one line that begins with `shown`: the file cannot be read, is no shared library, or is not whole.
+  /// Throws SetupError in one line that begins with `shown`: the file cannot be read, is no shared library, or is not complete.
   PrivateCopy(const std::filesystem::path& file, const std::string& shown);
   ~PrivateCopy();
   PrivateCopy(const PrivateCopy&) = delete;
@@ -33,11 +33,11 @@ class PrivateCopy {
 /// The bytes of the file. Throws SetupError.
 [[nodiscard]] std::string read_library(const std::filesystem::path& file);
 
-/// Whether these bytes are all of an ELF file: its segments and sections end within it. Files that are being written are not. What is
-/// no ELF file at all is whole: the loader says what is wrong with it.
+/// Whether these bytes are a complete ELF file: its segments and sections end within it. Files that are being written are not. Bytes of
+/// no ELF file count as complete: the loader reports what is wrong with them.
 [[nodiscard]] bool is_whole_library(const std::string& bytes);
 
-/// Whether another program has the file open for writing. False where that cannot be known.
+/// Whether another program has the file open for writing. False where that cannot be determined.
 [[nodiscard]] bool is_being_written(const std::filesystem::path& file);
 
 }  // namespace murosimf::files

@@ -8,12 +8,13 @@
 #include <fmt/format.h>
 
 #include "murosimf/files/xml_element.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::files {
 namespace {
 
-/// What the loader says of its last failure, without the file at its beginning.
+/// The loader's message for its last failure, without the file at its beginning.
 std::string loader_message(const std::string& file) {
   const char* said = dlerror();
   std::string text = said ? said : "no reason is known";
@@ -26,6 +27,7 @@ std::string loader_message(const std::string& file) {
 SharedLibrary::SharedLibrary(const PrivateCopy& copy, Unloading unloading, const std::string& shown) {
   const std::string file = copy.path().string();
   const int keep = unloading == Unloading::never ? RTLD_NODELETE : 0;
+  // RTLD_LOCAL: two controllers may define the same names.
   handle_ = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | keep);
   if (!handle_) throw SetupError(one_line(fmt::format("{}: cannot be loaded: {}", shown, loader_message(file))));
 }
@@ -33,13 +35,14 @@ SharedLibrary::SharedLibrary(const PrivateCopy& copy, Unloading unloading, const
 SharedLibrary::~SharedLibrary() { dlclose(handle_); }
 
 std::span<const std::byte> SharedLibrary::memory() const {
+  MUROSIMF_ASSERT(handle_ != nullptr);
   struct Search {
     ElfW(Addr) base = 0;
     std::span<const std::byte> memory{};
   } search;
   link_map* map = nullptr;
   if (::dlinfo(handle_, RTLD_DI_LINKMAP, &map) != 0) return {};
-  search.base = map->l_addr;
+  search.base = map->l_addr;  // identifies the library among those that dl_iterate_phdr visits
   const auto look = [](dl_phdr_info* info, std::size_t, void* given) {
     auto& sought = *static_cast<Search*>(given);
     if (info->dlpi_addr != sought.base) return 0;
@@ -55,6 +58,9 @@ std::span<const std::byte> SharedLibrary::memory() const {
   return search.memory;
 }
 
-void* SharedLibrary::symbol(const char* name) const { return dlsym(handle_, name); }
+void* SharedLibrary::symbol(const char* name) const {
+  MUROSIMF_ASSERT(handle_ != nullptr && name != nullptr);
+  return dlsym(handle_, name);
+}
 
 }  // namespace murosimf::files

@@ -1,5 +1,5 @@
-/// shared_library.h - a shared library that is loaded while the program runs, and its functions by name. What is loaded is a copy of its
-/// file (private_copy.h): whatever becomes of the file afterwards, the library stays as it is.
+/// shared_library.h - a shared library that is loaded while the program runs, and its functions by name. The loader gets a copy of its
+/// file (private_copy.h): later changes of the file do not affect the library.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 namespace murosimf::files {
 
 enum class Unloading {
-  never,        ///< for what leaves its code in lists of the program
+  never,        ///< for libraries that register code in lists of the program
   when_unused,  ///< when the object is destroyed
 };
 
@@ -25,10 +25,10 @@ class SharedLibrary {
   SharedLibrary(const SharedLibrary&) = delete;
   SharedLibrary& operator=(const SharedLibrary&) = delete;
 
-  /// Where it lies: code, constants, tables of virtual functions.
+  /// Its memory: code, constants, tables of virtual functions.
   [[nodiscard]] std::span<const std::byte> memory() const;
 
-  /// Null if it has none of that name. The caller knows the type.
+  /// Null if it has no symbol of that name. The caller is responsible for the type.
   template <class Function>
   [[nodiscard]] Function* function(const char* name) const {
     return reinterpret_cast<Function*>(symbol(name));

@@ -10,12 +10,13 @@
 #include "murosimf/files/input_file.h"
 #include "murosimf/files/lower_case.h"
 #include "murosimf/files/xml_element.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::files {
 namespace {
 
-/// How the characters of a file stand in its bytes.
+/// Encoding of a file's characters.
 struct Encoding {
   const char* name;
   std::size_t unit;  // [byte] of one code unit
@@ -30,9 +31,10 @@ constexpr char32_t past_unicode = 0x110000;
   throw SetupError(one_line(fmt::format("{}: {}; save the file as UTF-8", file.string(), why)));
 }
 
-/// Nothing: the bytes are taken as they are.
+/// The encoding; nothing: the bytes are used as they are.
 std::optional<Encoding> encoding_of(std::string_view bytes) {
   using namespace std::string_view_literals;
+  // Longer marks first: that of UTF-32 begins with that of UTF-16.
   constexpr std::array marks{std::pair{"\xff\xfe\0\0"sv, Encoding{"UTF-32", 4, true, 4}},
                              std::pair{"\0\0\xfe\xff"sv, Encoding{"UTF-32", 4, false, 4}},
                              std::pair{"\xff\xfe"sv, Encoding{"UTF-16", 2, true, 2}},
@@ -56,6 +58,7 @@ std::optional<Encoding> encoding_of(std::string_view bytes) {
 }
 
 void append(std::string& text, char32_t c) {
+  MUROSIMF_ASSERT(c < past_unicode);
   const auto tail = [&](int shift) { text += static_cast<char>(0x80 | ((c >> shift) & 0x3f)); };
   if (c < 0x80) {
     text += static_cast<char>(c);
@@ -74,7 +77,7 @@ void append(std::string& text, char32_t c) {
   }
 }
 
-/// The code units of UTF-16 or UTF-32, one after the other.
+/// The code units of UTF-16 or UTF-32 in their order.
 class Units {
  public:
   Units(std::string_view bytes, const Encoding& encoding, const std::filesystem::path& file)
@@ -86,6 +89,7 @@ class Units {
 
   /// The next character.
   char32_t next() {
+    MUROSIMF_ASSERT(more());
     const char32_t first = unit();
     const bool surrogate = first >= first_surrogate && first < past_surrogates;
     if (!surrogate && first < past_unicode) return first;
@@ -101,6 +105,7 @@ class Units {
  private:
   char32_t unit() {
     char32_t value = 0;
+    MUROSIMF_ASSERT(bytes_.size() >= encoding_->unit);
     for (std::size_t i = 0; i < encoding_->unit; ++i) {
       const std::size_t place = encoding_->low_first ? encoding_->unit - 1 - i : i;
       value = value << 8 | static_cast<unsigned char>(bytes_[place]);
@@ -122,7 +127,7 @@ bool is_ascii(std::string_view text) {
   return std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x80; });
 }
 
-/// In small letters; empty: the file declares none.
+/// The declared encoding in small letters; empty: the file declares none.
 std::string declared_encoding(std::string_view xml) {
   xml = xml.substr(0, std::min(xml.find("?>"), xml.size()));
   const std::size_t word = xml.starts_with("<?xml") ? xml.find("encoding") : std::string_view::npos;
@@ -154,6 +159,7 @@ std::string xml_to_utf8(std::string bytes, const std::filesystem::path& file) {
   const bool unicode = encoding_of(bytes).has_value();
   std::string text = to_utf8(std::move(bytes), file);
   const std::string declared = declared_encoding(text);
+  // Editors of Windows write a declaration of Latin-1 over UTF-8 and ASCII: these need no conversion.
   if (unicode || declared.empty() || declared == "utf-8" || is_ascii(text)) return text;
   if (!is_latin(declared)) refuse_text(file, fmt::format("the file is declared to be {}", declared));
   std::string wide;

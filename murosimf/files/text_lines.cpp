@@ -8,6 +8,7 @@
 
 #include "murosimf/files/input_file.h"
 #include "murosimf/files/xml_element.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::files {
@@ -19,6 +20,7 @@ constexpr std::string_view blanks = " \t\r\v\f";
 
 TextLines::TextLines(const std::filesystem::path& file, bool backslash_joins)
     : name_(file.string()), backslash_joins_(backslash_joins) {
+  // Streamed: meshes are too large to be kept twice in memory.
   check_input_file(file, most_mesh_bytes);
   stream_.open(file, std::ios::binary);
   if (!stream_) throw SetupError(one_line(fmt::format("{}: the file cannot be read", name_)));
@@ -44,6 +46,7 @@ bool TextLines::next() {
   rest_ = {};
   goes_on_ = false;
   if (stream_.fail()) return false;
+  MUROSIMF_ASSERT(count <= buffer_.size());
   rest_ = std::string_view(buffer_.data(), stream_.eof() ? count : count - 1);
   if (rest_.ends_with('\r')) rest_.remove_suffix(1);
   goes_on_ = backslash_joins_ && rest_.ends_with('\\');
@@ -57,6 +60,7 @@ std::string_view TextLines::word() {
     rest_.remove_prefix(std::min(rest_.find_first_not_of(blanks), rest_.size()));
   }
   const std::size_t size = std::min(rest_.find_first_of(blanks), rest_.size());
+  MUROSIMF_ASSERT(size <= rest_.size());
   const auto found = rest_.substr(0, size);
   rest_.remove_prefix(size);
   return found;
@@ -74,7 +78,7 @@ double TextLines::number(std::string_view what) {
   if (error != std::errc() || !std::isfinite(value)) {
     fail(fmt::format("{} of the {} is not a finite number", quoted(text), what));
   }
-  return value + 0.0;  // no -0: it would be another place
+  return value + 0.0;  // no -0: it would count as another place in comparisons of bytes
 }
 
 void TextLines::fail(std::string_view message) const {

@@ -1,4 +1,4 @@
-/// text_lines.h - a text file line by line, in bounded memory, with words and numbers that know where they stand.
+/// text_lines.h - reads a text file line by line, in bounded memory, and reports places of errors.
 #pragma once
 
 #include <array>
@@ -11,12 +11,12 @@ namespace murosimf::files {
 
 class TextLines {
  public:
-  /// `backslash_joins`: a line that ends with a backslash goes on in the next one. Throws SetupError if the file cannot be
+  /// `backslash_joins`: a line that ends with a backslash continues in the next one. Throws SetupError if the file cannot be
   /// read, or is UTF-16; a byte order mark of UTF-8 is skipped.
   explicit TextLines(const std::filesystem::path& file, bool backslash_joins = false);
 
   /// Goes to the next line; false at the end of the file. Throws SetupError for a line of more than 65,535 characters,
-  /// which no text file has.
+  /// which does not occur in text files.
   bool next();
   /// The next word of this line, valid until the next call; empty at its end.
   std::string_view word();

@@ -4,18 +4,20 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::files {
 namespace {
 
-/// Runs through the text, leaving out comments and texts in quotes, and counts what is open.
+/// Scans the text, skips comments and quoted texts, and counts open brackets.
 class BoundsScan {
  public:
   BoundsScan(std::string_view text, std::string_view where) : text_(text), where_(where) {}
 
   void run() {
     while (place_ < text_.size()) take(text_[place_]);
+    MUROSIMF_ASSERT(place_ == text_.size());
   }
 
  private:
@@ -24,7 +26,7 @@ class BoundsScan {
     if (c == '"' || c == '\'') return skip_quoted(c);
     if (c == '[' || c == '{') open();
     if (c == ']' || c == '}') open_ = std::max(0, open_ - 1);
-    // a point in a number is counted like one in a key; neither has many
+    // A point in a number is counted like one in a key; neither has many.
     if (c == '.' && ++points_ >= most_key_parts) refuse(fmt::format("more than {} parts in one key", most_key_parts));
     if (c == '\n' || c == '=' || c == ',' || c == '[' || c == '{') points_ = 0;
     ++place_;
@@ -37,7 +39,7 @@ class BoundsScan {
 
   void skip_comment() { place_ = std::min(text_.find('\n', place_), text_.size()); }
 
-  /// To the end of a text in quotes. One that has none ends with its line: the library refuses it there.
+  /// Skips to the end of a quoted text. One without an end stops at its line: the library refuses it there.
   void skip_quoted(char quote) {
     const std::string triple(3, quote);
     const bool long_text = text_.substr(place_).starts_with(triple);

@@ -9,13 +9,15 @@
 #include "murosimf/files/text_encoding.h"
 #include "murosimf/files/toml_bounds.h"
 #include "murosimf/files/xml_element.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::files {
 namespace {
 
-/// Whole numbers beyond 2^53 have neighbors that no floating-point number can tell from them.
+/// The number of a node. Whole numbers beyond 2^53 have neighbors that no floating-point number can tell from them.
 double number_of(const toml::node& node) {
+  MUROSIMF_ASSERT(node.is_number());
   constexpr std::int64_t largest = std::int64_t{1} << 53;
   const auto* whole = node.as_integer();
   if (!whole) return **node.as_floating_point();

@@ -18,16 +18,16 @@ namespace murosimf::files {
 /// Parses a file. Throws SetupError if it is missing or not TOML.
 [[nodiscard]] toml::table parse_toml_file(const std::filesystem::path& file);
 
-/// "scenes/a.toml:3:7", or the text of a --set that the node came from.
+/// "scenes/a.toml:3:7", or the text of the --set that the node came from.
 [[nodiscard]] std::string where(const toml::source_region& source);
 
 /// Throws SetupError: where(source): message.
 [[noreturn]] void fail_at(const toml::source_region& source, std::string_view message);
 
-/// One table of a file, whose keys must be among `known`.
+/// One table of a file; its keys must be among `known`.
 class TomlTable {
  public:
-  /// Throws SetupError at the first key that is not known, with the nearest one.
+  /// Throws SetupError at the first key that is not known, with the nearest name.
   TomlTable(const toml::table& table, const std::vector<std::string_view>& known);
 
   // Each sets `value` if the key is there, and throws SetupError if its type or value is wrong.
@@ -45,7 +45,7 @@ class TomlTable {
   [[nodiscard]] const toml::table* table(std::string_view key) const;                ///< null if missing
   [[nodiscard]] std::vector<const toml::table*> tables(std::string_view key) const;  ///< of [[key]]
   [[nodiscard]] std::string where() const { return files::where(table_.source()); }
-  /// Where the key stands, or the table if it is missing.
+  /// Place of the key, or of the table if the key is missing.
   [[nodiscard]] std::string where(std::string_view key) const;
 
  private:

@@ -11,6 +11,7 @@
 #include "murosimf/files/file_spelling.h"
 #include "murosimf/files/input_file.h"
 #include "murosimf/files/text_encoding.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::files {
@@ -20,12 +21,12 @@ constexpr std::string_view xml_blanks = " \t\r\n";
 
 }  // namespace
 
-/// One XML file, and what its include elements bring in.
+/// One XML file, and the files that its include elements refer to.
 struct XmlSource {
   std::string name;
   tinyxml2::XMLDocument document;
-  std::map<const void*, XmlElement> included;   ///< root of what stands in the place of an element, by XmlElement::id
-  std::map<const void*, XmlElement> originals;  ///< of copies, by XmlElement::id
+  std::map<const void*, XmlElement> included;   ///< root of the replacement of an element, by XmlElement::id
+  std::map<const void*, XmlElement> originals;  ///< originals of copies, by XmlElement::id
 };
 
 namespace {
@@ -95,7 +96,7 @@ std::optional<std::vector<double>> parse_numbers(std::string_view text) {
   std::size_t begin = text.find_first_not_of(xml_blanks);
   while (begin != std::string_view::npos) {
     const std::size_t end = std::min(text.find_first_of(xml_blanks, begin), text.size());
-    if (text[begin] == '+') ++begin;
+    if (text[begin] == '+') ++begin;  // from_chars takes no plus sign
     double number = 0;
     const char* last = text.data() + end;
     const auto [stop, error] = std::from_chars(text.data() + begin, last, number);
@@ -113,6 +114,7 @@ int XmlElement::line() const {
   return copied == source_->originals.end() ? element_->GetLineNum() : copied->second.line();
 }
 
+// A copy reports the place of its original: messages must point into the user's file.
 std::string XmlElement::file() const {
   const auto copied = source_->originals.find(id());
   return copied == source_->originals.end() ? source_->name : copied->second.file();
@@ -171,7 +173,10 @@ XmlFile::XmlFile(const std::filesystem::path& file) { sources_.push_back(read_so
 
 XmlFile::~XmlFile() = default;
 
-XmlElement XmlFile::root() const { return {sources_[0]->document.RootElement(), sources_[0].get()}; }
+XmlElement XmlFile::root() const {
+  MUROSIMF_ASSERT(!sources_.empty() && sources_[0]->document.RootElement() != nullptr);
+  return {sources_[0]->document.RootElement(), sources_[0].get()};
+}
 
 void XmlFile::follow_includes() {
   follow_includes(*sources_[0], root(), std::filesystem::path(sources_[0]->name).parent_path());
@@ -193,6 +198,7 @@ void XmlFile::follow_includes(XmlSource& source, const XmlElement& element, cons
     const auto name = child.attribute("file");
     if (!name || name->empty()) child.fail("include without a file; add file=\"...\"");
     const auto path = find_spelled(folder, *name).value_or(folder / *name);
+    // Any second inclusion is refused, so that recursion ends.
     for (const auto& other : sources_) {
       std::error_code none;
       if (std::filesystem::equivalent(other->name, path, none)) {
@@ -212,7 +218,9 @@ void XmlFile::replace(const XmlElement& element, const std::vector<XmlTree>& by)
   source.document.InsertEndChild(root);
   source.originals.emplace(root, element);
   for (const XmlTree& tree : by) root->InsertEndChild(make_element(tree, source));
+  MUROSIMF_ASSERT(source.document.RootElement() == root);
   const auto owner = std::ranges::find(sources_, element.source_, [](const auto& one) { return one.get(); });
+  MUROSIMF_ASSERT(owner != sources_.end());
   (*owner)->included.insert_or_assign(element.id(), XmlElement(root, &source));
 }
 

@@ -1,4 +1,4 @@
-/// xml_element.h - elements of an XML file that know where they stand, so that every complaint has a file and a line.
+/// xml_element.h - elements of an XML file with their places, so that every message has a file and a line.
 ///
 /// A thin view of tinyxml2, which stays out of the headers. Elements are valid as long as their XmlFile lives.
 /// Numbers are plain decimals, whatever the locale; NaN and infinity are errors here.
@@ -29,7 +29,7 @@ class XmlElement {
 
   [[nodiscard]] std::string tag() const;
   [[nodiscard]] int line() const;
-  /// "robot.xml": the file in which it stands, or its original.
+  /// "robot.xml": the file that contains it, or its original.
   [[nodiscard]] std::string file() const;
   /// "robot.xml:12"
   [[nodiscard]] std::string where() const;
@@ -38,13 +38,13 @@ class XmlElement {
   [[nodiscard]] std::vector<XmlAttribute> attributes() const;
   /// The text before the first element inside, without blanks around it; empty if there is none.
   [[nodiscard]] std::string text() const;
-  /// An `include` that XmlFile has followed is replaced by what it brings in.
+  /// The elements inside. An `include` that XmlFile has followed is replaced by the contents of its file.
   [[nodiscard]] std::vector<XmlElement> children() const;
   [[nodiscard]] std::vector<XmlElement> children(std::string_view tag) const;
   /// Throws a SetupError of one line: where, then `message`.
   [[noreturn]] void fail(std::string_view message) const;
 
-  /// Tells elements apart, for tables by element.
+  /// Identifies the element, for tables by element.
   [[nodiscard]] const void* id() const { return element_; }
 
  private:
@@ -54,28 +54,28 @@ class XmlElement {
   const XmlSource* source_;
 };
 
-/// A copy of an element that a reader may change, and what is to stand inside.
+/// A copy of an element that a reader may change, with its contents.
 struct XmlTree {
   std::string tag;
   std::vector<XmlAttribute> attributes;
-  XmlElement original;  ///< where it stands, for messages
+  XmlElement original;  ///< its source, for messages
   std::vector<XmlTree> children;
 
   /// Value of an attribute; null if it is not there.
   [[nodiscard]] std::string* find(std::string_view name);
   void set(const std::string& name, const std::string& value);
-  /// Elements of all of it.
+  /// Number of elements in all of it.
   [[nodiscard]] std::size_t size() const;
 };
 
-/// The element and all in it.
+/// A copy of the element and its contents.
 [[nodiscard]] XmlTree copy_of(const XmlElement& element);
 
 class XmlFile {
  public:
   /// Throws SetupError if the file is missing or is not XML.
   explicit XmlFile(const std::filesystem::path& file);
-  /// Of a text that stands for the file: messages give the file's name, and lines of the text.
+  /// Parses a text instead of the file: messages give the file's name, and lines of the text.
   XmlFile(const std::filesystem::path& file, const std::string& text);
   ~XmlFile();
   XmlFile(const XmlFile&) = delete;
@@ -83,15 +83,15 @@ class XmlFile {
 
   [[nodiscard]] XmlElement root() const;
 
-  /// From now on, the children of each `include` element's file stand in its place, in included files, too. Paths are
+  /// Replaces each `include` element by the children of its file, in included files, too. Paths are
   /// relative to the folder of this file. Throws SetupError for a file that is missing or is included twice, so that
   /// nothing includes itself. Source: MuJoCo documentation, XML reference, "include".
   void follow_includes();
 
-  /// The root of another file, its includes followed, which lives as long as this one. Throws as both.
+  /// The root of another file, its includes followed; valid as long as this one. Throws as both.
   [[nodiscard]] XmlElement open(const std::filesystem::path& file);
 
-  /// From now on, `by` stands in the place of an element of this file, or of one that it has opened. Messages about it name the originals.
+  /// Replaces an element of this file, or of one that it has opened, by `by`. Messages about it name the originals.
   void replace(const XmlElement& element, const std::vector<XmlTree>& by);
 
  private:

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::files {
@@ -17,7 +18,7 @@ XmlWords joined(XmlWords a, const XmlWords& b) {
   return a;
 }
 
-/// True if `name` is one of the words but for a slip: "limmit" for "limit".
+/// Whether `name` is a misspelling of one of the words: "limmit" for "limit".
 bool looks_like(std::string_view name, const XmlWords& words) {
   const std::string_view nearest = nearest_name(name, words);
   const std::size_t longer = std::max(nearest.size(), name.size()), shorter = std::min(nearest.size(), name.size());
@@ -31,6 +32,7 @@ class Checker {
   }
 
   void check(const XmlElement& element, const std::string& parent = {}) {
+    // A rule of "parent/tag" precedes that of the tag alone.
     auto found = schema_.find(parent + "/" + element.tag());
     if (found == schema_.end()) found = schema_.find(element.tag());
     if (found == schema_.end()) return;
@@ -43,7 +45,7 @@ class Checker {
  private:
   void check_attributes(const XmlElement& element, const XmlRule& rule) {
     for (const auto& [name, value] : element.attributes()) {
-      const bool declares_prefix = name.starts_with("xmlns");
+      const bool declares_prefix = name.starts_with("xmlns");  // name spaces have no effect in any format here
       if (contains(rule.used, name) || declares_prefix) continue;
       const auto kind = fmt::format("attribute of {}", element.tag());
       if (contains(rule.unused, name)) {
@@ -80,6 +82,7 @@ class Checker {
     }
   }
 
+  /// Notes each kind once: a file of a thousand geoms must not give a thousand lines.
   void note(const XmlElement& at, const std::string& word, const std::string& what) {
     if (noted_.insert(what).second)
       findings.unused.push_back({one_line(word), one_line(fmt::format("{}: {} is not used", at.where(), what))});
@@ -107,6 +110,7 @@ std::vector<XmlUnused> validate(const XmlElement& root, const XmlVocabulary& sch
                                 std::vector<std::string>& warnings, UnknownWords unknown) {
   auto [unused, refused] = validate(root, schema, unknown);
   if (!refused.empty() && !lenient) {
+    MUROSIMF_ASSERT(!refused.front().empty());
     const std::size_t more = refused.size() - 1;
     const std::string count = more > 0 ? fmt::format("and {} more like this; ", more) : "";
     throw SetupError(fmt::format("{} ({}--lenient reads on)", refused.front(), count));

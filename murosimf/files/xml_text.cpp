@@ -7,6 +7,7 @@
 #include <tinyxml2.h>
 
 #include "murosimf/files/xml_element.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::files {
 
@@ -26,6 +27,7 @@ XmlText& XmlText::end() {
 }
 
 XmlText& XmlText::text(const char* name, const std::string& value) {
+  MUROSIMF_ASSERT(name != nullptr);
   printer_->PushAttribute(name, value.c_str());
   return *this;
 }

@@ -1,4 +1,4 @@
-/// xml_text.h - writing XML: nested elements with attributes, every character escaped that needs it.
+/// xml_text.h - writes XML: nested elements with attributes, with the necessary escapes.
 ///
 /// Numbers are the shortest decimals that read back as the same double.
 #pragma once
@@ -26,7 +26,7 @@ class XmlText {
   XmlText& numbers(const char* name, std::initializer_list<double> values);
   XmlText& vector(const char* name, const Vec3d& v) { return numbers(name, {v.x, v.y, v.z}); }
 
-  // Attributes that are left out if they say nothing.
+  // Attributes that are omitted at their default.
   XmlText& text_unless_empty(const char* name, const std::string& value);
   XmlText& number_unless(double usual, const char* name, double value);
   XmlText& vector_unless_zero(const char* name, const Vec3d& v);
@@ -37,7 +37,7 @@ class XmlText {
   /// Two hyphens in a row, which XML forbids in comments, become one.
   XmlText& comment(const std::string& text);
 
-  /// Everything so far.
+  /// The text so far.
   [[nodiscard]] std::string result() const;
 
  private:

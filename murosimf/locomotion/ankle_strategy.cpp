@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "murosimf/locomotion/gait_properties.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/sensors/reading.h"
 
@@ -15,7 +16,7 @@ using sensors::vector_of;
 Vec3d unit_of(const Vec3d& v) noexcept { return norm(v) > 0 ? (1 / norm(v)) * v : v; }
 double pitch_of(const Vec3d& up) noexcept { return std::atan2(-up.x, up.z); }
 
-/// Of the pendulum that a robot of this stance is (as for the sway of gait.h). `gravity` [m/s^2]
+/// Rate of the linear inverted pendulum with the height of this stance (as for the sway of gait.h). `gravity` [m/s^2]
 double fall_rate(const WalkParameters& stance, const Vec3d& gravity) {
   constexpr double height_above_sole = 1.072, least_gravity = 0.1;
   if (norm(gravity) < least_gravity) return 0;
@@ -52,36 +53,41 @@ void AnkleStrategy::initialize() {
 
 void AnkleStrategy::step(const Instant& instant) noexcept {
   const double period = seconds(instant.period), now = seconds(instant.now);
+  MUROSIMF_ASSERT(period > 0 && now >= 0);
   if (now < options_.settle_time) {
     settle(period / (now + period));
   } else {
     follow_up(period);
-    answer(period);
+    balance(period);
   }
 }
 
-/// Means so far, of which this sample is a `share`.
+/// Running means of the bias and of up; this sample has the weight `share` [1].
 void AnkleStrategy::settle(double share) noexcept {
+  MUROSIMF_ASSERT(share > 0 && share <= 1);
   bias_ += share * (sensors::vector_of(gyroscope_) - bias_);
   upright_ += share * (unit_of(sensors::vector_of(accelerometer_)) - upright_);
   up_ = unit_of(upright_);
 }
 
 void AnkleStrategy::follow_up(double period) noexcept {
+  MUROSIMF_ASSERT(period > 0);
   const Vec3d pull = unit_of(sensors::vector_of(accelerometer_)) - up_;
   up_ += period * (cross(up_, sensors::vector_of(gyroscope_) - bias_) + (1 / options_.trust_time) * pull);
+  // Explicit steps let the length of up drift: a unit vector is restored in every cycle.
   up_ = unit_of(up_);
 }
 
-void AnkleStrategy::answer(double period) noexcept {
-  if (fall_rate_ == 0) return;  // the targets of the start stay
+void AnkleStrategy::balance(double period) noexcept {
+  if (fall_rate_ == 0) return;  // the targets of initialize() remain
   const double lean = pitch_of(up_) - pitch_of(upright_), rate = gyroscope_[1] - bias_.y;
   capture_ += period / options_.smooth_time * (lean + rate / fall_rate_ - capture_);
   write_targets();
 }
 
-/// From the stance of the walk engine: soles turned about the ankles.
+/// Targets from the stance of the walk engine, with the soles turned about the ankles.
 void AnkleStrategy::write_targets() noexcept {
+  MUROSIMF_ASSERT(options_.limit >= 0);
   const double sole = std::clamp(options_.gain * capture_, -options_.limit, options_.limit);
   const Mat3d level_to_pelvis = rotation_y(-stance_.pitch);
   GaitPose pose = home_pose(legs_);

@@ -1,12 +1,12 @@
-/// ankle_strategy.h - algorithm: stands, and answers pushes from the front and the back, from an inertial sensor alone.
+/// ankle_strategy.h - algorithm: stands and balances pushes from the front and the back by its ankles, from an inertial sensor alone.
 ///
-/// Up is followed by a complementary filter. With w the gyroscope less its bias, f the accelerometer, both in axes of the
+/// A complementary filter follows up. With w the gyroscope less its bias, f the accelerometer, both in axes of the
 /// sensor (x forward, y left, z up), u the unit vector upward:
 ///
 ///     u' = u x w + (f/|f| - u)/T                                 T: `trust_time`
 ///
 /// Bias and the upright u_0 are means over the first `settle_time`, in which the robot must stand undisturbed: that removes
-/// errors of the sensor and of its mounting. Ankles answer to where a pendulum of height z that leans like the robot would
+/// errors of the sensor and of its mounting. Ankles respond to where a pendulum of height z that leans like the robot would
 /// come to rest (the capture point, as an angle), smoothed:
 ///
 ///     lean = atan2(-u_x, u_z) - that of u_0                      [rad] forward
@@ -15,9 +15,9 @@
 ///
 /// Below 0.1 m/s^2 of gravity nothing leans, and noise of the gyroscope over a small sqrt(g/z) would move the feet: the soles stay level.
 ///
-/// Feet cannot do more than press with their toes or heels, which those of a stiff robot do too. So little is won: on
-/// kid21 6 % of the largest push in the back and 4 % from the front; more takes steps. Nothing is answered to pushes
-/// from the side. Gains were chosen on kid21, which begins to rock between 0.7 and 1 (articulated_dynamics).
+/// Feet press with their toes or heels only, which those of a stiff robot do as well. So the gain is small: on
+/// kid21 6 % of the largest push in the back and 4 % from the front; larger pushes need steps. Pushes from the side are
+/// not balanced. Gains were chosen on kid21, which begins to rock between 0.7 and 1 (articulated_dynamics).
 /// Source: filter: Mahony, Hamel, Pflimlin, Nonlinear Complementary Filters on the Special Orthogonal Group, IEEE TAC 53
 /// (2008), explicit form for one vector. Capture point and ankles: Stephens, Humanoid Push Recovery, IEEE-RAS Humanoids
 /// 2007; in people: Horak, Nashner, Central programming of postural movements, J Neurophysiol 55 (1986).
@@ -54,7 +54,7 @@ class AnkleStrategy final : public Algorithm {
  private:
   void settle(double share) noexcept;
   void follow_up(double period) noexcept;
-  void answer(double period) noexcept;
+  void balance(double period) noexcept;
   void write_targets() noexcept;
 
   AnkleStrategyOptions options_;

@@ -2,10 +2,14 @@
 
 #include <cmath>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::locomotion {
 
 void AttitudeFilter::follow(double dt, const Vec3d& gyroscope, const Vec3d& force, double gravity,
                             const AttitudeTrust& trust, bool still) noexcept {
+  MUROSIMF_ASSERT(dt > 0 && gravity > 0);
+  MUROSIMF_ASSERT(trust.accelerometer > 0 && trust.bias > 0 && trust.still > 0);
   const Vec3d error = cross((1 / gravity) * force, up);
   up += dt * cross(up, gyroscope - bias + (1 / (still ? trust.still : trust.accelerometer)) * error);
   up = (1 / norm(up)) * up;

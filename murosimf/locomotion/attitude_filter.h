@@ -27,9 +27,9 @@ struct AttitudeFilter {
   Vec3d up{0, 0, 1};  ///< [1] u
   Vec3d bias;         ///< [rad/s] b
 
-  /// At rest: `force` in axes of the base, [m/s^2].
+  /// Starts at rest. `force` [m/s^2]: specific force in axes of the base.
   void start(const Vec3d& force) noexcept;
-  /// `dt` [s]; `gyroscope` [rad/s], `force` [m/s^2] specific force, both in axes of the base. `gravity` [m/s^2], above 0.
+  /// Advances by `dt` [s]. `gyroscope` [rad/s], `force` [m/s^2] specific force, both in axes of the base. `gravity` [m/s^2], above 0.
   void follow(double dt, const Vec3d& gyroscope, const Vec3d& force, double gravity, const AttitudeTrust& trust,
               bool still) noexcept;
 

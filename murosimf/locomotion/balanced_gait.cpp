@@ -4,14 +4,23 @@
 #include <cmath>
 #include <utility>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::locomotion {
 namespace {
 
 double without_dead_zone(double x, double zone) noexcept { return x > zone ? x - zone : x < -zone ? x + zone : 0.0; }
+/// `x` beyond the dead zone, at most `most` in size.
 
-double cut(double x, double zone, double most) noexcept { return std::clamp(without_dead_zone(x, zone), -most, most); }
+double cut(double x, double zone, double most) noexcept {
+  MUROSIMF_ASSERT(zone >= 0 && most >= 0);
+  return std::clamp(without_dead_zone(x, zone), -most, most);
+}
 
-double outward(std::size_t side) noexcept { return side == 0 ? 1 : -1; }
+double outward(std::size_t side) noexcept {
+  MUROSIMF_ASSERT(side < 2);
+  return side == 0 ? 1 : -1;
+}
 
 StepSignals difference(const StepSignals& a, const StepSignals& b) noexcept {
   return {a.forward - b.forward, a.outward - b.outward,     a.pitch - b.pitch,
@@ -35,15 +44,18 @@ BalancedGait::BalancedGait(const std::array<Leg, 2>& legs, const WalkParameters&
                            double stance, StepTablePtr table)
     : legs_(legs), walk_(walk), feedback_(feedback), stands_wider_(stance - walk.half_width), table_(std::move(table)) {
   for (std::size_t side = 0; side < 2; ++side) {
-    constexpr double like = 0.7;  // [1]
+    constexpr double like =
+        0.7;  // [1] cosine of the angle to the forward axis from which on a hinge counts as a roll joint
     const std::vector<double> zero(legs_[side].joints.size());
     const ChainPose pose = pose_of(legs_[side].chain, zero);
+    // From the sole to the hip, so that the hinge nearest to the base is the one that remains.
     for (std::size_t i = zero.size(); i-- > 0;) {
       if (std::abs(pose.axis[i].x) < like) continue;
       roll_hinge_[side] = i;
       roll_sign_[side] = pose.axis[i].x > 0 ? 1 : -1;
     }
   }
+  MUROSIMF_ASSERT(roll_hinge_[0] < legs_[0].joints.size() && roll_hinge_[1] < legs_[1].joints.size());
 }
 
 GaitPose BalancedGait::stance() const noexcept {
@@ -57,8 +69,9 @@ bool BalancedGait::has_width(const GaitState& state, double width) const noexcep
   return std::ranges::all_of(state.width, [&](double own) { return std::abs(own - width) < near_enough; });
 }
 
-/// Each foot while it is lifted, so that the middle stays where it is: feet that stand would be dragged, and stay somewhere on the way.
+/// Moves each foot while it is lifted: a foot that stands would be dragged, and remain somewhere on the way.
 void BalancedGait::move_apart(double dt, const GaitClock& clock, double width, GaitState& state) const noexcept {
+  MUROSIMF_ASSERT(dt > 0);
   constexpr double lifted = 0.5, leaves = 0.1, lands = 0.9;  // [1] of the amplitude, of a step
   constexpr double speed = 0.4;                              // [m/s]
   if (clock.amplitude() < lifted || clock.share() < leaves || clock.share() > lands) return;
@@ -69,6 +82,7 @@ void BalancedGait::move_apart(double dt, const GaitClock& clock, double width, G
 void BalancedGait::feel(double dt, const GaitClock& clock, std::span<const double> targets, WalkSenses& senses,
                         GaitState& state) const noexcept {
   const std::size_t standing = clock.standing();
+  MUROSIMF_ASSERT(dt > 0 && targets.size() == senses.joints().size());
   senses.follow(dt, standing, {feedback_.smoothing, feedback_.omega, feedback_.still_rate}, state);
   double sum = 0, count = 0;
   for (std::size_t side = 0; side < 2; ++side) {
@@ -76,12 +90,14 @@ void BalancedGait::feel(double dt, const GaitClock& clock, std::span<const doubl
       sum += std::abs(targets[joint] - senses.joints()[joint]);
       ++count;
     }
+    // The lag of a loaded hip is its droop; an unloaded one has none, so the estimate decays.
     const int roll = legs_[side].joints[roll_hinge_[side]];
     const bool loaded = side == standing && clock.amplitude() > 0.5;
     constexpr double follows = 0.4, fades = 0.6;  // [1] in a cycle
     double& lag = state.roll_lag[side];
     lag = loaded ? lag + follows * (state.roll_target[side] - senses.joints()[roll] - lag) : fades * lag;
   }
+  MUROSIMF_ASSERT(count > 0 && feedback_.compliant_lag > 0);
   constexpr double memory = 1;  // [s]
   state.lag += dt / memory * (sum / count - state.lag);
   state.compliance = std::clamp(state.lag / feedback_.compliant_lag, 0.0, 1.0);
@@ -107,7 +123,7 @@ void BalancedGait::find_deviation(const GaitClock& clock, GaitState& state) cons
   state.deviation.outward = cut(state.deviation.outward, zone, feedback_.most_deviation);
 }
 
-/// What it does of itself: learns how it stands, steps where ankles are not enough, and stands again when nothing is left of it.
+/// Decides on stepping: learns the upright signals at rest, starts to step where ankles are not enough, ends when the deviation is small.
 void BalancedGait::watch(double dt, GaitClock& clock, GaitState& state) const noexcept {
   constexpr double calm = 1.0;  // [s] of steps on the spot, after the last deviation
   const StepSignals& e = state.deviation;
@@ -119,11 +135,12 @@ void BalancedGait::watch(double dt, GaitClock& clock, GaitState& state) const no
   }
   constexpr double still = 0.2, memory = 1;  // [s]
   if (state.still > still) {
+    // Mean over the time at rest, at most one second: a running mean without a buffer.
     state.settled = std::min(memory, state.settled + dt);
     state.upright = blended(state.upright, state.signals, dt / state.settled);
   }
   if (!off || state.settled < memory / 2) return;
-  // The foot on the side to which it falls swings: at its standing still, the left foot counts as the one that stands.
+  // The foot on the side of the fall swings first: at rest, the left foot counts as the standing one.
   constexpr double early = 0.15, begins = 0.6;  // [1] of a step, of the amplitude
   const bool falls_left = e.outward > std::abs(0.5 * e.forward);
   clock.start_at((falls_left ? pi : 0) + early * pi, begins);
@@ -131,19 +148,22 @@ void BalancedGait::watch(double dt, GaitClock& clock, GaitState& state) const no
 }
 
 double BalancedGait::phase_rate(const GaitState& state) const noexcept {
+  MUROSIMF_ASSERT(feedback_.slowest <= feedback_.quickest);
   const StepSignals& e = state.deviation;
   const double rate = 1 - feedback_.timing_sideways * e.outward + feedback_.timing_forward * std::abs(e.forward);
   return std::clamp(rate, feedback_.slowest, feedback_.quickest);
 }
 
-/// `left` [s] of the step in which `stood` stood.
+/// Moves the swinging foot to where the capture point will be. `left` [s]: rest of the step in which `stood` stands.
 void BalancedGait::place_steps(double dt, const GaitClock& clock, std::size_t stood, double left,
                                GaitState& state) const noexcept {
+  MUROSIMF_ASSERT(dt > 0 && stood < 2);
   if (clock.standing() != stood) return;
-  constexpr double placed = 0.9;  // [1] of a step: then the foot comes down
+  constexpr double placed = 0.9;  // [1] of a step: from there on the foot comes down and must not move sideways
   const GaitFeedback& f = feedback_;
+  // Along the unstable mode of the pendulum a deviation grows by exp(omega T) until the step ends.
   const double grows = std::exp(f.omega * left), out = outward(stood);
-  // To the side of the foot that swings is inward of the one that stands.
+  // Outward of the standing foot is towards the swinging one: the bounds of the two directions differ.
   const Vec3d goal{std::clamp(f.step_forward * state.deviation.forward * grows, -f.most_forward, f.most_forward),
                    out * std::clamp(f.step_sideways * state.deviation.outward * grows, -f.most_sideways, f.most_inward),
                    0};
@@ -166,11 +186,12 @@ GaitFeet BalancedGait::open_loop(const GaitClock& clock, const GaitState& state)
   return feet;
 }
 
-/// The swinging foot goes to where it belongs seen from the standing one, and its sole is level; the ankle of the other one presses.
+/// Places the swinging foot relative to the standing one and levels its sole; the ankle of the standing one presses.
 void BalancedGait::turn_feet(const GaitClock& clock, const GaitState& state, GaitFeet& feet) const noexcept {
   const GaitFeedback& f = feedback_;
   const StepSignals& e = state.deviation;
   const std::size_t standing = clock.standing(), swinging = 1 - standing;
+  MUROSIMF_ASSERT(standing < 2);
   const double out = outward(standing);
   const Mat3d undo = rotation_x(-f.foot_level * out * e.roll) * rotation_y(-f.foot_level * e.pitch);
   const Vec3d between = legs_[swinging].hip + feet.ankle[swinging] - legs_[standing].hip - feet.ankle[standing];
@@ -194,6 +215,7 @@ GaitPose BalancedGait::bend_legs(const GaitClock& clock, const GaitFeet& feet, G
   constexpr double most_lag = 0.15;  // [rad]
   const Mat3d level_to_pelvis = rotation_y(-walk_.pitch - feedback_.lean_per_speed * clock.velocity().x);
   GaitPose pose = start;
+  MUROSIMF_ASSERT(legs_[0].joints.size() <= most_hinges && legs_[1].joints.size() <= most_hinges);
   for (std::size_t side = 0; side < 2; ++side) {
     const Leg& leg = legs_[side];
     const bool loaded = side == clock.standing() && clock.amplitude() > 0.5;
@@ -215,6 +237,8 @@ GaitPose BalancedGait::step(double dt, GaitClock& clock, const WalkSenses& sense
   watch(dt, clock, state);
   const double rate = phase_rate(state);
   const std::size_t stood = clock.standing();
+  MUROSIMF_ASSERT(dt > 0 && walk_.period > 0);
+  // The rest of the step at the present rate, but no more than twice the nominal one.
   const double left = (1 - clock.share()) * walk_.period / 2 / std::max(0.5, rate);
   const GaitLimits limits{walk_.period, walk_.slew, intent.stops ? Vec3d{} : walk_.fastest, intent.velocity};
   const double width = state.alarm > 0 || !clock.is_idle(limits) ? 0 : stands_wider_;

@@ -1,8 +1,8 @@
-/// balanced_gait.h - the walk of gait.h with feedback: legs for one control cycle after the other.
+/// balanced_gait.h - the walk of gait.h with feedback: joint targets of the legs for each control cycle.
 ///
 /// While it walks, deviations count from the steady walk (step_table.h); a robot without a table walks without feedback. While it
-/// stands, they count from how it stood still, ankles answer, and what ankles cannot hold makes it step (gait_feedback.h).
-/// It may stand narrower than it walks: each foot goes there in its last steps, and back in its first ones.
+/// stands, they count from its own rest position, ankles respond, and what ankles cannot hold makes it step (gait_feedback.h).
+/// The stance may be narrower than the walk: each foot moves there in its last steps, and back in its first ones.
 #pragma once
 
 #include <optional>
@@ -15,21 +15,21 @@ namespace murosimf::locomotion {
 
 class BalancedGait {
  public:
-  /// `stance` [m]: the ankles from the middle while it stands; `table` may be null.
+  /// `stance` [m]: distance of the ankles from the middle while it stands; `table` may be null.
   BalancedGait(const std::array<Leg, 2>& legs, const WalkParameters& walk, const GaitFeedback& feedback, double stance,
                StepTablePtr table);
 
-  /// From now on it stands so.
+  /// Sets the width of the stance in `state`.
   void stand(GaitState& state) const noexcept { state.width.fill(stands_wider_); }
-  /// How it stands.
+  /// The pose of the legs at rest.
   [[nodiscard]] GaitPose stance() const noexcept;
   [[nodiscard]] const Vec3d& fastest() const noexcept { return walk_.fastest; }  ///< [m/s, m/s, rad/s]
-  /// What the robot feels after a cycle of `dt` [s] in which its joints were asked for `targets` [rad] by object.
+  /// Updates the signals after a cycle of `dt` [s] in which the joints had the `targets` [rad], by object.
   void feel(double dt, const GaitClock& clock, std::span<const double> targets, WalkSenses& senses,
             GaitState& state) const noexcept;
   struct Intent {
-    bool stops = false;               ///< whatever the command says
-    bool answers = true;              ///< to deviations
+    bool stops = false;               ///< stops, independent of the command
+    bool answers = true;              ///< responds to deviations
     std::optional<Vec3d> velocity{};  ///< [m/s, m/s, rad/s] instead of the command
   };
   /// The pose of the next cycle. `start` as in gait_pose.

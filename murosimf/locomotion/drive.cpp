@@ -4,11 +4,12 @@
 #include <cmath>
 
 #include "murosimf/locomotion/gait_properties.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::locomotion {
 namespace {
 
-constexpr double standstill = 1e-3;  // [m/s] commands below are no direction to turn in
+constexpr double standstill = 1e-3;  // [m/s] commands below do not determine a direction to turn in
 
 double approach(double value, double goal, double step) { return value + std::clamp(goal - value, -step, step); }
 
@@ -25,6 +26,7 @@ Drive::Drive(Setup& setup, const Vec3d& command, const DriveOptions& options)
       rate_target_(setup.write(properties::joint_velocity_target)) {}
 
 void Drive::initialize() {
+  MUROSIMF_ASSERT(target_.size() == rate_target_.size());
   velocity_ = {};
   curvature_ = 0;
   std::fill(target_.begin(), target_.end(), 0.0);
@@ -37,6 +39,7 @@ void Drive::step(const Instant& instant) noexcept {
 }
 
 void Drive::advance(double dt) noexcept {
+  MUROSIMF_ASSERT(dt > 0 && options_.acceleration >= 0 && options_.steering >= 0);
   const double speed = approach(velocity_.x, halted_ != 0 ? 0.0 : command_.x, dt * options_.acceleration);
   if (!(std::abs(command_.x) < standstill)) {
     const double wanted = std::clamp(command_.z / command_.x, vehicle_.least_curvature, vehicle_.greatest_curvature);
@@ -47,10 +50,12 @@ void Drive::advance(double dt) noexcept {
 
 void Drive::write_targets() noexcept {
   for (const Wheel& wheel : vehicle_.wheels) {
+    MUROSIMF_ASSERT(static_cast<std::size_t>(wheel.joint) < target_.size());
     const double forward = 1 - curvature_ * wheel.y;
     const double left = wheel.steering >= 0 ? curvature_ * wheel.x : 0;
     if (wheel.steering >= 0) target_[wheel.steering] = wheel.steering_sign * std::atan2(left, forward);
     if (!wheel.driven) continue;
+    // The radius of the wheel's own path, relative to that of the middle; its sign turns where the center of the path is inside.
     const double way = std::copysign(std::hypot(forward, left), forward) - curvature_ * wheel.outside;
     rate_target_[wheel.joint] = wheel.sign * velocity_.x * way / wheel.radius;
   }

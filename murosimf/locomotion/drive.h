@@ -1,7 +1,7 @@
-/// drive.h - algorithm: turns a wanted speed and turning rate into rates of wheels and angles of steering.
+/// drive.h - algorithm: turns a desired speed and turning rate into rates of wheels and angles of steering.
 ///
-/// The command is `walk_command` [m/s, m/s, rad/s]: speed of the middle of the unsteered axle, a sideways speed that means
-/// nothing to a car, and the turning rate. With the curvature c = turning rate / speed of the path, a wheel with its
+/// The command is `walk_command` [m/s, m/s, rad/s]: speed of the middle of the unsteered axle, a sideways speed that a
+/// car ignores, and the turning rate. With the curvature c = turning rate / speed of the path, a wheel with its
 /// pivot at (x, y) from there rolls without slipping if
 ///
 ///     angle = atan2(c x, 1 - c y)      rate = speed (sqrt((1 - c y)^2 + (c x)^2) - c b) / radius
@@ -25,7 +25,7 @@ struct DriveOptions {
 
 class Drive final : public Algorithm {
  public:
-  /// `command` [m/s, m/s, rad/s]: walk_command until somebody sets another. Throws SetupError if the model has no driven
+  /// `command` [m/s, m/s, rad/s]: walk_command until another value is set. Throws SetupError if the model has no driven
   /// wheel (vehicle.h).
   explicit Drive(Setup& setup, const Vec3d& command = {}, const DriveOptions& options = {});
 
@@ -42,7 +42,7 @@ class Drive final : public Algorithm {
   Vehicle vehicle_;
   DriveOptions options_;
   const Vec3d& command_;           // [m/s, m/s, rad/s]
-  const double& halted_;           // 1: a referee wants it to stand
+  const double& halted_;           // 1: a referee requests a halt
   Vec3d& velocity_;                // [m/s, m/s, rad/s] after the slew limits
   double& curvature_;              // [1/m]
   std::span<double> target_;       // [rad] by object

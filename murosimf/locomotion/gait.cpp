@@ -4,12 +4,16 @@
 #include <cmath>
 
 #include "murosimf/locomotion/stride.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::locomotion {
 
 GaitPose home_pose(const std::array<Leg, 2>& legs) noexcept {
   GaitPose pose;
-  for (std::size_t side = 0; side < 2; ++side) std::ranges::copy(legs[side].home, pose.q[side].begin());
+  for (std::size_t side = 0; side < 2; ++side) {
+    MUROSIMF_ASSERT(legs[side].home.size() == legs[side].joints.size() && legs[side].home.size() <= most_hinges);
+    std::ranges::copy(legs[side].home, pose.q[side].begin());
+  }
   return pose;
 }
 
@@ -17,7 +21,10 @@ GaitPose pose_among(const std::array<Leg, 2>& legs, std::span<const double> valu
   GaitPose pose;
   for (std::size_t side = 0; side < 2; ++side) {
     const auto& joints = legs[side].joints;
-    for (std::size_t i = 0; i < joints.size(); ++i) pose.q[side][i] = values[joints[i]];
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      MUROSIMF_ASSERT(static_cast<std::size_t>(joints[i]) < values.size());
+      pose.q[side][i] = values[joints[i]];
+    }
   }
   return pose;
 }
@@ -25,14 +32,19 @@ GaitPose pose_among(const std::array<Leg, 2>& legs, std::span<const double> valu
 void write_pose(const std::array<Leg, 2>& legs, const GaitPose& pose, std::span<double> values) noexcept {
   for (std::size_t side = 0; side < 2; ++side) {
     const auto& joints = legs[side].joints;
-    for (std::size_t i = 0; i < joints.size(); ++i) values[joints[i]] = pose.q[side][i];
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      MUROSIMF_ASSERT(static_cast<std::size_t>(joints[i]) < values.size());
+      values[joints[i]] = pose.q[side][i];
+    }
   }
 }
 
 GaitFeet gait_feet(const std::array<Leg, 2>& legs, const WalkParameters& p, double phase, double amplitude,
                    const Vec3d& velocity, double gain, double setback) noexcept {
+  MUROSIMF_ASSERT(p.period > 0 && p.double_support >= 0);
   const double d = p.double_support * pi / 2;
   const double stance_time = p.period * (pi + 2 * d) / (2 * pi) * gain;
+  // Sideways sway is common to both feet: it moves the pelvis over the standing one.
   const double sway = amplitude * p.sway * std::sin(phase + p.lead);
   GaitFeet feet;
   for (std::size_t side = 0; side < 2; ++side) {
@@ -57,6 +69,7 @@ GaitPose gait_pose(const std::array<Leg, 2>& legs, const WalkParameters& p, doub
   pose.reachable = true;
   for (std::size_t side = 0; side < 2; ++side) {
     const Leg& leg = legs[side];
+    MUROSIMF_ASSERT(leg.joints.size() <= most_hinges);
     const FootTarget target{.ankle = level_to_pelvis * feet.ankle[side],
                             .sole = level_to_pelvis * feet.sole[side],
                             .roll = feet.roll[side]};

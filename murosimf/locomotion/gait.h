@@ -1,4 +1,4 @@
-/// gait.h - an omnidirectional open-loop walk: where both feet are at every phase.
+/// gait.h - an omnidirectional open-loop walk: places of both feet at every phase.
 ///
 /// Phase ph in [0, 2 pi); the left foot stands during (0, pi). With xi and lift of stride.h for p = ph - pi (left) or ph
 /// (right) and d = double_support pi/2, the ankle in the level frame of the pelvis, x and z from the hip center, y from the middle:
@@ -48,15 +48,15 @@ struct GaitFeet {
 [[nodiscard]] GaitFeet gait_feet(const std::array<Leg, 2>& legs, const WalkParameters& parameters, double phase,
                                  double amplitude, const Vec3d& velocity, double gain = 1, double setback = 0) noexcept;
 
-/// The joints of the legs among `values` [rad] of all objects, and back.
+/// Reads the joints of the legs from `values` [rad] of all objects, and writes them back.
 [[nodiscard]] GaitPose pose_among(const std::array<Leg, 2>& legs, std::span<const double> values) noexcept;
 void write_pose(const std::array<Leg, 2>& legs, const GaitPose& pose, std::span<double> values) noexcept;
 
-/// Both legs at home.
+/// The home pose of both legs.
 [[nodiscard]] GaitPose home_pose(const std::array<Leg, 2>& legs) noexcept;
 
-/// `amplitude` 0 stands, 1 walks; `velocity` [m/s, m/s, rad/s] forward, left, turning left. `start` is where legs without
-/// a closed form begin to look: the pose of the cycle before, or home.
+/// `amplitude` 0 stands, 1 walks; `velocity` [m/s, m/s, rad/s] forward, left, turning left. `start` is where the iteration of legs
+/// without a closed form begins: the pose of the previous cycle, or home.
 [[nodiscard]] GaitPose gait_pose(const std::array<Leg, 2>& legs, const WalkParameters& parameters, double phase,
                                  double amplitude, const Vec3d& velocity, const GaitPose& start) noexcept;
 [[nodiscard]] GaitPose gait_pose(const std::array<Leg, 2>& legs, const WalkParameters& parameters, double phase,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/feet.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/multibody/kinematics.h"
@@ -11,7 +12,7 @@
 namespace murosimf::locomotion {
 namespace {
 
-/// [rad | m] of all objects; a joint without a target of the walk is told to be at zero.
+/// [rad | m] of all objects; a joint without a target of the walk has the target zero.
 std::vector<double> joint_positions(const Model& model, const std::array<Leg, 2>& legs, const GaitPose& pose) {
   std::vector<double> q(static_cast<std::size_t>(model.size()));
   for (const int joint : model.joints()) {
@@ -19,13 +20,14 @@ std::vector<double> joint_positions(const Model& model, const std::array<Leg, 2>
   }
   write_pose(legs, pose, q);
   return q;
+  MUROSIMF_ASSERT(q.size() == static_cast<std::size_t>(model.size()));
 }
 
 }  // namespace
 
 Balance balance_of(const Model& model, const std::array<Leg, 2>& legs, const WalkParameters& parameters, double sway) {
   WalkParameters p = parameters;
-  p.lift = p.hip_roll = 0;
+  p.lift = p.hip_roll = 0;  // both feet on the ground: the soles then measure the width of the support
   p.lead = 0;
   p.sway = sway;
   constexpr double swayed = pi / 2;  // [rad] where sin(phase) is 1

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "murosimf/locomotion/gait_properties.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::locomotion {
 namespace {
@@ -31,6 +32,8 @@ void GaitClock::initialize() noexcept {
 }
 
 void GaitClock::advance(double dt, const GaitLimits& limits, double rate, bool steps) noexcept {
+  MUROSIMF_ASSERT(dt > 0 && limits.period > 0);
+  MUROSIMF_ASSERT(limits.fastest.x >= 0 && limits.fastest.y >= 0 && limits.fastest.z >= 0);
   const Vec3d aim = goal(limits);
   const Vec3d& slew = limits.slew;
   velocity_ = {approach(velocity_.x, aim.x, dt * slew.x), approach(velocity_.y, aim.y, dt * slew.y),
@@ -47,6 +50,7 @@ Vec3d GaitClock::goal(const GaitLimits& limits) const noexcept {
 bool GaitClock::is_idle(const GaitLimits& limits) const noexcept { return is_zero(goal(limits)) && is_zero(velocity_); }
 
 void GaitClock::start_at(double phase, double amplitude) noexcept {
+  MUROSIMF_ASSERT(phase >= 0 && phase < 2 * pi && amplitude >= 0 && amplitude <= 1);
   phase_ = phase;
   amplitude_ = amplitude;
 }

@@ -1,4 +1,4 @@
-/// gait_clock.h - phase, amplitude and velocity of a gait: how they follow `walk_command`.
+/// gait_clock.h - phase, amplitude and velocity of a gait, which follow `walk_command`.
 ///
 /// The velocity follows the command (zero while `halted` is not 0), clipped to the fastest, with limited accelerations. The amplitude goes to 1 while
 /// something moves and to 0 otherwise; the phase runs while it is not 0. All are columns.
@@ -21,16 +21,16 @@ struct GaitLimits {
 
 class GaitClock {
  public:
-  /// `command` [m/s, m/s, rad/s]: walk_command until somebody sets another.
+  /// `command` [m/s, m/s, rad/s]: walk_command until another value is set.
   GaitClock(Setup& setup, const Vec3d& command);
 
   void initialize() noexcept;
-  /// By `dt` [s], the phase `rate` [1] times as quick as the period says; `steps` steps on the spot where nothing else moves.
+  /// Advances by `dt` [s], the phase `rate` [1] times as fast as the period; `steps` steps on the spot where nothing else moves.
   void advance(double dt, const GaitLimits& limits, double rate = 1, bool steps = false) noexcept;
-  /// At once.
+  /// Sets phase [rad] and amplitude [1] at once.
   void start_at(double phase, double amplitude) noexcept;
 
-  /// Nothing moves, nor shall it: within the limits no command is left.
+  /// Whether nothing moves and the command, within the limits, is zero.
   [[nodiscard]] bool is_idle(const GaitLimits& limits) const noexcept;
   [[nodiscard]] const Vec3d& velocity() const noexcept { return velocity_; }           ///< [m/s, m/s, rad/s]
   [[nodiscard]] double phase() const noexcept { return phase_; }                       ///< [rad] 0 to 2 pi
@@ -43,7 +43,7 @@ class GaitClock {
   [[nodiscard]] Vec3d goal(const GaitLimits& limits) const noexcept;
 
   const Vec3d& command_;
-  const double& halted_;  // 1: a referee wants it to stand
+  const double& halted_;  // 1: a referee requests a halt
   Vec3d& velocity_;
   double& phase_;
   double& amplitude_;

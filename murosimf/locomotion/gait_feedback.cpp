@@ -8,6 +8,7 @@
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/locomotion/leg.h"
 #include "murosimf/locomotion/walk_options.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::locomotion {
 namespace {
@@ -76,6 +77,7 @@ std::vector<OptionInfo> make_infos() {
 }  // namespace
 
 const std::vector<OptionInfo>& feedback_options() {
+  MUROSIMF_ASSERT(std::ranges::all_of(rows, [](const Row& row) { return row.place != nullptr && !row.name.empty(); }));
   static const std::vector<OptionInfo> infos = make_infos();
   return infos;
 }
@@ -97,10 +99,11 @@ const std::vector<OptionInfo>& balanced_walk_options() {
 
 namespace {
 
-/// [1] How far servos give way, over those of kid21.
+/// [1] Compliance of the servos relative to those of kid21.
 double softness(const Model& model) {
   constexpr double kid21_droop = 0.08535027;  // [rad] hip_droop
   const double droop = hip_droop(model);
+  MUROSIMF_ASSERT(droop >= 0);
   return droop > 0 ? droop / kid21_droop : 1;
 }
 
@@ -110,6 +113,8 @@ GaitFeedback gait_feedback(const Model& model, const OptionValues& given) {
   constexpr double kid21_leg = 0.24;  // [m] thigh and shin
   const Leg& leg = legs_of(model)[0];
   const double scale = (leg.thigh + leg.shin) / kid21_leg;
+  MUROSIMF_ASSERT(scale > 0);
+  // The model's own numbers fill in what is not given: insert() keeps entries that exist.
   OptionValues all = values_among(feedback_options(), given);
   if (const OptionValues* own = model.find(properties::given_balance, 0)) {
     const OptionValues feedback = values_among(feedback_options(), *own);

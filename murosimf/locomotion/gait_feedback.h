@@ -1,4 +1,4 @@
-/// gait_feedback.h - how a walk answers to what is not as in the steady walk: numbers, and from what they are worked out.
+/// gait_feedback.h - how a walk responds to deviations from the steady walk: numbers, and where they come from.
 ///
 /// Signals (step_table.h) are those of the divergent component of motion xi = c + v/omega, c the center of mass from the ankle that
 /// stands. e is the deviation of xi from its steady course, less a dead zone; y counts outward, away from the other foot.
@@ -21,7 +21,7 @@
 
 namespace murosimf::locomotion {
 
-/// Those of kid21, whose thigh and shin are 0.24 m long.
+/// Defaults are those of kid21, whose thigh and shin are 0.24 m long.
 struct GaitFeedback {
   // the gait itself at a speed
   double stride_gain = 0.96327;        ///< [1] of the strides
@@ -61,16 +61,17 @@ struct GaitFeedback {
 /// Names, units, meanings and bounds; none has a default of its own.
 [[nodiscard]] const std::vector<OptionInfo>& feedback_options();
 
-/// The values of all of them.
+/// The values of all of them, by name.
 [[nodiscard]] OptionValues feedback_values(const GaitFeedback& numbers);
 
-/// Those and the numbers of the walk (walk_options.h): what [balance] of a robot's file and the controller `motions` take.
+/// Those and the numbers of the walk (walk_options.h): the contents of [balance] of a robot's file and options of the controller `motions`.
 [[nodiscard]] const std::vector<OptionInfo>& balanced_walk_options();
 
-/// Scaled from kid21 by the length of the legs (lengths by l, times by sqrt(l)), the lag of soft servos by hip_droop (gait_seed.h), with the model's own numbers (given_balance) in their
-/// place, and `given` before these. Throws SetupError if an option is wrong or the model has no legs to walk with.
+/// Scaled from kid21 by the length of the legs (lengths by l, times by sqrt(l)), the lag of soft servos by hip_droop (gait_seed.h). The
+/// model's own numbers (given_balance) replace these, and `given` replaces both. Throws SetupError if an option is wrong or the model has
+/// no legs to walk with.
 [[nodiscard]] GaitFeedback gait_feedback(const Model& model, const OptionValues& given);
-/// The walk itself: walk_parameters with those of the model's own numbers (given_balance) and of `given` that are its own.
+/// The walk itself: walk_parameters with those of the model's own numbers (given_balance) and of `given` that belong to the walk.
 [[nodiscard]] WalkParameters balanced_walk(const Model& model, const OptionValues& given);
 
 }  // namespace murosimf::locomotion

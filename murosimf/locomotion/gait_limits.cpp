@@ -3,30 +3,32 @@
 #include <algorithm>
 #include <cmath>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/motion/rate_limit.h"
 
 namespace murosimf::locomotion {
 namespace {
 
-/// Both feet get everywhere at this walking velocity.
+/// Whether both feet reach every point of a period at this walking velocity.
 bool reaches(const std::array<Leg, 2>& legs, const WalkParameters& p, const Vec3d& velocity) {
   constexpr int phases = 100;
   GaitPose pose = home_pose(legs);
   for (int i = 0; i < phases; ++i) {
     pose = gait_pose(legs, p, 2 * pi * i / phases, 1, velocity, pose);
     if (!pose.reachable) return false;
+    // Each pose is the start of the next: legs without a closed form converge in few steps along the path.
   }
   return true;
 }
 
-/// Full speed forward while turning half as fast as possible, back, sideways and turning on the spot.
+/// Whether the legs reach full speed forward while turning at half the fastest rate, back, sideways and turning on the spot.
 bool reaches_at_full_speed(const std::array<Leg, 2>& legs, const WalkParameters& p) {
   const auto& [x, y, z] = p.fastest;
   return reaches(legs, p, {x, 0, 0.5 * z}) && reaches(legs, p, {-x, 0, 0}) && reaches(legs, p, {0, y, 0}) &&
          reaches(legs, p, {0, 0, z});
 }
 
-/// Where the legs do not reach: less of what alone is too fast already, or less of everything.
+/// Reduces the velocities that alone are out of reach, or all of them if each alone is within reach.
 void slow_down(const std::array<Leg, 2>& legs, WalkParameters& p) {
   constexpr double slower = 0.8;
   auto& [x, y, z] = p.fastest;
@@ -43,7 +45,10 @@ using Rates = std::array<std::vector<double>, 2>;  // [rad/s] by leg and hinge
 Rates largest_rates(const Model& model, const std::array<Leg, 2>& legs) {
   Rates rates;
   for (std::size_t side = 0; side < 2; ++side) {
-    for (const int joint : legs[side].joints) rates[side].push_back(motion::joint_rate_limit(model, joint));
+    for (const int joint : legs[side].joints) {
+      rates[side].push_back(motion::joint_rate_limit(model, joint));
+      MUROSIMF_ASSERT(rates[side].back() > 0);
+    }
   }
   return rates;
 }
@@ -51,6 +56,8 @@ Rates largest_rates(const Model& model, const std::array<Leg, 2>& legs) {
 /// The largest rate of a hinge over what it may have, in a period at this walking velocity. [1]
 double used_rate(const std::array<Leg, 2>& legs, const Rates& largest, const WalkParameters& p, const Vec3d& velocity) {
   constexpr int phases = 200;
+  MUROSIMF_ASSERT(p.period > 0);
+  MUROSIMF_ASSERT(largest[0].size() == legs[0].joints.size() && largest[1].size() == legs[1].joints.size());
   double used = 0;
   GaitPose before = gait_pose(legs, p, 0, 1, velocity);
   for (int i = 1; i <= phases; ++i) {
@@ -75,6 +82,7 @@ double used_rate_at_full_speed(const std::array<Leg, 2>& legs, const Rates& larg
 }  // namespace
 
 void fit_to_reach(const std::array<Leg, 2>& legs, WalkParameters& p) {
+  // Bounded loops: a robot whose legs never reach keeps its parameters, and the simulation starts.
   constexpr double lower = 0.99;
   constexpr int heights = 12, lengths = 12;
   WalkParameters tried = p;
@@ -95,13 +103,15 @@ void fit_to_reach(const std::array<Leg, 2>& legs, WalkParameters& p) {
 void fit_to_rates(const Model& model, const std::array<Leg, 2>& legs,
                   const std::function<double(const WalkParameters&)>& sway, WalkParameters& p) {
   const Rates largest = largest_rates(model, legs);
+  MUROSIMF_ASSERT(p.period > 0 && p.lift >= 0);
   constexpr double share = 0.9, lower = 0.95, longer = 1.02, slower = 0.95;
-  constexpr double walking = 0.6;  // of the fastest: so much shall be left of it
+  constexpr double walking = 0.6;  // [1] of the fastest: the speed that must remain
   const double least_lift = p.lift / 3, most_period = 1.5 * p.period;
   const auto is_too_fast = [&] { return used_rate(legs, largest, p, {walking * p.fastest.x, 0, 0}) > share; };
   while (is_too_fast() && p.lift > least_lift) p.lift *= lower;
   while (is_too_fast() && p.period < most_period) {
     p.period *= longer;
+    // The pendulum of a longer period sways farther.
     p.sway = sway(p);
   }
   constexpr int most = 40;

@@ -1,4 +1,4 @@
-/// gait_limits.h - keeps a walk within what legs reach and joints can do.
+/// gait_limits.h - limits a walk to what the legs reach and the joints can follow.
 #pragma once
 
 #include <functional>
@@ -11,7 +11,7 @@ namespace murosimf::locomotion {
 /// and strides made shorter until they do.
 void fit_to_reach(const std::array<Leg, 2>& legs, WalkParameters& parameters);
 
-/// No joint is asked for more than 0.9 of its largest rate (joint_rate_limit), as far as that goes: feet are lifted less, down to a third,
+/// Keeps joints below 0.9 of their largest rate (joint_rate_limit) as far as possible: feet are lifted less, down to a third,
 /// then steps take longer, up to half as long again, until 0.6 of the speed is left; then strides get shorter. `sway` is the one of a period.
 void fit_to_rates(const Model& model, const std::array<Leg, 2>& legs,
                   const std::function<double(const WalkParameters&)>& sway, WalkParameters& parameters);

@@ -1,4 +1,4 @@
-/// gait_properties.h - properties of what makes a robot walk, drive and keep its balance.
+/// gait_properties.h - properties of controllers that walk, drive and balance.
 #pragma once
 
 #include <span>
@@ -42,7 +42,7 @@ inline constexpr Property<Vec3d>  odometry           {{"odometry", "m, m, rad", 
 
 // clang-format on
 
-/// Every property of this page, constant ones first.
+/// Every property of this header, constant ones first.
 [[nodiscard]] std::span<const CatalogEntry> gait_list();
 
 }  // namespace murosimf::properties

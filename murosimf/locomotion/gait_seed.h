@@ -1,4 +1,4 @@
-/// gait_seed.h - the numbers of a walk, worked out from a robot: from its legs, its masses and its servos.
+/// gait_seed.h - derives the numbers of a walk from a robot: from its legs, its masses and its servos.
 ///
 /// From the legs, those of kid21 scaled by the leg's length (lengths by l, times by sqrt(l)); of a model, steps are 0.7 times as long in
 /// time and the sway does not lead. From the masses, at rest between two steps:
@@ -17,18 +17,19 @@
 
 namespace murosimf::locomotion {
 
-/// From the legs alone, for a robot without masses: z_c is 1.072 times the height of the hips, b half their distance. Strides fit the
-/// legs' reach (gait_limits.h).
+/// From the legs alone, for a robot without masses: z_c is 1.072 times the height of the hips, b half their distance. Strides are
+/// limited to the legs' reach (gait_limits.h).
 [[nodiscard]] WalkParameters seeded_parameters(const std::array<Leg, 2>& legs);
 
-/// Of a model: `given` (walk_options.h) counts before the file's own (given_walk), that before what is worked out. Then strides are fitted
-/// to what legs reach and joints can do (gait_limits.h). Throws SetupError if the model has no legs to walk with or an option is wrong.
+/// Of a model: `given` (walk_options.h) precedes the file's own numbers (given_walk), these precede derived ones. Then strides are
+/// limited by the reach of legs and the rates of joints (gait_limits.h). Throws SetupError if the model has no legs to walk with or an
+/// option is wrong.
 [[nodiscard]] WalkParameters walk_parameters(const Model& model, const OptionValues& given);
 
-/// The same with nothing given. All robots of a team ask for them, so the model keeps them.
+/// The same with nothing given. The model keeps them for all robots of a team.
 [[nodiscard]] WalkParameters seeded_parameters(const Model& model);
 
-/// [rad] by which the swinging side hangs, d from above, where the robot walks with these numbers; 0: its servos do not give way.
+/// [rad] Angle by which the swinging side sinks, d from above, where the robot walks with these numbers; 0: its servos do not yield.
 [[nodiscard]] double hip_droop(const Model& model);
 
 }  // namespace murosimf::locomotion

@@ -1,4 +1,4 @@
-/// gait_state.h - what the balanced gait remembers from one control cycle to the next, besides its phase, amplitude and velocity.
+/// gait_state.h - state of the balanced gait from one control cycle to the next, besides its phase, amplitude and velocity.
 #pragma once
 
 #include <array>
@@ -26,13 +26,13 @@ struct GaitState {
   StepSignals signals;                  ///< measured
   StepSignals deviation;                ///< from the steady walk
   double compliance = 0;                ///< [1] 0: joints are where their targets are
-  double lag = 0;                       ///< [rad] mean of what the joints of the legs are away from their targets
-  double cycles = 0;                    ///< [1] since the start, up to two
+  double lag = 0;                       ///< [rad] mean distance of the legs' joints from their targets
+  double cycles = 0;                    ///< [1] since the start, at most two
   StepSignals upright;                  ///< mean of the signals while it stands, the left foot as the standing one
-  double settled = 0;                   ///< [s] that they are the mean of, up to one
+  double settled = 0;                   ///< [s] length of that mean, at most one
   double still = 0;                     ///< [s] since it stands without moving
-  double alarm = 0;                     ///< [s] for which it goes on stepping on the spot
-  std::array<double, 2> width{};        ///< [m] that each ankle is farther from the middle than the walk has it
+  double alarm = 0;                     ///< [s] for which it continues to step on the spot
+  std::array<double, 2> width{};        ///< [m] by which each ankle is farther from the middle than in the walk
   Vec3d foot;                           ///< [m, m, rad] standing ankle and heading of the base, from where it started
 };
 

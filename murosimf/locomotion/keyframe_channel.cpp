@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::locomotion {
@@ -23,7 +24,10 @@ std::optional<FootAxis> foot_axis(std::string_view channel) {
   return std::nullopt;
 }
 
-std::string channel_name(const FootAxis& foot) { return fmt::format("{}{}", sides[foot.side], foot_axes[foot.axis]); }
+std::string channel_name(const FootAxis& foot) {
+  MUROSIMF_ASSERT(foot.side < sides.size() && foot.axis < foot_axes.size());
+  return fmt::format("{}{}", sides[foot.side], foot_axes[foot.axis]);
+}
 
 int joint_of_channel(const Model& model, std::string_view channel) {
   std::vector<std::string_view> known;

@@ -1,4 +1,4 @@
-/// keyframe_channel.h - what the names in a key-frame motion's columns mean to a model.
+/// keyframe_channel.h - meaning of the column names of a key-frame motion for a model.
 #pragma once
 
 #include <array>
@@ -18,11 +18,11 @@ struct FootAxis {
   std::size_t axis = 0;  ///< of foot_axes
 };
 
-/// Of "left_foot.x"; nothing if the channel is none of a foot.
+/// Axis of a name such as "left_foot.x"; nothing if the channel is not one of a foot.
 [[nodiscard]] std::optional<FootAxis> foot_axis(std::string_view channel);
 [[nodiscard]] std::string channel_name(const FootAxis& foot);
 
-/// The object. Throws SetupError with the nearest name if the model has no such joint.
+/// The object of the joint. Throws SetupError with the nearest name if the model has no such joint.
 [[nodiscard]] int joint_of_channel(const Model& model, std::string_view channel);
 
 }  // namespace murosimf::locomotion

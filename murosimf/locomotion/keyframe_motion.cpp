@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/math/scalar.h"
 
 namespace murosimf::locomotion {
@@ -14,9 +15,11 @@ double duration(const KeyframeMotion& motion) noexcept {
 }
 
 void sample(const KeyframeMotion& motion, double time, std::span<double> values) noexcept {
+  MUROSIMF_ASSERT(values.size() == motion.start.size());
   std::copy(motion.start.begin(), motion.start.end(), values.begin());
   const std::vector<double>* from = &motion.start;
   for (const KeyFrame& frame : motion.frames) {
+    MUROSIMF_ASSERT(frame.duration > 0 && frame.values.size() == values.size());
     const double s = std::clamp(time / frame.duration, 0.0, 1.0);
     const double share = 0.5 * (1 - std::cos(pi * s));
     for (std::size_t i = 0; i < values.size(); ++i) {

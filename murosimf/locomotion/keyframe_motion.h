@@ -1,4 +1,4 @@
-/// keyframe_motion.h - a motion told by key frames: joint angles and places of feet at certain times. Data only.
+/// keyframe_motion.h - a motion given by key frames: joint angles and places of feet at certain times. Data only.
 ///
 /// From one key frame to the next every value runs along a cosine, at rest at both ends:
 ///     x(t) = a + (b - a) (1 - cos(pi s)) / 2      s = time since the frame before / duration of this one
@@ -13,10 +13,10 @@
 
 namespace murosimf::locomotion {
 
-/// What a value of a key frame sets.
+/// A joint or an axis of a foot that a value of a key frame sets.
 struct Channel {
   std::string name;  ///< a joint [rad | m], or "left_foot.x", ".y", ".z" [m], ".pitch" [rad]; the same for "right_foot"
-  double sign = 1;   ///< -1: the value counts the other way
+  double sign = 1;   ///< -1: the value counts in the opposite direction
 };
 
 struct KeyFrame {
@@ -43,8 +43,8 @@ struct KeyframeMotion {
 /// [s] from the start to the last key frame.
 [[nodiscard]] double duration(const KeyframeMotion& motion) noexcept;
 
-/// Writes the value of every column at `time` [s] after the start to `values`; before the start and after the end those stand
-/// that are there.
+/// Writes the value of every column at `time` [s] after the start to `values`; before the start and after the end the first and
+/// the last values hold.
 void sample(const KeyframeMotion& motion, double time, std::span<double> values) noexcept;
 
 }  // namespace murosimf::locomotion

@@ -1,10 +1,10 @@
 #include "murosimf/locomotion/keyframe_player.h"
 
 #include <algorithm>
-#include <cassert>
 
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/locomotion/mirrored_motion.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::locomotion {
 
@@ -17,7 +17,7 @@ KeyframePlayer::KeyframePlayer(Setup& setup, const KeyframeMotion& motion)
       target_(setup.write(properties::joint_target)) {}
 
 void KeyframePlayer::play(const KeyframeMotion& motion) {
-  assert(motion.columns.size() == motion_.columns.size());
+  MUROSIMF_ASSERT(motion.columns.size() == motion_.columns.size());
   motion_ = motion;
   duration_ = duration(motion);
 }
@@ -28,11 +28,13 @@ void KeyframePlayer::initialize() {
 }
 
 void KeyframePlayer::step(const Instant& instant) noexcept {
+  MUROSIMF_ASSERT(instant.period.count() > 0);
   time_ = std::min(time_ + seconds(instant.period), duration_);
   write_targets();
 }
 
 void KeyframePlayer::write_targets() noexcept {
+  MUROSIMF_ASSERT(values_.size() == motion_.columns.size());
   sample(motion_, time_, values_);
   targets_.write(values_, target_);
 }

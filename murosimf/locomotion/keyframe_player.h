@@ -1,6 +1,6 @@
 /// keyframe_player.h - algorithm: plays a key-frame motion once, then holds its last frame.
 ///
-/// Writes `joint_target` of all joints, as keyframe_targets.h says.
+/// Writes `joint_target` of all joints, as described in keyframe_targets.h.
 #pragma once
 
 #include <span>
@@ -19,7 +19,7 @@ class KeyframePlayer final : public Algorithm {
   /// Throws SetupError as KeyframeTargets.
   KeyframePlayer(Setup& setup, const KeyframeMotion& motion);
 
-  /// From the next initialize() on: a motion with the same columns and other values, durations or number of frames.
+  /// Replaces the motion from the next initialize() on: one with the same columns and other values, durations or number of frames.
   void play(const KeyframeMotion& motion);
 
   [[nodiscard]] Phase phase() const noexcept override { return Phase::control; }

@@ -4,6 +4,7 @@
 
 #include "murosimf/locomotion/gait_seed.h"
 #include "murosimf/locomotion/keyframe_channel.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::locomotion {
 KeyframeTargets::KeyframeTargets(const Model& model, const KeyframeMotion& motion) {
@@ -26,12 +27,18 @@ void KeyframeTargets::connect(const Model& model, const Channel& channel, std::s
 void KeyframeTargets::write(std::span<const double> values, std::span<double> targets) const noexcept {
   std::fill(targets.begin(), targets.end(), 0.0);
   if (!foot_sinks_.empty()) place_feet(values, targets);
-  for (const JointSink& sink : joint_sinks_) targets[sink.object] += sink.sign * values[sink.column];
+  for (const JointSink& sink : joint_sinks_) {
+    MUROSIMF_ASSERT(sink.column < values.size() && static_cast<std::size_t>(sink.object) < targets.size());
+    targets[sink.object] += sink.sign * values[sink.column];
+  }
 }
 
 void KeyframeTargets::place_feet(std::span<const double> values, std::span<double> targets) const noexcept {
   std::array<FootPlace, 2> places{};
-  for (const FootSink& sink : foot_sinks_) places[sink.side][sink.axis] += sink.sign * values[sink.column];
+  for (const FootSink& sink : foot_sinks_) {
+    MUROSIMF_ASSERT(sink.column < values.size() && sink.side < 2 && sink.axis < 4);
+    places[sink.side][sink.axis] += sink.sign * values[sink.column];
+  }
   const Mat3d level_to_pelvis = rotation_y(-stance_.pitch);
   GaitPose pose = home_pose(legs_);
   for (std::size_t side = 0; side < 2; ++side) {

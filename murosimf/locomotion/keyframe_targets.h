@@ -1,8 +1,8 @@
-/// keyframe_targets.h - which joint targets the values of a key-frame motion mean for one model.
+/// keyframe_targets.h - joint targets of the values of a key-frame motion for one model.
 ///
 /// Joints that the motion does not name stay at zero. If it moves feet, both legs follow by inverse kinematics (leg.h) from the stance
-/// in which the walk engine stands (gait.h): x forward, y to the left, z up, each in the level frame of the pelvis; angles that the motion
-/// gives to leg joints come on top.
+/// of the walk engine (gait.h): x forward, y to the left, z up, each in the level frame of the pelvis; angles that the motion
+/// gives to leg joints are added.
 #pragma once
 
 #include <array>

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/math/scalar.h"
 
 namespace murosimf::locomotion {
@@ -35,6 +36,7 @@ std::optional<KickPlan> plan_kick(const std::vector<KickChoice>& kicks, const Ki
     const double heading = wrapped(request.direction - kick.direction);
     if (knows_ball) place = Vec3d{request.ball_x, request.ball_y, 0} - turned(kick.ball, heading);
     place.z = heading;
+    // A strict comparison: of equal costs the first motion in the list wins, on every machine.
     if (const double cost = cost_of(place, kick, fastest); cost < least) {
       least = cost;
       best = KickPlan{motion, place};
@@ -55,9 +57,11 @@ Vec3d from_there(const Vec3d& place, const Vec3d& goal) noexcept {
 }
 
 Vec3d velocity_to_kick(const Vec3d& goal, const Vec3d& ball, double clearance, const Vec3d& fastest) noexcept {
+  MUROSIMF_ASSERT(clearance >= 0);
   constexpr double gain = 1.5, share = 0.5;  // [1/s], [1] of the fastest walk
   Vec3d way{goal.x, goal.y, 0};
   if (clearance > 0) {
+    // Polar decomposition about the ball: the component towards it stops at the clearance, and its surplus goes around.
     const double distance = std::max(std::hypot(ball.x, ball.y), 1e-9);
     const Vec3d toward{ball.x / distance, ball.y / distance, 0}, aside{-toward.y, toward.x, 0};
     const double ahead = dot(way, toward), left = dot(way, aside), nearest = std::min(ahead, distance - clearance);
@@ -65,7 +69,7 @@ Vec3d velocity_to_kick(const Vec3d& goal, const Vec3d& ball, double clearance, c
     way = nearest * toward + (left + round) * aside;
   }
   const double over = gain / share * std::max(std::abs(way.x) / fastest.x, std::abs(way.y) / fastest.y);
-  Vec3d velocity = gain / std::max(1.0, over) * way;  // slower, and in the same direction
+  Vec3d velocity = gain / std::max(1.0, over) * way;  // slower, in the same direction
   velocity.z = std::clamp(gain * goal.z, -share * fastest.z, share * fastest.z);
   return velocity;
 }

@@ -8,6 +8,7 @@
 #include "murosimf/locomotion/leg_ik.h"
 #include "murosimf/locomotion/leg_shape.h"
 #include "murosimf/locomotion/leg_solver.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 
@@ -28,7 +29,7 @@ constexpr std::size_t turning_feet = 5;   // hinges from which on the sole can b
 bool vanishes(const Vec3d& v) { return norm(v) < tolerance; }
 bool points_down(const Vec3d& v) { return std::hypot(v.x, v.y) < tolerance && v.z < 0; }
 
-/// Signs of the axes if the leg is one for leg_ik.h. Numbers that its geometry gives exactly replace those of its shape.
+/// Sets the signs of the axes if the leg has the geometry of leg_ik.h. Numbers that this geometry gives exactly replace those of its shape.
 void take_closed_form(Leg& leg, const FixedObject& sole) {
   constexpr std::array<Vec3d, 6> axes{{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {1, 0, 0}}};
   const auto& hinges = leg.chain.hinges;
@@ -52,17 +53,20 @@ void take_closed_form(Leg& leg, const FixedObject& sole) {
   leg.signs = signs;
 }
 
-/// The knee neither straightens nor bends the other way: there the solution would be another one, and lose its way.
+/// Limits the knee so that it neither straightens nor bends the other way: there the iteration could change to another solution.
 void keep_bent(LegHinge& knee, const LegShape& shape) {
+  MUROSIMF_ASSERT(std::abs(shape.bend) == 1);
   const double limit = shape.straight + shape.bend * least_bend;
   if (shape.bend > 0) {
     knee.lowest = std::min(std::max(knee.lowest, limit), knee.highest);
   } else {
     knee.highest = std::max(std::min(knee.highest, limit), knee.lowest);
   }
+  MUROSIMF_ASSERT(knee.lowest <= knee.highest);
 }
 
 void find_home(Leg& leg, const LegShape& shape) {
+  MUROSIMF_ASSERT(shape.knee < leg.joints.size());
   leg.home.assign(leg.joints.size(), 0.0);
   leg.home[shape.knee] = shape.straight + shape.bend * home_bend;
   const Vec3d below{0, leg.ankle.y - leg.hip.y, -home_length * (leg.thigh + leg.shin)};
@@ -70,14 +74,16 @@ void find_home(Leg& leg, const LegShape& shape) {
 }
 
 bool bend_in_closed_form(const Leg& leg, const FootTarget& target, std::span<double> q) {
+  MUROSIMF_ASSERT(q.size() == leg.signs->size());
   const LegAngles angles = leg_angles(leg.thigh, leg.shin, target.ankle, target.sole);
   for (std::size_t i = 0; i < q.size(); ++i) q[i] = (*leg.signs)[i] * angles.q[i];
   if (target.roll != 0) q[1] = (*leg.signs)[1] * (angles.q[1] + target.roll);
   return angles.reachable;
 }
 
-/// From where the leg is, and from home if that does not get there.
+/// Solves from the present angles, and from home if that does not reach the target.
 bool bend_numerically(const Leg& leg, const FootTarget& target, std::span<double> q) {
+  MUROSIMF_ASSERT(leg.home.size() == q.size() && q.size() <= most_hinges);
   const Mat3d R = rotation_x(target.roll);
   const TipTarget tip{leg.hip + R * target.ankle, R * target.sole};
   const SolverOptions options{.weight = leg.weight};
@@ -88,6 +94,7 @@ bool bend_numerically(const Leg& leg, const FootTarget& target, std::span<double
   std::copy(leg.home.begin(), leg.home.end(), q_other.begin());
   const SolverResult far = solve_leg(leg.chain, tip, options, q_other);
   const auto cost = [&](const SolverResult& r) { return std::hypot(r.distance, leg.weight * r.angle); };
+  // Only if home is clearly better: two solutions of about the same cost must not alternate from cycle to cycle.
   if (cost(far) < 0.5 * cost(near)) std::copy(q_other.begin(), q_other.end(), q.begin());
   return far.reached;
 }
@@ -114,6 +121,7 @@ Leg find_leg(const Model& model, int sole, std::size_t shared) {
   if (leg.joints.size() >= turning_feet) leg.weight = weight_of_turns * (leg.thigh + leg.shin);
   keep_bent(leg.chain.hinges[shape.knee], shape);
   take_closed_form(leg, model.placement(sole));
+  MUROSIMF_ASSERT(leg.thigh > 0 && leg.shin > 0 && leg.knee < leg.joints.size());
   find_home(leg, shape);
   return leg;
 }
@@ -129,6 +137,7 @@ std::array<Leg, 2> find_legs(const Model& model) {
              fmt::format("{} joints between the base and its sole, less than {}", leg.joints.size(), turning_feet));
     }
   }
+  MUROSIMF_ASSERT(legs[0].home.size() == legs[0].joints.size() && legs[1].home.size() == legs[1].joints.size());
   if (legs[0].hip.y < legs[1].hip.y) std::swap(legs[0], legs[1]);
   return legs;
 }
@@ -149,6 +158,7 @@ std::array<Leg, 4> find_four_legs(const Model& model) {
 }
 
 bool bend(const Leg& leg, const FootTarget& target, std::span<double> q) noexcept {
+  MUROSIMF_ASSERT(q.size() == leg.joints.size());
   return leg.signs ? bend_in_closed_form(leg, target, q) : bend_numerically(leg, target, q);
 }
 

@@ -1,4 +1,4 @@
-/// leg.h - the legs of a model: what walking needs to know, and how they bend.
+/// leg.h - the legs of a model, as walking needs them, and their inverse kinematics.
 ///
 /// A leg is a chain of hinges between the base and a sole, without those that all legs share (a waist), which stay at zero, in any order and direction. Where it has six of them, hip yaw,
 /// roll, pitch with intersecting axes (z, x, y), knee pitch (y), ankle pitch and roll with intersecting axes (y, x), its
@@ -29,28 +29,28 @@ struct Leg {
 };
 
 /// Throws SetupError, with the reason, if the chain to `sole` is no leg. Five hinges and more also turn the sole. The first `shared` of
-/// its hinges are no part of it.
+/// its hinges do not belong to it.
 [[nodiscard]] Leg find_leg(const Model& model, int sole, std::size_t shared = 0);
 
 /// Left leg first (the one with the greater y at rest). Throws SetupError if the model does not have two soles, or a leg
 /// has less than five hinges.
 [[nodiscard]] std::array<Leg, 2> find_legs(const Model& model);
-/// The same; the model keeps them, for all who walk on it.
+/// The same; the model keeps them, for all robots and algorithms.
 [[nodiscard]] const std::array<Leg, 2>& legs_of(const Model& model);
 
 /// Of a quadruped: front left, front right, hind left, hind right, by their soles at rest. Throws SetupError if the model
 /// does not have four soles.
 [[nodiscard]] std::array<Leg, 4> find_four_legs(const Model& model);
 
-/// Where a foot shall be.
+/// Desired place of a foot.
 struct FootTarget {
   Vec3d ankle;      ///< [m] from the hip center, base axes
   Mat3d sole;       ///< its axes in base axes
   double roll = 0;  ///< [rad] added at the hip, about the forward axis
 };
 
-/// Writes the positions [rad] of the leg's joints; what `q` held before is where damped least squares begin. False if
-/// the foot cannot get there: then it is as near as it can be.
+/// Writes the positions [rad] of the leg's joints; the values in `q` on entry are where damped least squares begin. False if
+/// the target is out of reach: then the foot is as near as possible.
 bool bend(const Leg& leg, const FootTarget& target, std::span<double> q) noexcept;
 
 }  // namespace murosimf::locomotion

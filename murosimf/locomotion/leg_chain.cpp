@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 
@@ -11,6 +12,7 @@ namespace murosimf::locomotion {
 namespace {
 
 LegHinge hinge(const Model& model, const Link& link) {
+  MUROSIMF_ASSERT(link.object >= 0);
   if (link.kind != LinkKind::revolute) {
     throw SetupError(fmt::format("model '{}' has no leg that can be walked with: '{}' is not a hinge", model.name(),
                                  model.objects()[link.object].name));
@@ -20,18 +22,22 @@ LegHinge hinge(const Model& model, const Link& link) {
     result.lowest = range->x;
     result.highest = range->y;
   }
+  MUROSIMF_ASSERT(std::abs(norm(result.axis) - 1) < 1e-6);
   return result;
 }
 
-/// From the base, which is no part of it, to `link`.
+/// From the base, which is excluded, to `link`.
 std::vector<int> links_to(const Model& model, int link) {
   std::vector<int> links;
-  for (int l = link; l > 0; l = model.tree().links[l].parent) links.push_back(l);
+  for (int l = link; l > 0; l = model.tree().links[l].parent) {
+    MUROSIMF_ASSERT(model.tree().links[l].parent < l);
+    links.push_back(l);
+  }
   std::ranges::reverse(links);
   return links;
 }
 
-/// Takes the first `count` hinges away: the next one is where they put it at rest.
+/// Removes the first `count` hinges: the next one moves to where they put it at rest.
 void hold(LegChain& chain, std::size_t count) {
   if (count == 0 || count >= chain.hinges.size()) return;
   Vec3d r;
@@ -61,6 +67,7 @@ LegChain read_chain(const Model& model, int sole, std::size_t shared) {
                     model.name(), chain.hinges.size(), most_hinges));
   }
   chain.tip = place.offset;
+  // An object that is not turned against its link leaves `turn` unset: the identity stands for it.
   chain.sole = place.turned ? place.turn : Mat3d{};
   return chain;
 }
@@ -72,6 +79,7 @@ std::size_t shared_hinges(const Model& model, int sole, int other_sole) {
 }
 
 ChainPose pose_of(const LegChain& chain, std::span<const double> q) noexcept {
+  MUROSIMF_ASSERT(q.size() == chain.hinges.size() && q.size() <= most_hinges);
   ChainPose pose;
   Vec3d r;
   Mat3d R;
@@ -90,7 +98,8 @@ ChainPose pose_of(const LegChain& chain, std::span<const double> q) noexcept {
 
 Vec3d center_of_axes(const ChainPose& pose, std::size_t first, std::size_t end, const Vec3d& reference) {
   constexpr double pull = 1e-6;  // of the reference, against axes that determine no point
-  constexpr int rounds = 3;      // each makes what the pull displaces a million times smaller
+  MUROSIMF_ASSERT(first <= end && end <= most_hinges);
+  constexpr int rounds = 3;  // each makes what the pull displaces a million times smaller
   Vec3d center = reference;
   for (int round = 0; round < rounds; ++round) {
     SymMat3d squares = diagonal(pull);

@@ -1,4 +1,4 @@
-/// leg_chain.h - the hinges of one leg, from the base to its sole, and where they put the foot.
+/// leg_chain.h - the hinges of one leg, from the base to its sole, and the pose of the foot.
 ///
 /// The chain ends in a tip: a point fixed to the foot (the ankle), and the axes of the sole. With d, T the place of hinge
 /// i in the one before, s its axis (multibody/kinematics.h has the same recursion for whole robots):
@@ -38,11 +38,11 @@ struct ChainPose {
   Mat3d sole;                            ///< axes of the sole to those of the base
 };
 
-/// The chain to the object `sole`, its tip at the sole's origin. Throws SetupError if something else than hinges is on
-/// the way, or too many. The first `shared` hinges are no part of it: they stay at zero, or at the end of their range next to it.
+/// The chain to the object `sole`, its tip at the sole's origin. Throws SetupError if the chain has other joints than hinges,
+/// or too many. The first `shared` hinges are excluded: they stay at zero, or at the end of their range next to it.
 [[nodiscard]] LegChain read_chain(const Model& model, int sole, std::size_t shared = 0);
 
-/// How many hinges, from the base on, are on the way to both soles.
+/// Number of hinges, from the base on, that the chains to both soles share.
 [[nodiscard]] std::size_t shared_hinges(const Model& model, int sole, int other_sole);
 
 /// `q` [rad]: one angle for each hinge.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::locomotion {
 namespace {
 
@@ -11,17 +13,21 @@ constexpr double almost_straight = 0.9995;  // [1] of the leg's length: beyond i
 }  // namespace
 
 LegAngles leg_angles(double thigh, double shin, const Vec3d& ankle, const Mat3d& foot) noexcept {
+  MUROSIMF_ASSERT(thigh > 0 && shin > 0);
   LegAngles result;
   const Vec3d r = -transposed_times(foot, ankle);
   const double longest = almost_straight * (thigh + shin);
   result.reachable = norm(r) <= longest;
   const double length = std::min(norm(r), longest);
+  // At the limit the leg points at the target and stays a little bent: acos has an infinite slope for a straight leg.
 
   const double cos_knee = (length * length - thigh * thigh - shin * shin) / (2 * thigh * shin);
+  // Rounding may bring the cosine out of [-1, 1].
   const double knee = std::acos(std::clamp(cos_knee, -1.0, 1.0));
   const double shin_to_line = std::atan2(thigh * std::sin(knee), shin + thigh * std::cos(knee));
 
   double ankle_roll = std::atan2(r.y, r.z);
+  // A foot below the hip: of the two rolls that point the ankle at the hip, the one within a quarter turn.
   if (ankle_roll > pi / 2) ankle_roll -= pi;
   if (ankle_roll < -pi / 2) ankle_roll += pi;
   const double ankle_pitch = -std::atan2(r.x, std::copysign(std::hypot(r.y, r.z), r.z)) - shin_to_line;

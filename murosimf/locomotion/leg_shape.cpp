@@ -5,31 +5,37 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::locomotion {
 namespace {
 
 constexpr double sideways = 0.7;   // [1] of a knee's axis
 constexpr double shortest = 1e-3;  // [m] of thigh and shin
-constexpr double one_sided = 1.5;  // ratio of a range's two sides from which on it tells where a knee bends
+constexpr double one_sided =
+    1.5;  // [1] ratio of a range's two sides from which on it determines the direction of a knee
 
 double distance_from_axis(const ChainPose& pose, std::size_t hinge, const Vec3d& point) {
+  MUROSIMF_ASSERT(hinge < most_hinges);
   return norm(tangential(point - pose.place[hinge], pose.axis[hinge]));
 }
 
 std::size_t find_knee(const ChainPose& pose, std::size_t hinges) {
+  MUROSIMF_ASSERT(hinges >= 3 && hinges <= most_hinges);
   std::size_t knee = 1;
   double widest = -1;
   for (std::size_t i = 1; i < hinges; ++i) {
     const double width = std::min(distance_from_axis(pose, i, pose.place[0]), distance_from_axis(pose, i, pose.tip));
-    if (width <= widest) continue;
+    if (width <= widest) continue;  // of equal widths the inner hinge, whatever the rounding of the outer ones
     widest = width;
     knee = i;
   }
   return knee;
 }
 
-/// Angle and direction of the knee's bend, from the two ends of the leg seen from the knee and square to its axis.
+/// Finds angle and direction of the knee's bend from the two ends of the leg, seen from the knee and square to its axis.
 void find_bend(const LegHinge& knee, const Vec3d& axis, const Vec3d& to_hip, const Vec3d& to_ankle, LegShape& shape) {
+  MUROSIMF_ASSERT(std::abs(norm(axis) - 1) < 1e-6);
   shape.straight = std::atan2(dot(axis, cross(to_ankle, -to_hip)), dot(to_ankle, -to_hip));
   const double up = knee.highest - shape.straight, down = shape.straight - knee.lowest;
   if (up > one_sided * down) {

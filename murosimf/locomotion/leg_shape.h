@@ -1,4 +1,4 @@
-/// leg_shape.h - where hip, knee and ankle of a chain of hinges are.
+/// leg_shape.h - finds hip, knee and ankle in a chain of hinges.
 ///
 /// The knee is the hinge whose axis keeps the greatest distance from both ends of the leg: the larger of the smaller of
 /// its distances from the first hinge and from the sole. Hinges before it are the hip's, those behind it the ankle's;
@@ -16,10 +16,10 @@ struct LegShape {
   Vec3d hip, ankle;            ///< [m] centers at angles 0, in the frame of the base
   double thigh = 0, shin = 0;  ///< [m] from the knee's axis to the two centers
   double straight = 0;         ///< [rad] angle of the knee with a straight leg
-  double bend = 1;             ///< sign in which the knee bends: where its range is, or so that it goes forward
+  double bend = 1;  ///< sign in which the knee bends: the wider side of its range, or the one that bends it forward
 };
 
-/// Why there is no such leg in `problem`, which stays empty otherwise.
+/// `problem` receives the reason if there is no such leg, and stays empty otherwise.
 [[nodiscard]] LegShape shape_of(const LegChain& chain, std::string& problem);
 
 }  // namespace murosimf::locomotion

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/math/quaternion.h"
 #include "murosimf/math/spatial.h"
 
@@ -17,7 +18,7 @@ constexpr double most_damping = 1e4;     // [m^2] steps are below any number tha
 constexpr double longest_step = 0.5;     // [rad] longer ones may lead to another solution
 constexpr double exact = 1e-12;          // [m] of |e|: rounding
 
-/// e, and the chain's pose that it belongs to.
+/// The error e, and the pose of the chain that it belongs to.
 struct Miss {
   ChainPose pose;
   Twistd error;
@@ -37,30 +38,35 @@ Miss miss(const LegChain& chain, const TipTarget& target, double weight, std::sp
 
 /// Column of the Jacobian.
 Twistd column(const ChainPose& pose, double weight, std::size_t i) {
+  MUROSIMF_ASSERT(i < most_hinges);
   return {weight * pose.axis[i], cross(pose.axis[i], pose.tip - pose.place[i])};
 }
 
 Sym6d product_with_itself(const Twistd& c) { return {outer(c.w), {c.v.x * c.w, c.v.y * c.w, c.v.z * c.w}, outer(c.v)}; }
 
-/// The damped step of the hinges that are free; those that it takes to their ends are free no more.
+/// The damped step of the free hinges; hinges that reach their ends are fixed there.
 class Step {
  public:
   Step(const LegChain& chain, const Miss& miss, double weight, std::span<const double> q)
       : chain_(chain), q_(q), rest_{miss.error.w, miss.error.v} {
+    MUROSIMF_ASSERT(q.size() == chain.hinges.size() && q.size() <= most_hinges);
     for (std::size_t i = 0; i < q.size(); ++i) columns_[i] = column(miss.pose, weight, i);
   }
 
   void find(double damping) {
+    MUROSIMF_ASSERT(damping > 0);
+    // Each round fixes at least one hinge more, so there are at most as many rounds as hinges.
     while (move_free(damping)) {
     }
   }
-  /// [rad] of the hinge that moves most.
+
+  /// [rad] Largest change of a hinge.
   [[nodiscard]] double size() const {
     double most = 0;
     for (const double change : change_) most = std::max(most, std::abs(change));
     return most;
   }
-  /// The angles after it.
+  /// Writes the angles after the step.
   void apply(Angles& q) const {
     for (std::size_t i = 0; i < q_.size(); ++i) {
       q[i] = std::clamp(q_[i] + change_[i], chain_.hinges[i].lowest, chain_.hinges[i].highest);
@@ -68,8 +74,9 @@ class Step {
   }
 
  private:
-  /// True if a hinge came to its end, so that the others must move anew.
+  /// True if a hinge reached its end, so that the others must move again.
   bool move_free(double damping) {
+    // The 6x6 form costs the same for any number of hinges and is regular where J^T J of more than six is not.
     Sym6d A{diagonal(damping), {Vec3d{}, Vec3d{}, Vec3d{}}, diagonal(damping)};
     for (std::size_t i = 0; i < q_.size(); ++i) {
       if (!stopped_[i]) A += product_with_itself(columns_[i]);
@@ -89,6 +96,7 @@ class Step {
     const LegHinge& hinge = chain_.hinges[i];
     const double wanted = q_[i] + change_[i];
     if (!(wanted < hinge.lowest || wanted > hinge.highest)) return false;
+    MUROSIMF_ASSERT(!stopped_[i]);
     stopped_[i] = true;
     change_[i] = (wanted < hinge.lowest ? hinge.lowest : hinge.highest) - q_[i];
     rest_ -= Wrenchd{change_[i] * columns_[i].w, change_[i] * columns_[i].v};
@@ -107,6 +115,8 @@ class Step {
 
 SolverResult solve_leg(const LegChain& chain, const TipTarget& target, const SolverOptions& options,
                        std::span<double> q) noexcept {
+  MUROSIMF_ASSERT(q.size() == chain.hinges.size() && q.size() <= most_hinges);
+  MUROSIMF_ASSERT(options.weight >= 0 && options.reached > 0);
   SolverResult result;
   for (std::size_t i = 0; i < q.size(); ++i) {
     q[i] = std::clamp(q[i], chain.hinges[i].lowest, chain.hinges[i].highest);
@@ -120,6 +130,7 @@ SolverResult solve_leg(const LegChain& chain, const TipTarget& target, const Sol
     Angles tried{};
     step.apply(tried);
     const Miss next = miss(chain, target, options.weight, std::span(tried).first(q.size()));
+    // A long step is rejected even if it helps: the cycle after would jump to another solution.
     if (next.size < now.size && step.size() < longest_step) {
       std::copy_n(tried.begin(), q.size(), q.begin());
       now = next;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/locomotion/keyframe_channel.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/multibody/kinematics.h"
 
@@ -22,7 +23,7 @@ struct JointPlace {
   Vec3d axis;      ///< unit vector, base frame
 };
 
-/// Of all objects; those that are no joints have no axis.
+/// Of all objects; objects that are not joints have no axis.
 std::vector<JointPlace> places_at_zero(const Model& model) {
   const std::size_t count = model.objects().size();
   const std::vector<double> q(count);
@@ -34,11 +35,14 @@ std::vector<JointPlace> places_at_zero(const Model& model) {
   return places;
 }
 
+/// A rotation axis is a pseudovector: its mirror image has the opposite signs of a slide's.
 Vec3d mirror_of_axis(const Object& joint, const Vec3d& axis) {
+  MUROSIMF_ASSERT(joint.is_joint());
   return joint.kind == Kind::revolute ? Vec3d{-axis.x, axis.y, -axis.z} : Vec3d{axis.x, -axis.y, axis.z};
 }
 
 std::optional<MirroredJoint> find_partner(const Model& model, const std::vector<JointPlace>& places, int joint) {
+  MUROSIMF_ASSERT(static_cast<std::size_t>(joint) < places.size());
   const auto& [position, axis] = places[joint];
   const Vec3d there{position.x, -position.y, position.z};
   const Vec3d along = mirror_of_axis(model.objects()[joint], axis);
@@ -49,8 +53,8 @@ std::optional<MirroredJoint> find_partner(const Model& model, const std::vector<
     const double same = dot(along, places[other].axis);
     const double distance = norm(places[other].position - there);
     if (std::abs(same) < same_direction || distance > least) continue;
-    if (best && distance == least && best->joint == joint)
-      continue;  // of several in one place, a joint is its own partner
+    // Of several in one place, a joint is its own partner.
+    if (best && distance == least && best->joint == joint) continue;
     best = MirroredJoint{other, same > 0 ? 1.0 : -1.0};
     least = distance;
   }
@@ -65,6 +69,7 @@ MirroredJoint partner(const Model& model, const std::vector<JointPlace>& places,
 }
 
 Channel mirror_of_foot(const FootAxis& foot, double sign) {
+  MUROSIMF_ASSERT(foot.side < 2 && foot.axis < foot_axes.size());
   return {channel_name({1 - foot.side, foot.axis}), foot_axes[foot.axis] == "y" ? -sign : sign};
 }
 
@@ -81,6 +86,7 @@ KeyframeMotion mirrored(const KeyframeMotion& motion, const Model& model) {
         channel = mirror_of_foot(*foot, channel.sign);
       } else {
         const MirroredJoint other = partner(model, places, joint_of_channel(model, channel.name));
+        MUROSIMF_ASSERT(std::abs(other.sign) == 1);
         channel = {model.objects()[other.joint].name, other.sign * channel.sign};
       }
     }

@@ -1,10 +1,9 @@
 /// mirrored_motion.h - a key-frame motion for the other side.
 ///
-/// The x-z plane of the base is the mirror. Joints find their partners by where they are with all joints at zero: a hinge at (x, y, z)
+/// The x-z plane of the base is the mirror. Joints are paired by their places with all joints at zero: a hinge at (x, y, z)
 /// with axis (a, b, c) belongs to the one at (x, -y, z) with axis (-a, b, -c), since an axis of rotation is a pseudovector; a slide's
 /// axis becomes (a, -b, c). Where the partner's axis points the other way the value changes its sign. Joints in the plane are their
-/// own partners. Left and right foot change places, and the sign of y, that of
-/// a ball too.
+/// own partners. Left and right foot change places; y changes its sign, also that of a ball.
 #pragma once
 
 #include "murosimf/locomotion/keyframe_motion.h"
@@ -12,7 +11,7 @@
 
 namespace murosimf::locomotion {
 
-/// The joint (object) that does on the other side what `joint` does, and the sign that its value gets.
+/// The joint (object) that moves on the other side as `joint` does, and the sign of its values.
 struct MirroredJoint {
   int joint = 0;
   double sign = 1;
@@ -24,7 +23,7 @@ struct MirroredJoint {
 /// The motion mirrored; `other_side` stays as it is. Throws SetupError as mirrored_joint, and for unknown joints.
 [[nodiscard]] KeyframeMotion mirrored(const KeyframeMotion& motion, const Model& model);
 
-/// What the model plays: the motion itself or, where it is for the `other_side`, mirrored.
+/// The motion as the model plays it: the motion itself or, where it is for the `other_side`, mirrored.
 [[nodiscard]] KeyframeMotion played_by(const Model& model, const KeyframeMotion& motion);
 
 }  // namespace murosimf::locomotion

@@ -10,6 +10,7 @@
 #include "murosimf/locomotion/gait_seed.h"
 #include "murosimf/locomotion/motion_report.h"
 #include "murosimf/locomotion/wide_step.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/motion/rate_limit.h"
 
@@ -30,6 +31,7 @@ std::string_view side_down(const Vec3d& up) noexcept {
 }
 
 double smooth(double s) noexcept { return 0.5 * (1 - std::cos(pi * std::clamp(s, 0.0, 1.0))); }
+/// From 0 to 1 along a cosine, at rest at both ends.
 
 }  // namespace
 
@@ -58,13 +60,17 @@ MotionEngine::MotionEngine(Setup& setup, const Vec3d& command, const MotionEngin
       target_(setup.write(properties::joint_target)) {
   for (const int joint : setup.model().joints()) {
     joints_.push_back(joint);
+    MUROSIMF_ASSERT(static_cast<std::size_t>(joint) < rates_.size());
     rates_[joint] = motion::fastest_rate(setup.model(), joint);
+    MUROSIMF_ASSERT(rates_[joint] > 0);
   }
   if (options.motions.size() > most_motions)
     throw SetupError(fmt::format("a robot has at most {} motions, not {}", most_motions, options.motions.size()));
   for (const NamedMotion& motion : options.motions)
     with_context(motion.name, [&] { add_motion(setup.model(), motion); });
   named_ = motions_.size();
+  MUROSIMF_ASSERT(named_ <= most_motions);
+  // Wide steps come behind the named motions, whose numbers are those of the requests.
   for (const std::size_t side : {0, 1}) {
     add_motion(setup.model(), {"wide_step", wide_step(legs_, seeded_parameters(setup.model()), side)});
     for (std::size_t i = 0; i < named_; ++i) {
@@ -96,6 +102,7 @@ void MotionEngine::initialize() {
 
 void MotionEngine::step(const Instant& instant) noexcept {
   const double dt = seconds(instant.period);
+  // Order: sensors first, then requests and modes by what they report, then targets of the chosen mode.
   gait_.feel(dt, clock_, target_, senses_, gait_state_);
   read_requests();
   choose(dt);
@@ -109,29 +116,33 @@ void MotionEngine::step(const Instant& instant) noexcept {
 }
 
 void MotionEngine::read_requests() noexcept {
+  MUROSIMF_ASSERT(named_ <= requests_.number.size());
   for (std::size_t i = 0; i < named_; ++i) {
     const double number = requests_.number[i];
+    // A request is a change of its number: a number that stays does not start the motion again.
     if (std::exchange(state_.seen.number[i], number) == number || number == 0) continue;
-    ask(static_cast<int>(i));
+    request_motion(static_cast<int>(i));
   }
-  if (std::exchange(state_.kick_seen, kick_request_.number) != kick_request_.number) ask_for_kick();
+  if (std::exchange(state_.kick_seen, kick_request_.number) != kick_request_.number) request_kick();
 }
 
-/// A request waits in `motion` until the robot has stopped. Where it falls or plays already, it is over.
-void MotionEngine::ask(int motion) noexcept {
+/// Starts a motion: a request waits in `motion` until the robot has stopped. While it falls or plays, requests are ignored.
+void MotionEngine::request_motion(int motion) noexcept {
+  MUROSIMF_ASSERT(motion >= 0 && static_cast<std::size_t>(motion) < named_);
   if (mode() != MotionMode::walk || (!can_fall() && motions_[motion].standing < 0)) return;
   if (motions_[motion].lies) return begin(MotionMode::play, motion);
   state_.motion = motion;
   state_.kick = -1;
 }
 
-/// Another request, also for where the ball is meanwhile, takes the place of the one to which it walks.
-void MotionEngine::ask_for_kick() noexcept {
+/// Starts the walk to a kick: another request, also for a new place of the ball, replaces the present one.
+void MotionEngine::request_kick() noexcept {
   state_.kick = -1;
   if (mode() != MotionMode::walk || kick_request_.number == 0 || state_.motion >= 0) return;
   const std::optional<KickPlan> plan = plan_kick(kicks_, kick_request_, gait_.fastest());
   if (!plan) return;
   const Vec3d ball{kick_request_.ball_x, kick_request_.ball_y, 0};
+  MUROSIMF_ASSERT(motions_[plan->motion].motion.kick.has_value());
   state_.kick = plan->motion;
   state_.approach = 0;
   state_.place = odometry_;
@@ -141,16 +152,18 @@ void MotionEngine::ask_for_kick() noexcept {
   state_.clearance = is_zero(ball) ? 0 : share * norm(motions_[plan->motion].motion.kick->ball);
 }
 
-/// Walks to where it kicks; from there it plays the motion, as one that was asked for.
+/// Walks to where it kicks; from there it plays the motion like one that was requested.
 void MotionEngine::approach(double dt) noexcept {
   constexpr double longest = 15, smooths = 0.25;    // [s]
   constexpr double near = 1.0 / 16, turned = 0.05;  // [1] of the leg, [rad]
   const Vec3d way = seen_from(state_.place, odometry_);
+  // The odometry sways with the steps: its mean decides on the arrival.
   state_.place += (dt / (smooths + dt)) * Vec3d{odometry_.x - state_.place.x, odometry_.y - state_.place.y, way.z};
   state_.approach += dt;
   if (state_.approach > longest) state_.kick = -1;
   const Vec3d goal = seen_from(state_.place, state_.goal);
   if (std::hypot(goal.x, goal.y) > near * (legs_[0].thigh + legs_[0].shin) || std::abs(goal.z) > turned) return;
+  MUROSIMF_ASSERT(static_cast<std::size_t>(state_.kick + 1) <= motions_.size());
   state_.motion = std::exchange(state_.kick, -1);
 }
 
@@ -159,6 +172,7 @@ void MotionEngine::choose(double dt) noexcept {
   const bool plays = mode() != MotionMode::walk && state_.motion >= 0;
   const bool means_to_lie = plays && played().lies;
   const bool over = plays && state_.time > state_.blend + state_.duration;
+  // kinematic_walking was switched on while the robot fell or lay: the level has put it upright.
   if (!can_fall() && mode() != MotionMode::walk && mode() != MotionMode::play) return begin(MotionMode::walk, -1);
   switch (mode()) {
     case MotionMode::walk:
@@ -190,11 +204,13 @@ void MotionEngine::choose(double dt) noexcept {
 void MotionEngine::lie_down() noexcept {
   const bool dives = mode() == MotionMode::play && state_.motion >= 0 && played().dives;
   if (mode() != MotionMode::get_up && !dives) state_.falls += 1;
+  // A dive and a fall while getting up are no new falls.
   begin(MotionMode::lie, -1);
 }
 
-/// From where the joints are.
+/// Enters a mode, from the present joint targets.
 void MotionEngine::begin(MotionMode mode, int motion) noexcept {
+  MUROSIMF_ASSERT(motion >= -1 && motion < static_cast<int>(motions_.size()));
   state_.mode = static_cast<double>(mode);
   state_.motion = motion;
   state_.kick = -1;
@@ -212,11 +228,12 @@ void MotionEngine::begin(MotionMode mode, int motion) noexcept {
   } else {
     std::ranges::copy(target_, next_.begin());
   }
-  state_.blend = way_time();
+  state_.blend = blend_time();
 }
 
 /// [s] for the slowest joint from `start_` to `next_`, along a cosine.
-double MotionEngine::way_time() const noexcept {
+double MotionEngine::blend_time() const noexcept {
+  MUROSIMF_ASSERT(start_.size() == next_.size());
   constexpr double peak = pi / 2, at_least = 0.05;  // [1] largest rate of a cosine over its mean; [s]
   double time = at_least;
   for (const int joint : joints_) time = std::max(time, peak * std::abs(next_[joint] - start_[joint]) / rates_[joint]);
@@ -224,9 +241,10 @@ double MotionEngine::way_time() const noexcept {
 }
 
 void MotionEngine::walk(double dt) noexcept {
+  MUROSIMF_ASSERT(dt > 0);
   if (state_.time < state_.blend) {
     write_walk(gait_.stance());
-    return come_from_start();
+    return blend_from_start();
   }
   std::optional<Vec3d> velocity;
   if (state_.kick >= 0) {
@@ -245,16 +263,18 @@ void MotionEngine::play() noexcept {
     return;
   }
   write_motion(played(), state_.time - state_.blend);
-  if (state_.time < state_.blend) come_from_start();
+  if (state_.time < state_.blend) blend_from_start();
 }
 
-/// Part of the way from where the joints were to what stands in `next_`.
-void MotionEngine::come_from_start() noexcept {
+/// Blends from the targets at the start of the mode to those in `next_`.
+void MotionEngine::blend_from_start() noexcept {
+  MUROSIMF_ASSERT(state_.blend > 0);
   const double share = smooth(state_.time / state_.blend);
   for (const int joint : joints_) next_[joint] = start_[joint] + share * (next_[joint] - start_[joint]);
 }
 
 void MotionEngine::write_motion(PlayedMotion& played, double time) noexcept {
+  MUROSIMF_ASSERT(played.values.size() == played.motion.columns.size());
   sample(played.motion, time, played.values);
   played.targets.write(played.values, next_);
 }
@@ -265,14 +285,16 @@ void MotionEngine::write_walk(const GaitPose& pose) noexcept {
 }
 
 void MotionEngine::limit_rates(double dt) noexcept {
+  MUROSIMF_ASSERT(dt > 0 && next_.size() == target_.size());
   for (const int joint : joints_) {
     const double most = rates_[joint] * dt;
     target_[joint] += std::clamp(next_[joint] - target_[joint], -most, most);
   }
 }
 
-/// What its motion is at this level.
+/// The motion that is played at the present level: itself, or what replaces it for a robot that cannot fall.
 MotionEngine::PlayedMotion& MotionEngine::played() noexcept {
+  MUROSIMF_ASSERT(static_cast<std::size_t>(state_.motion) < motions_.size());
   PlayedMotion& motion = motions_[static_cast<int>(state_.motion)];
   return can_fall() || motion.standing < 0 ? motion : motions_[motion.standing];
 }

@@ -1,6 +1,6 @@
-/// motion_engine.h - algorithm: stands, walks, plays motions, and gets up when it has fallen, by what the robot's own sensors say.
+/// motion_engine.h - algorithm: stands, walks, plays motions, and gets up after a fall, from the robot's own sensors.
 ///
-/// Modes (motion_state.h), the later ones go before the earlier ones:
+/// Modes (motion_state.h), later ones precede earlier ones:
 ///     walk      stands or walks with the velocity in `walk_command` (balanced_gait.h); without a command and undisturbed it stands,
 ///               its feet as far apart as where key frames begin
 ///     play      a key-frame motion that `motion_request` asked for (motion_state.h). It begins when the robot has stopped, a dive at once;
@@ -8,10 +8,10 @@
 ///     protect   it falls (leans over 35 degrees): plays protect_front, _back, _left or _right, if the robot has it
 ///     lie       it has fallen (60 degrees): waits until it lies still
 ///     get_up    plays get_up_front, _back, _left or _right by the side that it lies on, and again if it does not stand then
-/// A motion begins with a way from where the joints are, in the time that the slowest joint needs; targets never change by more than
+/// A motion begins with a blend from the present joint targets, in the time that the slowest joint needs; targets never change by more than
 /// a joint's largest rate (motion/rate_limit.h).
-/// At `kinematic_walking`, which cannot fall, a dive is a wide step to its side (wide_step.h), and what is for robots that fall or lie is
-/// not played.
+/// At `kinematic_walking`, where robots cannot fall, a dive is a wide step to its side (wide_step.h), and motions for robots that fall or
+/// lie are not played.
 #pragma once
 
 #include <array>
@@ -31,12 +31,12 @@ namespace murosimf::locomotion {
 struct MotionEngineOptions {
   WalkParameters walk;
   GaitFeedback feedback;
-  double stance = 0;     ///< [m] of the ankles from the middle while it stands
+  double stance = 0;     ///< [m] distance of the ankles from the middle while it stands
   StepTablePtr steps;    ///< null: walks without feedback
   NamedMotions motions;  ///< in the order of their names
 };
 
-/// What the model's file gives, with `given` (balanced_walk_options) before it. Throws SetupError as gait_feedback.
+/// What the model's file gives; `given` (balanced_walk_options) precedes it. Throws SetupError as gait_feedback.
 [[nodiscard]] MotionEngineOptions motion_engine_options(const Model& model, const OptionValues& given);
 
 class MotionEngine final : public Algorithm {
@@ -59,14 +59,14 @@ class MotionEngine final : public Algorithm {
     KeyframeTargets targets;
     std::vector<double> values;  // of this instant, by column
     bool dives = false;
-    bool lies = false;  ///< the robot is meant to go down, or to come from there
-    int standing = -1;  ///< what is played instead where a robot cannot fall: itself, a wide step, or -1, nothing
+    bool lies = false;  ///< the robot goes down on purpose, or comes from there
+    int standing = -1;  ///< the motion that replaces it where a robot cannot fall: itself, a wide step, or -1, none
   };
 
   void read_requests() noexcept;
   void add_motion(const Model& model, const NamedMotion& motion);
-  void ask(int motion) noexcept;
-  void ask_for_kick() noexcept;
+  void request_motion(int motion) noexcept;
+  void request_kick() noexcept;
   void approach(double dt) noexcept;
   [[nodiscard]] PlayedMotion& played() noexcept;
   void choose(double dt) noexcept;
@@ -74,11 +74,11 @@ class MotionEngine final : public Algorithm {
   void lie_down() noexcept;
   void walk(double dt) noexcept;
   void play() noexcept;
-  void come_from_start() noexcept;
+  void blend_from_start() noexcept;
   void write_motion(PlayedMotion& played, double time) noexcept;
   void write_walk(const GaitPose& pose) noexcept;
   void limit_rates(double dt) noexcept;
-  [[nodiscard]] double way_time() const noexcept;
+  [[nodiscard]] double blend_time() const noexcept;
   [[nodiscard]] MotionMode mode() const noexcept { return static_cast<MotionMode>(state_.mode); }
   [[nodiscard]] bool can_fall() const noexcept { return dynamic_ != 0; }
   [[nodiscard]] int find_motion(std::string_view kind) const noexcept;
@@ -88,12 +88,12 @@ class MotionEngine final : public Algorithm {
   WalkSenses senses_;
   GaitClock clock_;
   std::vector<PlayedMotion> motions_;  // the robot's, and wide steps behind them
-  std::size_t named_ = 0;              // how many are the robot's
+  std::size_t named_ = 0;              // number of the robot's own
   std::vector<KickChoice> kicks_;
   std::vector<int> joints_;
   std::vector<double> rates_;  // [rad/s | m/s] by object
   std::vector<double> next_;   // [rad | m] targets of this cycle, by object; made anew in each
-  const double& dynamic_;      // 0: at kinematic_walking, which cannot fall, nothing that the sensors say is answered
+  const double& dynamic_;      // 0: at kinematic_walking, which cannot fall: sensors are ignored
   const MotionRequests& requests_;
   const KickRequest& kick_request_;
   GaitState& gait_state_;

@@ -1,4 +1,4 @@
-/// motion_report.h - what the motion engine does at the moment, as others are told: control software, logs, players.
+/// motion_report.h - the present activity of the motion engine as reported to control software, logs and players.
 #pragma once
 
 #include "murosimf/locomotion/gait_state.h"
@@ -7,10 +7,10 @@
 
 namespace murosimf::locomotion {
 
-/// [1] Of the lean from which on a robot has fallen, 60 degrees.
+/// [1] Cosine of the lean from which on a robot counts as fallen, 60 degrees.
 inline constexpr double cos_fallen = 0.5;
 
-/// What is shown as a number; docs/library.md has the table.
+/// Reported as a number; docs/library.md has the table.
 enum class Activity { stand, walk, play, dive, fall, protect, lie, get_up };
 
 struct MotionReport {

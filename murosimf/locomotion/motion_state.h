@@ -1,4 +1,4 @@
-/// motion_state.h - what the motion engine does at the moment (motion_engine.h).
+/// motion_state.h - requests to the motion engine and its state (motion_engine.h).
 #pragma once
 
 #include <array>
@@ -10,14 +10,14 @@ namespace murosimf::locomotion {
 
 inline constexpr std::size_t most_motions = 32;  ///< of one robot
 
-/// One number for each motion of a robot, in the order of their names. What changes to another number than 0 asks for its motion, once.
+/// One number for each motion of a robot, in the order of their names. A change to another number than 0 requests the motion, once.
 struct MotionRequests {
   std::array<double, most_motions> number{};
 };
 
 /// A kick in a direction: the engine chooses the motion, walks to where it kicks so, and plays it (kick_plan.h).
 struct KickRequest {
-  double number = 0;     ///< a change to another than 0 asks for it, once; 0: one to which it still walks is dropped
+  double number = 0;     ///< a change to another than 0 requests it, once; 0: one to which it still walks is dropped
   double direction = 0;  ///< [rad] in which the ball shall go, in the robot's frame, to the left of forward
   double side = 0;       ///< of the foot that kicks: above 0 left, below 0 right, 0 either
   /// [m] where it lies, in the robot's frame; both 0: where the motion has it, once the robot has turned
@@ -34,8 +34,8 @@ struct MotionState {
   double time = 0;      ///< [s] since it began
   double blend = 0;     ///< [s] in which the joints come from where they were
   double duration = 0;  ///< [s] of that motion
-  double quiet = 0;     ///< [s] that it lies without moving
-  double falls = 0;     ///< [1] so far; what dives does not fall
+  double quiet = 0;     ///< [s] for which it lies without moving
+  double falls = 0;     ///< [1] so far; dives do not count
   MotionRequests seen;  ///< in the cycle before
   // a kick to which it walks
   double kick = -1;      ///< number of its motion; -1: none
@@ -43,8 +43,8 @@ struct MotionState {
   double approach = 0;   ///< [s] since it began
   Vec3d goal;            ///< [m, m, rad] where it kicks, in the frame of the odometry
   Vec3d ball;            ///< [m] likewise, z: 0
-  double clearance = 0;  ///< [m] from the ball on the way; 0: it is not known where that lies
-  Vec3d place;           ///< [m, m, rad] the odometry, without the swaying of the steps
+  double clearance = 0;  ///< [m] from the ball on the way; 0: its place is unknown
+  Vec3d place;           ///< [m, m, rad] the odometry, without the sway of the steps
 };
 
 }  // namespace murosimf::locomotion

@@ -1,4 +1,4 @@
-/// named_motions.h - the motions of a robot, by what they are for: "kick_right", "get_up_front", "dive_left".
+/// named_motions.h - the motions of a robot, by their purpose: "kick_right", "get_up_front", "dive_left".
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@ using NamedMotions = std::vector<NamedMotion>;
   return found == motions.end() ? nullptr : &found->motion;
 }
 
-/// Whether one of them says where it kicks a ball.
+/// Whether one of them kicks a ball.
 [[nodiscard]] inline bool has_kick(const NamedMotions& motions) {
   return std::ranges::any_of(motions, [](const NamedMotion& one) { return one.motion.kick.has_value(); });
 }

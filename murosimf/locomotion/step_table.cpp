@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::locomotion {
 namespace {
 
@@ -25,6 +27,7 @@ struct Sums {
 
   void add(const StepSample& sample) {
     const Terms u = terms_of(sample.velocity);
+    MUROSIMF_ASSERT(std::isfinite(sample.share));
     const auto s = sample.signals.numbers();
     for (std::size_t i = 0; i < step_terms; ++i) {
       for (std::size_t j = 0; j < step_terms; ++j) A[i][j] += u[i] * u[j];
@@ -33,14 +36,16 @@ struct Sums {
     ++count;
   }
 
-  /// By elimination; a small weight on the diagonal decides where the walks do not (a velocity that none of them had: 0).
+  /// Solves by elimination; a small weight on the diagonal decides where the samples do not (a velocity that none of them has: 0).
   [[nodiscard]] Bin solve() const {
+    // The weight also makes the matrix positive definite, so that no pivoting is needed.
     constexpr double weight = 1e-3;
     auto a = A;
     Bin b = B;
     for (std::size_t i = 0; i < step_terms; ++i) a[i][i] += weight;
     for (std::size_t i = 0; i < step_terms; ++i) {
       for (std::size_t row = i + 1; row < step_terms; ++row) {
+        MUROSIMF_ASSERT(a[i][i] > 0);
         const double factor = a[row][i] / a[i][i];
         for (std::size_t j = i; j < step_terms; ++j) a[row][j] -= factor * a[i][j];
         for (Terms& right : b) right[row] -= factor * right[i];
@@ -62,6 +67,7 @@ StepSignals steady_signals(const StepTable& table, double compliance, double sha
   constexpr double last = step_bins - 1;
   const double place = std::clamp(share * step_bins - 0.5, 0.0, last);
   const auto first = static_cast<std::size_t>(std::floor(place));
+  MUROSIMF_ASSERT(!(first >= step_bins));
   const std::size_t next = std::min(first + 1, step_bins - 1);
   const double t = place - static_cast<double>(first);
   const Terms terms = terms_of(velocity);
@@ -84,6 +90,7 @@ StepCourse fit_course(std::span<const StepSample> samples) {
   const Sums* known = nullptr;
   for (const Sums& bin : sums) {
     if (!known && bin.count > 0) known = &bin;
+    // Empty bins before the first known one get the values of that.
   }
   for (std::size_t i = 0; known && i < step_bins; ++i) {
     if (sums[i].count > 0) known = &sums[i];

@@ -1,11 +1,11 @@
-/// step_table.h - how the steady walk looks to the robot's own sensors: six signals over the phase of a step.
+/// step_table.h - the steady walk as the robot's own sensors measure it: six signals over the phase of a step.
 ///
 /// Signals are seen from the foot that stands and mirrored for the right one: xi_x, xi_y [m], y outward; pitch [rad] forward, roll
 /// [rad] towards the foot that swings (while the left one stands: to the right, about +x); rates of roll and pitch [rad/s]. In each of the bins of a step, s_k = a + b_x v_x + b_y v_y + b_z w_z, with the walking
 /// velocity, mirrored too. Between the middles of the bins it is linear.
 ///
-/// A robot whose servos follow their targets at once walks otherwise than one whose servos lag, so there are two tables: rigid and
-/// compliant, between which `compliance`, 0 to 1, goes.
+/// Servos that follow their targets at once make another walk than servos that lag, so there are two tables: rigid and
+/// compliant; `compliance`, 0 to 1, interpolates between them.
 #pragma once
 
 #include <array>
@@ -38,7 +38,7 @@ using StepTablePtr = std::shared_ptr<const StepTable>;
 inline constexpr std::array<std::string_view, step_signals> signal_names{"forward", "outward",   "pitch",
                                                                          "roll",    "roll_rate", "pitch_rate"};
 
-/// `share` [1] of the step that is over; `velocity` [m/s, m/s, rad/s] of the walk, y and z mirrored while the right foot stands.
+/// `share` [1] of the step so far; `velocity` [m/s, m/s, rad/s] of the walk, y and z mirrored while the right foot stands.
 [[nodiscard]] StepSignals steady_signals(const StepTable& table, double compliance, double share,
                                          const Vec3d& velocity) noexcept;
 

@@ -1,12 +1,13 @@
-/// stride.h - where one foot of a periodic gait is along its stride.
+/// stride.h - place of one foot of a periodic gait along its stride.
 ///
-/// Phase p in [-pi, 2 pi) of the foot; d: half of what both feet of a pair stand together.
+/// Phase p in [-pi, 2 pi) of the foot; d: half of the time in which both feet of a pair stand together.
 ///     swing (d < p < pi - d), u = (p - d)/(pi - 2 d):   xi = -cos(pi u)/2      lift = (1 - cos 2 pi u)/2
 ///     stance:                                           xi runs linearly from +1/2 to -1/2, lift = 0
 #pragma once
 
 #include <cmath>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/math/scalar.h"
 
 namespace murosimf::locomotion {
@@ -18,6 +19,7 @@ struct Stride {
 
 [[nodiscard]] inline Stride stride(double p, double d) noexcept {
   if (p < 0) p += 2 * pi;
+  MUROSIMF_ASSERT(2 * d < pi);
   if (p > d && p < pi - d) {
     const double u = (p - d) / (pi - 2 * d);
     return {-0.5 * std::cos(pi * u), 0.5 * (1 - std::cos(2 * pi * u))};

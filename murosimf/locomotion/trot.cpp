@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "murosimf/locomotion/stride.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/multibody/kinematics.h"
 #include "murosimf/multibody/mass.h"
 
@@ -29,7 +30,10 @@ Vec3d center_of_mass(const Model& model, const std::array<Leg, 4>& legs, const T
   const auto rows = static_cast<std::size_t>(model.size());
   std::vector<double> q(rows);
   for (std::size_t k = 0; k < 4; ++k) {
-    for (std::size_t i = 0; i < legs[k].joints.size(); ++i) q[legs[k].joints[i]] = pose.q[k][i];
+    for (std::size_t i = 0; i < legs[k].joints.size(); ++i) {
+      MUROSIMF_ASSERT(static_cast<std::size_t>(legs[k].joints[i]) < rows);
+      q[legs[k].joints[i]] = pose.q[k][i];
+    }
   }
   std::vector<Vec3d> r(rows), rest(rows);
   std::vector<Mat3d> R(rows);
@@ -41,15 +45,19 @@ Vec3d center_of_mass(const Model& model, const std::array<Leg, 4>& legs, const T
 
 TrotPose home_pose(const std::array<Leg, 4>& legs) noexcept {
   TrotPose pose;
-  for (std::size_t k = 0; k < 4; ++k) std::ranges::copy(legs[k].home, pose.q[k].begin());
+  for (std::size_t k = 0; k < 4; ++k) {
+    MUROSIMF_ASSERT(legs[k].home.size() <= most_hinges);
+    std::ranges::copy(legs[k].home, pose.q[k].begin());
+  }
   return pose;
 }
 
 TrotParameters seeded_trot(const Model& model, const std::array<Leg, 4>& legs) {
-  constexpr double own_leg = 0.24;  // [m] for which the defaults are
+  constexpr double own_leg = 0.24;  // [m] leg of the robot that the defaults belong to
   TrotParameters p;
   const double scale = (legs[0].thigh + legs[0].shin) / own_leg;
   const double times = std::sqrt(scale);
+  MUROSIMF_ASSERT(scale > 0);
   p.period *= times;
   p.lift *= scale;
   p.hip_height = p.hip_height * scale + legs[0].ankle_height;
@@ -65,6 +73,7 @@ TrotParameters seeded_trot(const Model& model, const std::array<Leg, 4>& legs) {
 
 TrotPose trot_pose(const std::array<Leg, 4>& legs, const TrotParameters& p, double phase, double amplitude,
                    const Vec3d& velocity, const TrotPose& start) noexcept {
+  MUROSIMF_ASSERT(p.period > 0 && p.double_support >= 0);
   const double d = p.double_support * pi / 2;
   const double stance_time = p.period * (pi + 2 * d) / (2 * pi);
   const Vec3d middle = middle_of_feet(legs, p);
@@ -74,6 +83,7 @@ TrotPose trot_pose(const std::array<Leg, 4>& legs, const TrotParameters& p, doub
     const Leg& leg = legs[k];
     const Stride s = stride(phase - offsets[k], d);
     const Vec3d rest = place_at_rest(leg, p);
+    // Velocity of the ground below this foot: the whole body turns about the middle of the feet.
     const Vec3d n = rest - middle;
     const Vec3d way{velocity.x - velocity.z * n.y, velocity.y + velocity.z * n.x, 0};
     const Vec3d foot = rest + (s.xi * stance_time) * way + Vec3d{0, 0, amplitude * p.lift * s.lift};
@@ -103,7 +113,10 @@ void Trot::step(const Instant& instant) noexcept {
   TrotPose last;
   for (std::size_t k = 0; k < 4; ++k) {
     const auto& joints = legs_[k].joints;
-    for (std::size_t i = 0; i < joints.size(); ++i) last.q[k][i] = target_[joints[i]];
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      MUROSIMF_ASSERT(static_cast<std::size_t>(joints[i]) < target_.size());
+      last.q[k][i] = target_[joints[i]];
+    }
   }
   write_targets(last);
 }
@@ -112,7 +125,10 @@ void Trot::write_targets(const TrotPose& start) noexcept {
   const TrotPose pose = trot_pose(legs_, parameters_, clock_.phase(), clock_.amplitude(), clock_.velocity(), start);
   for (std::size_t k = 0; k < 4; ++k) {
     const auto& joints = legs_[k].joints;
-    for (std::size_t i = 0; i < joints.size(); ++i) target_[joints[i]] = pose.q[k][i];
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      MUROSIMF_ASSERT(static_cast<std::size_t>(joints[i]) < target_.size());
+      target_[joints[i]] = pose.q[k][i];
+    }
   }
 }
 

@@ -1,17 +1,17 @@
-/// trot.h - algorithm: a four-legged robot trots with a walking velocity, one control cycle after the other.
+/// trot.h - algorithm: a four-legged robot trots with a walking velocity; joint targets for each control cycle.
 ///
 /// Diagonal pairs of feet step together: with the phase ph in [0, 2 pi), front left and hind right stand during (0, pi).
-/// A foot whose place at rest is n, seen from the middle of the feet, goes along its stride (stride.h) as its ground does:
+/// A foot whose place at rest is n, seen from the middle of the feet, follows the ground along its stride (stride.h):
 ///
 ///     foot = n + xi Ts (v + w x n) + lift hz z         Ts = T (pi + 2 d)/(2 pi)
 ///
 /// in the frame of the base, which stays level. At rest all feet stand straight below their hips, shifted such that the
-/// center of mass is above their middle. Legs bend by leg.h; three hinges place a foot, and nobody asks how it is turned.
+/// center of mass is above their middle. Legs bend by leg.h; three hinges place a foot, and its orientation is free.
 ///
 /// Reads `walk_command`; keeps its state in gait_phase, gait_amplitude and gait_velocity; writes `joint_target` of all
 /// joints (the neck stays at zero).
 /// Source:  the pattern is that of animals (Hildebrand, "Symmetrical gaits of horses", Science 150, 1965); own numbers.
-/// Limits:  nothing is fed back; the center of mass is taken at rest.
+/// Limits:  no feedback; the center of mass is taken at rest.
 #pragma once
 
 #include "murosimf/locomotion/gait_clock.h"
@@ -20,8 +20,8 @@
 
 namespace murosimf::locomotion {
 
-/// For legs of 0.24 m: found by trying on models/quadruped.xml, at all dynamic levels and in all directions; periods of
-/// 0.35 s and more lift than it takes keep soft feet and slow servos from scuffing.
+/// For legs of 0.24 m: tuned on models/quadruped.xml, at all dynamic levels and in all directions; periods of
+/// 0.35 s and more lift than necessary keep soft feet and slow servos from scuffing.
 struct TrotParameters {
   double period = 0.35;            ///< [s] T, two steps
   double lift = 0.045;             ///< [m] hz, height of the swinging feet
@@ -48,7 +48,7 @@ struct TrotPose {
 
 class Trot final : public Algorithm {
  public:
-  /// `command` [m/s, m/s, rad/s]: walk_command until somebody sets another. Throws SetupError if the model does not have
+  /// `command` [m/s, m/s, rad/s]: walk_command until another value is set. Throws SetupError if the model does not have
   /// four legs (leg.h).
   explicit Trot(Setup& setup, const Vec3d& command = {});
   Trot(Setup& setup, const Vec3d& command, const TrotParameters& parameters);

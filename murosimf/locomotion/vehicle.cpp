@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/servo_law.h"
 #include "murosimf/multibody/kinematics.h"
@@ -23,7 +24,10 @@ struct RestPose {
     const std::vector<double> q(r.size(), 0.0);
     multibody::poses<double>(m.tree(), q, r, R);
   }
-  [[nodiscard]] const Link& link_of(int object) const { return model.tree().links[model.tree().link_of[object]]; }
+  [[nodiscard]] const Link& link_of(int object) const {
+    MUROSIMF_ASSERT(object >= 0 && static_cast<std::size_t>(object) < model.tree().link_of.size());
+    return model.tree().links[model.tree().link_of[object]];
+  }
   [[nodiscard]] Vec3d axis(const Link& link) const { return R[link.object] * link.axis; }
 
   const Model& model;
@@ -35,7 +39,7 @@ bool is_endless_hinge(const RestPose& rest, const Link& link) {
   return link.kind == LinkKind::revolute && !rest.model.find(properties::joint_range, link.object);
 }
 
-/// The wheel that this shape of an object is, without its steering.
+/// The wheel of this shape of an object, without its steering; nothing if the shape is not a wheel.
 std::optional<Wheel> wheel_of(const RestPose& rest, int object, const PlacedShape& placed) {
   const auto* cylinder = std::get_if<Cylinder>(&placed.shape);
   const Link& link = rest.link_of(object);
@@ -55,9 +59,11 @@ std::optional<Wheel> wheel_of(const RestPose& rest, int object, const PlacedShap
   return wheel;
 }
 
+/// Sets the pivot of the wheel: the last hinge about z with a range between the base and the wheel.
 void find_steering(const RestPose& rest, Wheel& wheel) {
   const auto& links = rest.model.tree().links;
   for (int l = rest.link_of(wheel.joint).parent; l > 0; l = links[l].parent) {
+    MUROSIMF_ASSERT(links[l].parent < l);
     const double up = rest.axis(links[l]).z;
     const bool ends = rest.model.find(properties::joint_range, links[l].object);
     if (links[l].kind != LinkKind::revolute || std::abs(up) < parallel || !ends) continue;
@@ -81,19 +87,21 @@ void measure_from_axle(std::vector<Wheel>& wheels) {
     y += wheel.y;
     ++count;
   }
+  MUROSIMF_ASSERT(count > 0);
   for (Wheel& wheel : wheels) {
     wheel.x -= x / count;
     wheel.y -= y / count;
   }
 }
 
-/// Where tan(angle) = c x / (1 - c y) meets the ends of the steering.
+/// Limits the curvature to where tan(angle) = c x / (1 - c y) meets the ends of the steering.
 void limit_curvature(const Model& model, Vehicle& vehicle) {
   vehicle.greatest_curvature = std::numeric_limits<double>::infinity();
   vehicle.least_curvature = -vehicle.greatest_curvature;
   for (const Wheel& wheel : vehicle.wheels) {
     if (wheel.steering < 0) continue;
     const Vec3d& range = *model.find(properties::joint_range, wheel.steering);
+    MUROSIMF_ASSERT(std::abs(wheel.steering_sign) == 1);
     for (const double end : {range.x, range.y}) {
       const double slope = std::tan(wheel.steering_sign * end);
       const double curvature = slope / (wheel.x + wheel.y * slope);
@@ -126,6 +134,7 @@ Vehicle find_vehicle(const Model& model) {
     refuse_vehicle(model, "no wheel has a servo that follows a rate; give one a <velocity> actuator");
   }
   measure_from_axle(vehicle.wheels);
+  MUROSIMF_ASSERT(!vehicle.wheels.empty());
   limit_curvature(model, vehicle);
   return vehicle;
 }

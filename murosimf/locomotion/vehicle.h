@@ -1,6 +1,6 @@
-/// vehicle.h - the wheels of a car, read from a model: what Ackermann steering needs to know.
+/// vehicle.h - the wheels of a car, found in a model for Ackermann steering.
 ///
-/// Found by what they are, not by name, with all joints at zero:
+/// Found by their geometry, not by name, with all joints at zero:
 ///   * a wheel is a hinge across the car (y) without ends that carries a cylinder about its axis;
 ///   * it is driven if its servo follows a rate (motion/servo_law.h);
 ///   * it is steered if the last hinge about z between the base and the wheel has ends; this is its pivot.
@@ -22,7 +22,7 @@ struct Wheel {
   int steering = -1;         ///< object that steers it; -1: none
   double steering_sign = 1;  ///< -1 where that axis points down
   double x = 0, y = 0;  ///< [m] of the pivot, or of the wheel if it has none, from the middle of the unsteered axle
-  double outside = 0;   ///< [m] the wheel's middle is so far to the left of its pivot
+  double outside = 0;   ///< [m] distance of the wheel's middle to the left of its pivot
 };
 
 struct Vehicle {

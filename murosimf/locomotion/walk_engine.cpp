@@ -24,7 +24,7 @@ void WalkEngine::step(const Instant& instant) noexcept {
   write_targets(pose_among(legs_, target_));
 }
 
-/// Legs without a closed form begin to look where the targets of the cycle before are.
+/// Legs without a closed form begin their iteration at the targets of the previous cycle.
 void WalkEngine::write_targets(const GaitPose& start) noexcept {
   write_pose(legs_, gait_pose(legs_, parameters_, clock_.phase(), clock_.amplitude(), clock_.velocity(), start),
              target_);

@@ -1,6 +1,6 @@
-/// walk_engine.h - algorithm: turns a walking velocity into joint targets, one control cycle after the other.
+/// walk_engine.h - algorithm: turns a walking velocity into joint targets, for each control cycle.
 ///
-/// Reads `walk_command`; keeps its state in gait_phase, gait_amplitude and gait_velocity, so that it can be watched,
+/// Reads `walk_command`; keeps its state in gait_phase, gait_amplitude and gait_velocity, so that it can be observed,
 /// saved and restored; writes `joint_target` of all joints (arms and head stay at zero).
 #pragma once
 
@@ -15,8 +15,8 @@ namespace murosimf::locomotion {
 
 class WalkEngine final : public Algorithm {
  public:
-  /// `command` [m/s, m/s, rad/s]: walk_command until somebody sets another. Parameters are those of the model (gait_seed.h).
-  /// Throws SetupError if the model has no two legs that find_legs understands.
+  /// `command` [m/s, m/s, rad/s]: walk_command until another value is set. Parameters are those of the model (gait_seed.h).
+  /// Throws SetupError if the model has no two legs as find_legs requires.
   explicit WalkEngine(Setup& setup, const Vec3d& command = {});
   WalkEngine(Setup& setup, const Vec3d& command, const WalkParameters& parameters);
 

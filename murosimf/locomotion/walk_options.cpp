@@ -4,6 +4,8 @@
 #include <limits>
 #include <string_view>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::locomotion {
 namespace {
 
@@ -47,9 +49,11 @@ const std::array rows{
 std::vector<OptionInfo> make_infos() {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   std::vector<OptionInfo> infos;
-  for (const Row& row : rows)
+  for (const Row& row : rows) {
+    MUROSIMF_ASSERT(row.place != nullptr);
     infos.push_back(
         {std::string(row.name), none, std::string(row.unit), std::string(row.meaning), row.lowest, row.highest});
+  }
   return infos;
 }
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/locomotion/gait_properties.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/multibody/kinematics.h"
 #include "murosimf/multibody/mass.h"
@@ -15,7 +16,7 @@
 namespace murosimf::locomotion {
 namespace {
 
-constexpr double least_gravity = 0.1;  // [m/s^2] below, specific force says nothing of up
+constexpr double least_gravity = 0.1;  // [m/s^2] below, specific force does not determine up
 
 std::span<const double> inertial(Setup& setup, const char* output) {
   return with_context("a robot that balances needs a sensor 'imu' with gyroscope and accelerometer",
@@ -24,7 +25,10 @@ std::span<const double> inertial(Setup& setup, const char* output) {
 
 Vec3d ankle_of(const Leg& leg, std::span<const double> q) noexcept {
   std::array<double, most_hinges> angles{};
-  for (std::size_t i = 0; i < leg.joints.size(); ++i) angles[i] = q[leg.joints[i]];
+  for (std::size_t i = 0; i < leg.joints.size(); ++i) {
+    MUROSIMF_ASSERT(static_cast<std::size_t>(leg.joints[i]) < q.size());
+    angles[i] = q[leg.joints[i]];
+  }
   return pose_of(leg.chain, std::span(angles).first(leg.joints.size())).tip;
 }
 
@@ -68,6 +72,7 @@ void WalkSenses::find_encoders(Setup& setup) {
     if (found->info->type != "joint_position") continue;
     const sensors::Reading& reading = sensors::read_reading(setup, found->info->name);
     const sensors::Output& output = reading.info->outputs.front();
+    MUROSIMF_ASSERT(output.labels.size() <= reading.values.size());
     for (std::size_t i = 0; i < output.labels.size(); ++i) {
       const int joint = model_.object_index(output.labels[i]);
       if (std::ranges::find(encoders_, joint, &Encoder::joint) != encoders_.end()) continue;
@@ -94,9 +99,10 @@ void WalkSenses::read_joints() noexcept {
   for (const Encoder& encoder : encoders_) q_[encoder.joint] = std::isnan(*encoder.value) ? 0 : *encoder.value;
 }
 
-/// [rad/s] Of the link that the inertial sensor is on against the base, axes of the base.
+/// [rad/s] Rate of the inertial sensor's link against the base, axes of the base.
 Vec3d WalkSenses::waist_rate(double dt, double smoothing, GaitState& state) noexcept {
-  Vec3d turned;  // [rad] since the cycle before
+  MUROSIMF_ASSERT(dt > 0 && waist_.size() <= most_waist);
+  Vec3d turned;  // [rad] since the previous cycle
   for (std::size_t i = 0; i < waist_.size(); ++i) {
     const double angle = q_[waist_[i].object];
     turned += (angle - std::exchange(state.waist[i], angle)) * (R_[waist_[i].object] * waist_[i].axis);
@@ -106,6 +112,7 @@ Vec3d WalkSenses::waist_rate(double dt, double smoothing, GaitState& state) noex
 }
 
 void WalkSenses::follow(double dt, std::size_t standing, const Numbers& numbers, GaitState& state) noexcept {
+  MUROSIMF_ASSERT(dt > 0 && standing < 2 && numbers.omega > 0 && numbers.smoothing >= 0);
   read_joints();
   multibody::poses<double>(model_.tree(), q_, r_, R_);
   const Mat3d to_base = R_[mounting_] * turn_;
@@ -121,6 +128,7 @@ void WalkSenses::follow(double dt, std::size_t standing, const Numbers& numbers,
   const Vec3d center = multibody::common_body<double>(model_.tree(), r_, R_, rest_, rest_).center;
   const double share = dt / (numbers.smoothing + dt);
   for (std::size_t side = 0; side < 2; ++side) {
+    // Differences of forward kinematics: they see motion of the joints alone, and w x c adds that of the base.
     const Vec3d from_ankle = center - ankle_of(legs_[side], q_);
     if (state.cycles > 0)
       state.center_rate[side] += share * ((1 / dt) * (from_ankle - state.center[side]) - state.center_rate[side]);
@@ -133,7 +141,7 @@ void WalkSenses::follow(double dt, std::size_t standing, const Numbers& numbers,
   state.signals = {xi.x,   outward * xi.y, state.attitude.pitch(), outward * state.attitude.roll(), outward * rate_.x,
                    rate_.y};
   state.foot.z += dt * (R * rate_).z;
-  if (state.cycles == 0) change_foot(standing, state);  // before, it was not known how the joints stand
+  if (state.cycles == 0) change_foot(standing, state);  // the first cycle that has positions of the joints
   const Vec3d step = flat_step(standing, state);
   odometry_ = {state.foot.x - step.x, state.foot.y - step.y, state.foot.z};
   state.cycles = std::min(state.cycles + 1, 2.0);
@@ -141,6 +149,7 @@ void WalkSenses::follow(double dt, std::size_t standing, const Numbers& numbers,
 
 /// [m] From the base to the ankle, axes of the odometry.
 Vec3d WalkSenses::flat_step(std::size_t standing, const GaitState& state) const noexcept {
+  MUROSIMF_ASSERT(standing < 2);
   return rotation_z(state.foot.z) * (level_axes(state.attitude) * ankle_of(legs_[standing], q_));
 }
 

@@ -1,11 +1,11 @@
-/// walk_senses.h - what a walking robot feels: attitude, center of mass and odometry from its inertial sensor and its encoders.
+/// walk_senses.h - state of a walking robot: attitude, center of mass and odometry from its inertial sensor and its encoders.
 ///
 /// With R the rotation of roll and pitch from the attitude filter, c_a the center of mass from an ankle by forward kinematics of the
 /// encoders, w the gyroscope, all in axes of the base, omega the rate of the pendulum:
 ///
 ///     xi = R c_a + R (w x c_a + dc_a/dt) / omega         dc_a/dt from differences, through a low-pass
 ///
-/// w is what the gyroscope says less its bias, and less the rates of the joints between the base and the link that it is on (a waist),
+/// w is the rate of the gyroscope less its bias, and less the rates of the joints between the base and the sensor's link (a waist),
 /// which are differences of their encoders through the same low-pass.
 /// Odometry: the ankle that stands does not move, and the heading is the integral of the vertical rate.
 /// Source: gait_feedback.h.
@@ -23,19 +23,19 @@ namespace murosimf::locomotion {
 class WalkSenses {
  public:
   /// Throws SetupError if the robot has no sensor "imu" with gyroscope and accelerometer, or no sensors of the type joint_position for the
-  /// joints of its legs and those that turn the inertial sensor against the base. Where two report a joint, the first one counts.
+  /// joints of its legs and those that turn the inertial sensor against the base. Of two sensors of one joint, the first one counts.
   WalkSenses(Setup& setup, const std::array<Leg, 2>& legs);
 
-  /// Before the first control cycle.
+  /// Resets the state before the first control cycle.
   void initialize(std::size_t standing, GaitState& state) noexcept;
   struct Numbers {
     double smoothing = 0;   ///< [s] of the low-pass
     double omega = 0;       ///< [1/s]
     double still_rate = 0;  ///< [rad/s] of a robot that stands
   };
-  /// A control cycle of `dt` [s] is over, in which `standing` (0: left) stood.
+  /// Updates the state after a control cycle of `dt` [s], in which `standing` (0: left) stood.
   void follow(double dt, std::size_t standing, const Numbers& numbers, GaitState& state) noexcept;
-  /// Another foot stands from now on.
+  /// Makes `standing` the foot that stands.
   void change_foot(std::size_t standing, GaitState& state) const noexcept;
 
   /// [rad | m] of all objects, as measured.
@@ -43,7 +43,7 @@ class WalkSenses {
   [[nodiscard]] const Vec3d& rate() const noexcept { return rate_; }  ///< [rad/s] gyroscope less bias, axes of the base
 
  private:
-  /// Where a number of a reading goes.
+  /// Source of a joint's position.
   struct Encoder {
     const double* value = nullptr;
     int joint = 0;

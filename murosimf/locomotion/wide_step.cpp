@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::locomotion {
 
 KeyframeMotion wide_step(const std::array<Leg, 2>& legs, const WalkParameters& walk, std::size_t side) {
+  MUROSIMF_ASSERT(side < 2);
   constexpr double sinks = 0.3, reach = 0.95, lean = 0.6;     // [1] of the hips' height, [1] of the leg, [rad]
   constexpr double aside = 0.3, waits = 0.5, together = 0.4;  // [s]
   const Leg& leg = legs[side];
@@ -22,6 +25,7 @@ KeyframeMotion wide_step(const std::array<Leg, 2>& legs, const WalkParameters& w
                    {waits, {w, down, -w, down}},
                    {together / 2, {w / 2, down / 2, -w / 2, walk.lift + down / 2}},
                    {together / 2, {0, 0, 0, 0}}};
+  MUROSIMF_ASSERT(duration(motion) > 0);
   return motion;
 }
 

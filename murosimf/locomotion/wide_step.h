@@ -1,6 +1,6 @@
-/// wide_step.h - a step to the side as wide as the legs allow: how a robot that cannot fall blocks instead of diving.
+/// wide_step.h - a step to the side as wide as the legs allow: a block for a robot that cannot fall, instead of a dive.
 ///
-/// The foot of that side goes outward while the hips sink, then the other one follows, and the robot stands as before, beside where it
+/// The foot of that side goes outward while the hips sink, then the other one follows, and the robot ends upright, beside where it
 /// stood. With l thigh and shin, h the hips above the ankles and s = 0.7 h when they have sunk, each leg leans outward by
 ///     w = min(sqrt((0.95 l)^2 - s^2), s tan 0.6)
 /// and the step is 2 w wide.

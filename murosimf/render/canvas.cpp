@@ -2,11 +2,13 @@
 
 #include <cmath>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/math/scalar.h"
 
 namespace murosimf::render {
 
 Color mix(const Color& a, const Color& b, double share) {
+  MUROSIMF_ASSERT(share >= 0 && share <= 1);
   const auto blend = [share](double x, double y) { return x + share * (y - x); };
   return {blend(a.red, b.red), blend(a.green, b.green), blend(a.blue, b.blue)};
 }
@@ -24,11 +26,13 @@ void trace(cairo_t* canvas, std::span<const Vec3d> points) {
 }
 
 void circle(cairo_t* canvas, double x, double y, double radius) {
+  // A new sub path: otherwise cairo joins the present point with the beginning of the arc.
   cairo_new_sub_path(canvas);
   cairo_arc(canvas, x, y, radius, 0, 2 * pi);
 }
 
 void rounded_box(cairo_t* canvas, double half_x, double half_y, double radius) {
+  MUROSIMF_ASSERT(radius <= half_x && radius <= half_y);
   cairo_new_sub_path(canvas);
   cairo_arc(canvas, half_x - radius, half_y - radius, radius, 0, pi / 2);
   cairo_arc(canvas, -half_x + radius, half_y - radius, radius, pi / 2, pi);
@@ -46,6 +50,7 @@ void fill_with_edge(cairo_t* canvas, const Color& fill, const Color& edge, doubl
 }
 
 void soft_shadow(cairo_t* canvas, double x, double y, double radius) {
+  MUROSIMF_ASSERT(radius > 0);
   const std::unique_ptr<cairo_pattern_t, decltype(&cairo_pattern_destroy)> shade(
       cairo_pattern_create_radial(x, y, 0.3 * radius, x, y, radius), cairo_pattern_destroy);
   cairo_pattern_add_color_stop_rgba(shade.get(), 0, 0, 0.08, 0, 0.45);

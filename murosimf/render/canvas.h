@@ -1,4 +1,4 @@
-/// canvas.h - small parallel_for on a cairo canvas: colors, shapes, text.
+/// canvas.h - helpers on a cairo canvas: colors, shapes, text.
 ///
 /// Only for the .cpp files of this folder: it brings cairo in.
 #pragma once
@@ -16,9 +16,9 @@ namespace murosimf::render {
 
 inline constexpr Color white{1, 1, 1}, black{0, 0, 0};
 
-/// `share` 0 gives a, 1 gives b.
+/// Linear blend: `share` 0 gives a, 1 gives b.
 [[nodiscard]] Color mix(const Color& a, const Color& b, double share);
-/// Rec. 709 weights.
+/// Luminance [1] with the weights of Rec. 709.
 [[nodiscard]] double brightness(const Color& c);
 [[nodiscard]] bool is_finite(const Vec3d& p);
 
@@ -27,13 +27,13 @@ void trace(cairo_t* canvas, std::span<const Vec3d> points);
 void circle(cairo_t* canvas, double x, double y, double radius);
 /// Rectangle about the origin with round corners.
 void rounded_box(cairo_t* canvas, double half_x, double half_y, double radius);
-/// Fills the present path and draws its edge.
+/// Fills the present path and strokes its edge.
 void fill_with_edge(cairo_t* canvas, const Color& fill, const Color& edge, double edge_width);
 void soft_shadow(cairo_t* canvas, double x, double y, double radius);
 
 void set_font(cairo_t* canvas, double size, bool bold);
 [[nodiscard]] double text_width(cairo_t* canvas, const std::string& text);
-/// Text whose left end and whose middle of capitals lie at (x, y) [pixels].
+/// Shows text; its left end and the middle of its capitals lie at (x, y) [pixels].
 void show_text(cairo_t* canvas, double x, double y, const std::string& text, const Color& color);
 
 }  // namespace murosimf::render

@@ -1,6 +1,7 @@
-// Drawings for people who watch, over a picture.
+// Draws lines, areas and words for observers over a picture.
 #include <cstdint>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/render/canvas.h"
 #include "murosimf/render/png.h"
 #include "murosimf/render/seen_drawing.h"
@@ -9,6 +10,7 @@ namespace murosimf::render {
 namespace {
 
 void draw_words(cairo_t* canvas, const SeenShape& shape) {
+  MUROSIMF_ASSERT(shape.points.size() == 1);
   set_font(canvas, shape.size, true);
   const double width = text_width(canvas, shape.words), x = shape.points[0].x - 0.5 * width, y = shape.points[0].y;
   const double margin = 0.25 * shape.size;
@@ -32,12 +34,14 @@ void draw_seen(cairo_t* canvas, const SeenShape& shape) {
 
 void draw_over(imaging::ColorImage& picture, const std::vector<SeenShape>& shapes) {
   if (shapes.empty() || picture.empty()) return;
+  // Cairo's rows are padded and its pixels are 32 bits wide: the picture is copied in and out.
   const SurfacePtr surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, picture.width(), picture.height()),
                            cairo_surface_destroy);
   check(cairo_surface_status(surface.get()));
   unsigned char* bytes = cairo_image_surface_get_data(surface.get());
   const int stride = cairo_image_surface_get_stride(surface.get());
   const auto pixel_at = [&](int u, int v) -> std::uint32_t& {
+    MUROSIMF_ASSERT(u >= 0 && v >= 0 && 4 * u < stride);
     return reinterpret_cast<std::uint32_t*>(bytes + static_cast<std::ptrdiff_t>(v) * stride)[u];
   };
   cairo_surface_flush(surface.get());

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/render/image_png.h"
 
 namespace murosimf::render {
@@ -13,14 +14,16 @@ using imaging::Rgb;
 template <class Pixel, class Map>
 imaging::ColorImage mapped(const imaging::Image<Pixel>& image, const Map& map) {
   imaging::ColorImage colors(image.width(), image.height());
+  MUROSIMF_ASSERT(image.pixels().size() == colors.pixels().size());
   std::ranges::transform(image.pixels(), colors.pixels().begin(), map);
   return colors;
 }
 
-/// Colors that differ much from one to the next: hues by the golden angle.
+/// Colors that differ much between successive labels: hues by the golden angle.
 Rgb color_of(std::uint16_t label) {
   constexpr std::array<Rgb, 4> fixed{Rgb{0, 0, 0}, {60, 130, 70}, {255, 255, 255}, {250, 220, 60}};
   if (label < fixed.size()) return fixed[label];
+  // The golden ratio spreads hues of any number of labels evenly.
   const double hue = 6 * std::fmod(0.07 + 0.381966 * (label - 4), 1.0);
   const auto channel = [&](double from) {
     const double k = std::fmod(from + hue, 6.0);
@@ -36,6 +39,7 @@ imaging::ColorImage shown(const imaging::DepthImage& depth) {
   for (const float z : depth.pixels()) {
     if (z > 0) nearest = std::min(nearest, z);
   }
+  // In 1 / z steps of depth nearby are as visible as larger ones far away.
   return mapped(depth, [&](float z) {
     const double share = std::isfinite(z) && z > 0 ? nearest / z : 0;
     const auto gray = static_cast<std::uint8_t>(std::lround(255 * share));

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::render {
 namespace {
 
@@ -16,6 +18,7 @@ bool is_closed(const Stroke& stroke) {
 }
 
 bool is_goal(const Stroke& stroke, const PictureFrame& frame) {
+  // Open strokes that reach beyond the outer lines are goals: the markings have no kind of their own.
   if (frame.lines_length == 0 || is_closed(stroke)) return false;
   return std::any_of(stroke.points.begin(), stroke.points.end(),
                      [&](const Vec3d& p) { return std::abs(p.x) > frame.lines_length; });
@@ -33,6 +36,7 @@ void draw_grass(cairo_t* canvas, const PictureFrame& frame) {
   cairo_fill(canvas);
   // the border strip is a little darker than the field
   cairo_rectangle(canvas, -frame.half_length, -frame.half_width, 2 * frame.half_length, 2 * frame.half_width);
+  // The opposite direction makes a hole of the inner rectangle (non-zero winding rule).
   cairo_rectangle(canvas, frame.lines_length, -frame.lines_width, -2 * frame.lines_length, 2 * frame.lines_width);
   set_color(canvas, {0, 0.09, 0.02}, 0.24);
   cairo_fill(canvas);
@@ -47,6 +51,7 @@ void draw_line(cairo_t* canvas, const Stroke& stroke) {
 }
 
 void draw_net(cairo_t* canvas, const Stroke& goal, double mesh) {
+  MUROSIMF_ASSERT(mesh > 0);
   cairo_save(canvas);
   trace(canvas, goal.points);
   cairo_close_path(canvas);
@@ -93,12 +98,14 @@ PictureFrame frame_of(const Markings& markings, double pixels_per_meter) {
 }
 
 void draw_field(cairo_t* canvas, const Markings& markings, const PictureFrame& frame) {
+  MUROSIMF_ASSERT(frame.scale > 0);
   draw_grass(canvas, frame);
   cairo_set_line_join(canvas, CAIRO_LINE_JOIN_MITER);
   cairo_set_line_cap(canvas, CAIRO_LINE_CAP_BUTT);
   for (const Stroke& stroke : markings.strokes) {
     if (!is_goal(stroke, frame)) draw_line(canvas, stroke);
   }
+  // Goals above lines: a net covers the goal line's ends.
   for (const Stroke& stroke : markings.strokes) {
     if (is_goal(stroke, frame)) draw_goal(canvas, stroke);
   }

@@ -9,7 +9,7 @@
 
 namespace murosimf::render {
 
-/// What the picture shows, and how large.
+/// Area and scale of a picture.
 struct PictureFrame {
   double half_length = 0, half_width = 0;                   // [m] of the picture
   double lines_length = 0, lines_width = 0;                 // [m] half, of the area inside the outer lines
@@ -19,9 +19,10 @@ struct PictureFrame {
   [[nodiscard]] int rows() const { return static_cast<int>(std::lround(2 * half_width * scale)); }
 };
 
+/// The frame of the markings; lines_length and lines_width are zero without a closed stroke.
 [[nodiscard]] PictureFrame frame_of(const Markings& markings, double pixels_per_meter);
 
-/// The canvas is in meters, x to the right and y up, the middle of the field at the origin.
+/// Draws the field. The canvas is in meters, x to the right and y up, the middle of the field at the origin.
 void draw_field(cairo_t* canvas, const Markings& markings, const PictureFrame& frame);
 
 }  // namespace murosimf::render

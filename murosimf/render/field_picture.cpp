@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/render/field_drawing.h"
 #include "murosimf/render/legend.h"
 #include "murosimf/render/overlay_drawing.h"
@@ -22,6 +23,7 @@ PictureFrame checked_frame(const Markings& markings, const FieldPictureOptions& 
   if (frame.scale <= 0 || frame.columns() < 1 || frame.rows() < 1) refuse_picture("pixels_per_meter is too small");
   if (!(longer <= largest_side))
     refuse_picture(fmt::format("pixels_per_meter is too large: over {} pixels", largest_side));
+  MUROSIMF_ASSERT(frame.columns() >= 1 && frame.rows() >= 1);
   return frame;
 }
 
@@ -35,7 +37,7 @@ std::string field_picture_png(const Markings& markings, const std::vector<Path>&
   const CanvasPtr canvas(cairo_create(picture.get()), cairo_destroy);
   cairo_save(canvas.get());
   cairo_translate(canvas.get(), frame.columns() / 2.0, frame.rows() / 2.0);
-  cairo_scale(canvas.get(), frame.scale, -frame.scale);
+  cairo_scale(canvas.get(), frame.scale, -frame.scale);  // y of the field goes up, that of the picture down
   draw_field(canvas.get(), markings, frame);
   draw_paths(canvas.get(), paths, frame);
   draw_overlay(canvas.get(), options.overlay, frame);

@@ -1,4 +1,4 @@
-/// field_picture.h - a picture of a match, seen from above: the field, and where robots and ball went.
+/// field_picture.h - a picture of a match, seen from above: the field, and the paths of robots and ball.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace murosimf::render {
 
-/// Where a robot or a ball went.
+/// The path of a robot or a ball.
 struct Path {
   std::string name;           ///< without the number at its end it names the team in the legend
   Color color;                ///< of the team, or of the ball

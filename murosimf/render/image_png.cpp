@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/render/canvas.h"
 #include "murosimf/render/png.h"
 
@@ -28,6 +29,7 @@ std::string image_png(const imaging::ColorImage& image, const std::string& title
   for (const imaging::Rgb& p : image.pixels()) {
     pixels.push_back(static_cast<std::uint32_t>(p.red) << 16 | static_cast<std::uint32_t>(p.green) << 8 | p.blue);
   }
+  MUROSIMF_ASSERT(pixels.size() == static_cast<std::size_t>(image.width()) * static_cast<std::size_t>(image.height()));
   const SurfacePtr surface(cairo_image_surface_create_for_data(reinterpret_cast<unsigned char*>(pixels.data()),
                                                                CAIRO_FORMAT_RGB24, image.width(), image.height(),
                                                                4 * image.width()),

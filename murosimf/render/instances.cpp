@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::render {
 namespace {
 
@@ -14,6 +16,7 @@ constexpr double largest_depth_error = 0.5e-3;  // [m]
 enum RoundForm : std::size_t { sphere, half_sphere, tube, cylinder, round_forms };
 
 std::size_t render_mesh_of(const Drawable& drawable, std::size_t level, const MeshCatalog& catalog) {
+  MUROSIMF_ASSERT(level < roundness.size());
   const std::size_t box = round_forms * roundness.size();
   switch (drawable.form) {
     case Form::sphere: return sphere * roundness.size() + level;
@@ -36,7 +39,7 @@ std::size_t level_for(double error) {
   return roundness.size() - 1;
 }
 
-/// What a projection can see, with the borders as planes: n . p > offset inside, n of unit length.
+/// The visible volume of a projection, bounded by planes: n . p > offset inside, n of unit length.
 class Frustum {
  public:
   explicit Frustum(const Projection& projection) : parallel_(projection.parallel) {
@@ -53,8 +56,10 @@ class Frustum {
     corner_stretch_ = 1 + x * x + y * y;
   }
   [[nodiscard]] bool may_see(const Vec3d& middle, double radius) const {
+    MUROSIMF_ASSERT(radius >= 0);
     if (!parallel_ && middle.z < -radius) return false;
     for (std::size_t i = 0; i < planes_.size(); ++i) {
+      // Written so that a position that is not finite is invisible.
       if (!(dot(planes_[i], middle) - offsets_[i] > -radius)) return false;
     }
     return true;
@@ -62,6 +67,7 @@ class Frustum {
   /// [m] The longest outward shift of the outline of a sphere that stays below `error` [px] in the picture; `pixels` to
   /// a unit of the window.
   [[nodiscard]] double allowed(double error, double pixels, const Vec3d& middle, double radius) const {
+    MUROSIMF_ASSERT(error > 0 && pixels > 0);
     if (parallel_) return error / pixels;
     const double near = std::max(0.01, norm(middle) - radius);
     return error * near / (pixels * stretch(middle, radius));
@@ -102,7 +108,7 @@ Instance instance_of(const Drawable& drawable, const Transformd& at) {
           drawable.label};
 }
 
-/// A pose in the world as the eye has it.
+/// A pose of the world in the axes of the eye.
 Transformd seen_from(const Transformd& pose, const Vec3d& eye, const Mat3d& axes) {
   return {transposed_times(axes, pose.position - eye), transpose(axes) * pose.orientation};
 }
@@ -117,6 +123,7 @@ MeshCatalog solid_catalog(std::span<const RenderMesh> meshes) {
   catalog.meshes.push_back(unit_box());
   catalog.first_mesh = catalog.meshes.size();
   catalog.meshes.insert(catalog.meshes.end(), meshes.begin(), meshes.end());
+  MUROSIMF_ASSERT(catalog.meshes.size() == catalog.first_mesh + meshes.size());
   return catalog;
 }
 
@@ -128,6 +135,7 @@ void InstanceList::begin(const MeshCatalog& catalog) {
 }
 
 void InstanceList::add(std::size_t solid, const Drawable& drawable, const Transformd& optical) {
+  MUROSIMF_ASSERT(solid + 1 < first_of_.size());
   if (drawable.color.alpha < 1) {
     clear_.emplace_back(solid, instance_of(drawable, optical));
     return;
@@ -143,6 +151,7 @@ void InstanceList::fill(const RenderScene& render_scene, const Projection& proje
   const sensors::Perspective& view = projection.window;
   const Frustum frustum(projection);
   const double pixels = std::max(view.width / (view.right - view.left), view.height / (view.bottom - view.top));
+  MUROSIMF_ASSERT(pixels > 0);
   render_scene.for_drawables(ahead, [&](const Drawable& drawable, const Transformd& pose) {
     if (view.without && render_scene.owner(drawable) == view.without) return;
     const Transformd optical = seen_from(pose, view.eye, view.axes);
@@ -166,8 +175,9 @@ void InstanceList::fill_all(const RenderScene& render_scene, const Vec3d& eye, c
   sort();
 }
 
-/// By solid; pieces of one solid stay in their order (counting sort).
+/// Sorts by solid; pieces of one solid keep their order (counting sort).
 void InstanceList::sort() {
+  MUROSIMF_ASSERT(unsorted_.size() == render_mesh_of_.size());
   groups_.clear();
   for (std::size_t solid = 0; solid + 1 < first_of_.size(); ++solid) {
     const std::size_t count = first_of_[solid + 1];
@@ -175,17 +185,22 @@ void InstanceList::sort() {
     if (count > 0) groups_.push_back({solid, first_of_[solid], count});
   }
   sorted_.resize(unsorted_.size());
-  for (std::size_t i = 0; i < unsorted_.size(); ++i) sorted_[first_of_[render_mesh_of_[i]]++] = unsorted_[i];
+  for (std::size_t i = 0; i < unsorted_.size(); ++i) {
+    MUROSIMF_ASSERT(first_of_[render_mesh_of_[i]] < sorted_.size());
+    sorted_[first_of_[render_mesh_of_[i]]++] = unsorted_[i];
+  }
   append_clear();
 }
 
 void InstanceList::append_clear() {
   solid_groups_ = groups_.size();
   const auto depth = [](const std::pair<std::size_t, Instance>& one) { return one.second.row_z[3]; };
+  // Farthest first; stable, so that pictures of equal scenes are equal.
   std::stable_sort(clear_.begin(), clear_.end(), [&](const auto& a, const auto& b) { return depth(a) > depth(b); });
   for (const auto& [solid, instance] : clear_) {
     groups_.push_back({solid, sorted_.size(), 1});
     sorted_.push_back(instance);
+    MUROSIMF_ASSERT(solid_groups_ + clear_.size() == groups_.size());
   }
 }
 

@@ -1,5 +1,5 @@
-/// instances.h - the pieces of a scene as a view sees them: which can be in the picture, how round they must be, and in
-/// which order they are drawn: see-through ones last, the farthest first, so that each is laid over what is behind it.
+/// instances.h - the pieces of a scene for one view: which may be visible, how round they must be, and in
+/// which order they are drawn: transparent ones last, the farthest first, so that each is blended over what is behind it.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace murosimf::render {
 
-/// Solids that a drawing needs, and where the meshes begin among them.
+/// Solids for drawing; meshes begin at `first_mesh`.
 struct MeshCatalog {
   std::vector<RenderMesh> meshes;
   std::size_t first_mesh = 0;
@@ -35,20 +35,20 @@ struct InstanceGroup {
   std::size_t solid = 0, first = 0, count = 0;
 };
 
-/// All instances of a view, those of one solid one after the other. Kept from picture to picture: no allocations.
+/// All instances of a view, grouped by solid. Kept from picture to picture: no allocations.
 class InstanceList {
  public:
-  /// Pieces that are in the picture. Round ones are off by less than a quarter of a pixel, and with `depths` by less than
+  /// Collects pieces that may be visible. The outline of round ones is exact to a quarter of a pixel, and with `depths` to
   /// half a millimeter.
   void fill(const RenderScene& render_scene, const Projection& projection, bool depths, double ahead,
             const MeshCatalog& catalog);
-  /// All pieces but see-through ones, for a lamp that looks along the third axis from `eye`; z counts from there.
+  /// Collects all pieces, for a lamp that looks along the third axis from `eye`; z counts from there. Transparent ones are last.
   void fill_all(const RenderScene& render_scene, const Vec3d& eye, const Mat3d& axes, double ahead,
                 const MeshCatalog& catalog);
 
   [[nodiscard]] std::span<const Instance> instances() const { return sorted_; }
   [[nodiscard]] std::span<const InstanceGroup> groups() const { return groups_; }
-  /// Those that nothing shines through, and the others.
+  /// Groups of opaque pieces, and the others.
   [[nodiscard]] std::span<const InstanceGroup> solid_groups() const { return groups().first(solid_groups_); }
   [[nodiscard]] std::span<const InstanceGroup> clear_groups() const { return groups().subspan(solid_groups_); }
 

@@ -5,15 +5,17 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::render {
 namespace {
 
 struct LegendEntry {
   std::string label;
-  const Path* path = nullptr;  // null: what the ring at the start of a path means
+  const Path* path = nullptr;  // null: the entry that explains the ring at the start of a path
 };
 
-/// "blue_2" belongs to "blue".
+/// The team of a path: "blue_2" belongs to "blue".
 std::string team_name(const Path& path) {
   const std::size_t end = path.name.find_last_not_of("0123456789");
   if (end == std::string::npos) return path.name;
@@ -34,7 +36,7 @@ std::vector<LegendEntry> legend_entries(const std::vector<Path>& paths) {
   return entries;
 }
 
-/// A symbol of the size of a capital, its middle at (x, y).
+/// Draws a symbol of the size of a capital, its middle at (x, y).
 void draw_swatch(cairo_t* canvas, const LegendEntry& entry, double x, double y, double font) {
   const double radius = 0.42 * font;
   const Color color = entry.path ? entry.path->color : white;
@@ -70,6 +72,7 @@ void draw_scale_bar(cairo_t* canvas, double right, double y, double font, double
 
 /// The largest font up to `font` with which `width(font)` fits.
 double fitting_font(double font, double room, const std::function<double(double)>& width) {
+  MUROSIMF_ASSERT(font > 0);
   const double needed = width(font);
   return needed > room ? font * room / needed : font;
 }
@@ -110,7 +113,7 @@ void draw_legend(cairo_t* canvas, const PictureFrame& frame, const std::vector<L
 
 void draw_writing(cairo_t* canvas, const PictureFrame& frame, const std::vector<Path>& paths,
                   const std::string& title) {
-  constexpr double thinnest_strip = 20;  // [pixels] below, no letter could be read
+  constexpr double thinnest_strip = 20;  // [pixels] below, letters are illegible
   const double strip = (frame.half_width - frame.lines_width) * frame.scale;
   if (strip < thinnest_strip || frame.lines_width == 0) return;
   const double left = (frame.half_length - frame.lines_length) * frame.scale;

@@ -11,7 +11,7 @@
 
 namespace murosimf::render {
 
-/// The canvas is in pixels, y down.
+/// Draws title and legend. The canvas is in pixels, y down.
 void draw_writing(cairo_t* canvas, const PictureFrame& frame, const std::vector<Path>& paths, const std::string& title);
 
 }  // namespace murosimf::render

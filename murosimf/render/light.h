@@ -1,4 +1,4 @@
-/// light.h - what lights a scene, and what is behind it.
+/// light.h - the lamp, the ambient light and the background of a scene.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-// Stands in for everything that draws where cairo is missing.
+// Replaces everything that draws where cairo is missing.
 #include "murosimf/model/error.h"
 #include "murosimf/render/field_picture.h"
 #include "murosimf/render/image_png.h"

@@ -1,4 +1,4 @@
-// Stands in for the renderer where OpenGL is missing.
+// Replaces the renderer where OpenGL is missing.
 #include "murosimf/model/error.h"
 #include "murosimf/render/renderer.h"
 

@@ -1,9 +1,10 @@
-// Numbers of 16 bits as a PNG file, which cairo has no form for.
+// Writes numbers of 16 bits as a PNG file: cairo has no format for them.
 #include <csetjmp>
 #include <vector>
 
 #include <png.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/render/image_png.h"
 
@@ -16,7 +17,7 @@ void add_bytes(png_structp png, png_bytep data, std::size_t size) {
   static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(data), size);
 }
 
-/// False if libpng gives up, which it says by a jump: nothing here may need to be destroyed.
+/// False if libpng fails, which it reports by a jump: nothing here may need to be destroyed.
 bool write(png_structp png, png_infop info, png_uint_32 width, png_uint_32 height, png_bytepp rows, std::string* into) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
   png_set_write_fn(png, into, add_bytes, nullptr);
@@ -44,7 +45,9 @@ std::vector<png_byte> big_endian(const imaging::NumberImage& image) {
 std::string number_png(const imaging::NumberImage& image) {
   std::vector<png_byte> bytes = big_endian(image);
   std::vector<png_bytep> rows;
+  // The rows point into `bytes`, which must not change from here on.
   for (int v = 0; v < image.height(); ++v) rows.push_back(bytes.data() + std::ptrdiff_t{2} * v * image.width());
+  MUROSIMF_ASSERT(bytes.size() == 2 * image.pixels().size());
   std::string file;
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
   png_infop info = png ? png_create_info_struct(png) : nullptr;

@@ -1,4 +1,4 @@
-/// overlay.h - what control software believes, to be drawn over the picture of a field: arrows, circles, lines.
+/// overlay.h - estimates of control software, drawn over the picture of a field: arrows, circles, lines.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace murosimf::render {
 
-/// All lengths in meters on the field; everything is drawn in the order of its list.
+/// All lengths in meters on the field; each kind is drawn in the order of its list.
 struct OverlayCircle {
   Vec3d center;
   double radius = 0.1;

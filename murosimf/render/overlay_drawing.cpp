@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::render {
 namespace {
 
-/// At the origin, pointing along x.
+/// Draws the head of an arrow with its tip at the origin, pointing along x.
 void draw_head(cairo_t* canvas, double size) {
   cairo_move_to(canvas, 0, 0);
   cairo_line_to(canvas, -size, 0.45 * size);
@@ -26,6 +28,7 @@ void draw_head_at(cairo_t* canvas, const Vec3d& tip, const Vec3d& along, double 
 
 void draw_line(cairo_t* canvas, const OverlayLine& line, double pixel) {
   if (line.points.size() < 2 || !std::all_of(line.points.begin(), line.points.end(), is_finite)) return;
+  MUROSIMF_ASSERT(pixel > 0);
   const double width = std::max(line.width, 1.5 * pixel);
   set_color(canvas, line.color);
   cairo_set_line_width(canvas, width);
@@ -34,6 +37,7 @@ void draw_line(cairo_t* canvas, const OverlayLine& line, double pixel) {
   if (!line.arrow) return;
   const Vec3d& tip = line.points.back();
   const Vec3d along = tip - line.points[line.points.size() - 2];
+  // The head reaches a little beyond the end, so that the blunt end of the line stays covered.
   const double size = 5 * width, length = norm(along);
   if (length > 0) draw_head_at(canvas, tip + (0.6 * size / length) * along, along, size);
 }

@@ -8,7 +8,7 @@
 
 namespace murosimf::render {
 
-/// Lines, then circles, then arrows; what is not finite is left out. The canvas is in meters, x to the right and y up, the
+/// Draws lines, then circles, then arrows; those that are not finite are left out. The canvas is in meters, x to the right and y up, the
 /// middle of the field at the origin.
 void draw_overlay(cairo_t* canvas, const Overlay& overlay, const PictureFrame& frame);
 

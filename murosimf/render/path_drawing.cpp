@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/math/scalar.h"
 
 namespace murosimf::render {
@@ -11,12 +12,12 @@ namespace {
 
 constexpr double path_width = 0.024;  // [m]
 
-/// A piece of a path without gaps, thinned to what can be seen.
+/// The pieces of a path between gaps, thinned to what is visible.
 using Piece = std::vector<Vec3d>;
 
 std::vector<Piece> visible_pieces(const std::vector<Vec3d>& points, const PictureFrame& frame) {
   std::vector<Piece> pieces(1);
-  const double far = 10 * (frame.half_length + frame.half_width);  // cairo's numbers end somewhere beyond
+  const double far = 10 * (frame.half_length + frame.half_width);  // cairo's fixed-point numbers are limited
   for (const Vec3d& p : points) {
     Piece& piece = pieces.back();
     if (!is_finite(p)) {
@@ -30,10 +31,11 @@ std::vector<Piece> visible_pieces(const std::vector<Vec3d>& points, const Pictur
   return pieces;
 }
 
-/// The line of a robot: pale where it began, strong where it is now.
+/// Draws the line of a robot: pale at its beginning, strong at its end.
 void draw_fading_line(cairo_t* canvas, const Piece& piece, const Color& color, double strength, double width) {
+  MUROSIMF_ASSERT(piece.size() >= 2 && width > 0);
   constexpr std::size_t shades = 48;
-  // in a group, a later shade replaces an earlier one instead of adding to it where they overlap
+  // In a group, a later shade replaces an earlier one instead of adding to it where they overlap.
   cairo_push_group(canvas);
   cairo_set_operator(canvas, CAIRO_OPERATOR_SOURCE);
   cairo_set_line_width(canvas, width);
@@ -77,6 +79,7 @@ void draw_ball_path(cairo_t* canvas, const Path& path, const PictureFrame& frame
 void draw_start(cairo_t* canvas, const Path& path, const PictureFrame& frame) {
   const auto first = std::find_if(path.points.begin(), path.points.end(), is_finite);
   if (first == path.points.end()) return;
+  // A white ring with a dark rim: visible on grass, lines and the path itself.
   const double pixel = frame.pixel(), radius = std::max(0.036, 3.5 * pixel);
   circle(canvas, first->x, first->y, radius);
   fill_with_edge(canvas, white, mix(path.color, black, 0.6), std::max(0.026, 3 * pixel) + 1.5 * pixel);
@@ -94,8 +97,9 @@ void draw_arrow(cairo_t* canvas, double size, const Color& color, double edge) {
   fill_with_edge(canvas, white, mix(color, black, 0.65), edge);
 }
 
-/// Feet, shoulders with arms, and head, looking along x.
+/// Draws feet, shoulders with arms, and head, looking along x.
 void draw_body(cairo_t* canvas, double size, const Color& color, double edge) {
+  MUROSIMF_ASSERT(size > 0);
   const Color dark = mix(color, black, 0.65);
   for (const double side : {1.0, -1.0}) {
     cairo_save(canvas);
@@ -110,7 +114,7 @@ void draw_body(cairo_t* canvas, double size, const Color& color, double edge) {
   fill_with_edge(canvas, mix(color, black, 0.22), dark, edge);
 }
 
-/// Upright, whatever way the robot looks.
+/// Draws a number upright, independent of the robot's heading.
 void draw_number(cairo_t* canvas, double x, double y, double font, const std::string& number, const Color& color) {
   cairo_save(canvas);
   cairo_user_to_device(canvas, &x, &y);
@@ -124,6 +128,7 @@ void draw_robot(cairo_t* canvas, const Path& path, const PictureFrame& frame) {
   if (path.points.empty() || !is_finite(path.points.back())) return;
   const Vec3d& place = path.points.back();
   const double size = std::max(7 * frame.pixel(), path.size), edge = std::max(0.09 * size, 1.2 * frame.pixel());
+  MUROSIMF_ASSERT(size > 0 && edge > 0);
   soft_shadow(canvas, place.x + 0.18 * size, place.y - 0.24 * size, 1.4 * size);
   cairo_save(canvas);
   cairo_translate(canvas, place.x, place.y);
@@ -142,6 +147,7 @@ void draw_ball(cairo_t* canvas, const Path& path, const PictureFrame& frame) {
   if (path.points.empty() || !is_finite(path.points.back())) return;
   const Vec3d& place = path.points.back();
   const double radius = std::max(4.5 * frame.pixel(), path.size);
+  MUROSIMF_ASSERT(radius > 0);
   soft_shadow(canvas, place.x + 0.3 * radius, place.y - 0.4 * radius, 1.7 * radius);
   circle(canvas, place.x, place.y, radius);
   fill_with_edge(canvas, path.color, mix(path.color, black, 0.55), std::max(0.12 * radius, 1.2 * frame.pixel()));
@@ -154,6 +160,7 @@ void draw_ball(cairo_t* canvas, const Path& path, const PictureFrame& frame) {
 
 void draw_paths(cairo_t* canvas, const std::vector<Path>& paths, const PictureFrame& frame) {
   cairo_set_line_join(canvas, CAIRO_LINE_JOIN_ROUND);
+  // Paths first, then starts, robots and the ball: what stands last hides the least.
   for (const Path& path : paths) {
     if (!path.is_ball) draw_robot_path(canvas, path, frame);
   }

@@ -1,4 +1,4 @@
-/// path_drawing.h - where robots and ball went, and where they are.
+/// path_drawing.h - paths and places of robots and ball.
 ///
 /// Only for the .cpp files of this folder: it brings cairo in.
 #pragma once
@@ -10,7 +10,7 @@
 
 namespace murosimf::render {
 
-/// The canvas is in meters, x to the right and y up, the middle of the field at the origin.
+/// Draws them. The canvas is in meters, x to the right and y up, the middle of the field at the origin.
 void draw_paths(cairo_t* canvas, const std::vector<Path>& paths, const PictureFrame& frame);
 
 }  // namespace murosimf::render

@@ -2,7 +2,10 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
+
+#include "murosimf/math/assert.h"
 
 namespace murosimf::render {
 namespace {
@@ -15,13 +18,14 @@ struct Flat {
 /// Twice the area of a polygon along its normal (Newell).
 Vec3d newell(std::span<const Vec3d> corners) {
   Vec3d sum;
+  // From a corner of the polygon: far from the origin the products would cancel.
   for (std::size_t i = 0; i < corners.size(); ++i) {
     sum += cross(corners[i] - corners[0], corners[(i + 1) % corners.size()] - corners[0]);
   }
   return sum;
 }
 
-/// Seen along the axis that is nearest to the normal, counterclockwise.
+/// Projects along the axis that is nearest to the normal; counterclockwise.
 std::vector<Flat> flattened(std::span<const Vec3d> corners) {
   const Vec3d n = newell(corners);
   const double x = std::abs(n.x), y = std::abs(n.y), z = std::abs(n.z);
@@ -44,7 +48,7 @@ double turn(const Flat& a, const Flat& b, const Flat& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// What is left of a polygon, as a ring.
+/// The rest of a polygon, as a ring.
 class Ring {
  public:
   explicit Ring(std::vector<Flat> corners) : corners_(std::move(corners)) {
@@ -58,14 +62,21 @@ class Ring {
     }
   }
 
-  [[nodiscard]] std::uint32_t before(std::uint32_t i) const { return before_[i]; }
-  [[nodiscard]] std::uint32_t after(std::uint32_t i) const { return after_[i]; }
+  [[nodiscard]] std::uint32_t before(std::uint32_t i) const {
+    MUROSIMF_ASSERT(i < before_.size());
+    return before_[i];
+  }
+  [[nodiscard]] std::uint32_t after(std::uint32_t i) const {
+    MUROSIMF_ASSERT(i < after_.size());
+    return after_[i];
+  }
   [[nodiscard]] double turn_at(std::uint32_t i) const {
     return turn(corners_[before_[i]], corners_[i], corners_[after_[i]]);
   }
-  /// Only concave corners can lie in a convex one's triangle.
+  /// Whether the triangle of a convex corner contains no other corner: only concave ones can lie in it.
   [[nodiscard]] bool is_ear(std::uint32_t i) const {
     const Flat &a = corners_[before_[i]], &b = corners_[i], &c = corners_[after_[i]];
+    // Corners of the triangle may occur again in another place of the border: they are skipped by value.
     for (const std::uint32_t other : concave_) {
       const Flat& p = corners_[other];
       if (p == a || p == b || p == c) continue;
@@ -75,8 +86,10 @@ class Ring {
   }
   void cut(std::uint32_t i) {
     const std::uint32_t a = before_[i], c = after_[i];
+    MUROSIMF_ASSERT(after_[a] == i && before_[c] == i);
     after_[a] = c;
     before_[c] = a;
+    // Cutting may make the neighbors convex, never concave.
     std::erase_if(concave_,
                   [&](std::uint32_t one) { return one == i || ((one == a || one == c) && turn_at(one) >= 0); });
   }
@@ -90,6 +103,7 @@ class Ring {
 
 std::vector<std::array<std::uint32_t, 3>> polygon_triangles(std::span<const Vec3d> corners) {
   std::vector<std::array<std::uint32_t, 3>> triangles;
+  MUROSIMF_ASSERT(corners.size() <= std::numeric_limits<std::uint32_t>::max());
   if (corners.size() < 3) return triangles;
   Ring ring(flattened(corners));
   auto left = corners.size();
@@ -97,7 +111,7 @@ std::vector<std::array<std::uint32_t, 3>> polygon_triangles(std::span<const Vec3
   std::size_t passed = 0;  // corners since the last one that was cut
   while (left > 2) {
     const double turns = ring.turn_at(at);
-    // where the border crosses itself there may be no ear: something is cut off then
+    // Where the border crosses itself there may be no ear: then any corner is cut off, so that the loop ends.
     if (turns == 0 || (turns > 0 && ring.is_ear(at)) || passed > left) {
       if (turns != 0) triangles.push_back({ring.before(at), at, ring.after(at)});
       const std::uint32_t next = ring.after(at);
@@ -110,6 +124,7 @@ std::vector<std::array<std::uint32_t, 3>> polygon_triangles(std::span<const Vec3
     ++passed;
     at = ring.after(at);
   }
+  MUROSIMF_ASSERT(triangles.size() <= corners.size() - 2);
   return triangles;
 }
 

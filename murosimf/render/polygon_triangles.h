@@ -1,6 +1,6 @@
 /// polygon_triangles.h - a flat polygon, which may be concave, as triangles: ear clipping.
 ///
-/// An ear is a corner whose triangle with its neighbors has no other corner in it; it is cut off, again and again. Source: Meisters,
+/// An ear is a corner whose triangle with its neighbors has no other corner in it; ears are cut off one after the other. Source: Meisters,
 /// "Polygons have ears", Amer. Math. Monthly 82 (1975).
 #pragma once
 
@@ -13,12 +13,12 @@
 
 namespace murosimf::render {
 
-/// Numbers of corners, of each triangle in the order that the polygon has them; together they cover it, and nothing else. Of n corners n - 2
-/// triangles, fewer where some lie in a line. A border that crosses itself, or corners that lie in no plane, give some triangles of them.
+/// Numbers of corners, of each triangle in the order of the polygon; together they cover it exactly. Of n corners n - 2
+/// triangles, fewer where some lie in a line. A border that crosses itself, or corners that do not lie in a plane, give some triangles of them.
 /// Takes time as n for convex ones, as n times the concave corners for most others, as n^3 at worst.
 [[nodiscard]] std::vector<std::array<std::uint32_t, 3>> polygon_triangles(std::span<const Vec3d> corners);
 
-/// Whether no corner turns the other way. Of a flat polygon whose border does not cross itself.
+/// Whether no corner turns the other way, for a flat polygon whose border does not cross itself.
 [[nodiscard]] bool is_convex(std::span<const Vec3d> corners);
 
 }  // namespace murosimf::render

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::render {
 
 Mat3d axes_from(double azimuth, double elevation) {
@@ -14,7 +16,7 @@ Mat3d axes_from(double azimuth, double elevation) {
 
 ParallelView view_of(std::span<const Vec3d> points, const Mat3d& axes, int width, int height) {
   constexpr double room = 1 - 2 * 0.06;  // [1] of the picture, inside the margins
-  constexpr double least = 1e-3;         // [m] of what is to be seen
+  constexpr double least = 1e-3;         // [m] of the visible area
   ParallelView view{.center = {}, .axes = axes, .width = width, .height = height};
   if (points.empty()) return view;
   Vec3d low = transposed_times(axes, points[0]), high = low;
@@ -25,11 +27,13 @@ ParallelView view_of(std::span<const Vec3d> points, const Mat3d& axes, int width
   }
   const Vec3d size = high - low;
   view.center = axes * (0.5 * (low + high));
+  MUROSIMF_ASSERT(width > 0 && height > 0);
   view.pixel = std::max(std::max(size.x, least) / (room * width), std::max(size.y, least) / (room * height));
   return view;
 }
 
 Projection::Projection(const ParallelView& view) : parallel(true) {
+  MUROSIMF_ASSERT(view.pixel > 0);
   window.eye = view.center;
   window.axes = view.axes;
   window.right = 0.5 * view.width * view.pixel;

@@ -1,4 +1,4 @@
-/// projection.h - how a picture shows the scene: through a pinhole (sensors::Perspective), or by parallel rays.
+/// projection.h - projection of a picture: through a pinhole (sensors::Perspective), or by parallel rays.
 #pragma once
 
 #include <span>
@@ -7,7 +7,7 @@
 
 namespace murosimf::render {
 
-/// Parallel rays: a thing has the same size however far away it is, and nothing is too near to be seen. The middle of the
+/// Parallel rays: the size of an object does not depend on its distance, and nothing is too near to be visible. The middle of the
 /// picture shows `center`; depths count from there and are negative nearer to the eye.
 struct ParallelView {
   Vec3d center{};             ///< [m] world
@@ -17,10 +17,10 @@ struct ParallelView {
 };
 
 /// Optical axes of an eye in the direction `azimuth` [rad, counterclockwise from x] at `elevation` [rad] above the ground.
-/// (-pi/2, 0) looks from the right side of whoever looks along x, (-pi/2, pi/2) from above with x to the right.
+/// (-pi/2, 0) looks along y, with x to the right; (-pi/2, pi/2) from above with x to the right.
 [[nodiscard]] Mat3d axes_from(double azimuth, double elevation);
 
-/// All points [m, world] fill the picture but for a margin of 6 % on each side.
+/// The view in which the points [m, world] fill the picture but for a margin of 6 % on each side.
 [[nodiscard]] ParallelView view_of(std::span<const Vec3d> points, const Mat3d& axes, int width, int height);
 
 /// Either kind. A point at (x, y, z) in the optical axes of `window` is seen at x / z and y / z, by parallel rays at x and

@@ -1,7 +1,10 @@
 #include "murosimf/render/render_mesh.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+
+#include "murosimf/math/assert.h"
 
 namespace murosimf::render {
 namespace {
@@ -10,16 +13,18 @@ std::array<float, 3> floats(const Vec3d& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
-/// [1] of the corners of a polygon that has the area of the unit circle: n / 2 sin(2 pi / n) r^2 = pi.
+/// [1] Circumradius of a polygon with the area of the unit circle: n / 2 sin(2 pi / n) r^2 = pi.
 double equal_area_radius(int segments) { return std::sqrt(2 * pi / (segments * std::sin(2 * pi / segments))); }
 
 /// Adds the quadrilateral of four corners, counterclockwise.
 void add_quad(RenderMesh& solid, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+  MUROSIMF_ASSERT(std::max({a, b, c, d}) < solid.corners.size());
   solid.triangles.insert(solid.triangles.end(), {a, b, c, a, c, d});
 }
 
 /// Part of a unit sphere from latitude `low` to pi / 2 [rad].
 RenderMesh sphere_cap(int segments, int rings, double low) {
+  MUROSIMF_ASSERT(segments >= 3 && rings >= 1);
   const double r = equal_area_radius(segments);
   RenderMesh solid;
   for (int i = 0; i <= rings; ++i) {
@@ -36,7 +41,7 @@ RenderMesh sphere_cap(int segments, int rings, double low) {
   for (int i = 0; i < rings; ++i) {
     for (int k = 0; k < segments; ++k) {
       const std::uint32_t a = at(i, k), b = at(i, k + 1), c = at(i + 1, k + 1), d = at(i + 1, k);
-      // at the poles one side has no length
+      // At the poles one side has no length.
       if (i > 0 || !whole) solid.triangles.insert(solid.triangles.end(), {a, b, c});
       if (i + 1 < rings) solid.triangles.insert(solid.triangles.end(), {a, c, d});
     }
@@ -45,6 +50,7 @@ RenderMesh sphere_cap(int segments, int rings, double low) {
 }
 
 void add_lids(RenderMesh& solid, int segments) {
+  MUROSIMF_ASSERT(segments >= 3);
   const double r = equal_area_radius(segments);
   for (const double side : {1.0, -1.0}) {
     const auto first = static_cast<std::uint32_t>(solid.corners.size());
@@ -69,6 +75,7 @@ std::vector<MeshTriangle> with_normals(std::span<const Vec3d> vertices,
                                        std::span<const std::array<std::uint32_t, 3>> triangles) {
   std::vector<MeshTriangle> result;
   for (const auto& t : triangles) {
+    MUROSIMF_ASSERT(t[0] < vertices.size() && t[1] < vertices.size() && t[2] < vertices.size());
     const Vec3d area = cross(vertices[t[1]] - vertices[t[0]], vertices[t[2]] - vertices[t[0]]);
     const double size = norm(area);
     if (size > 0 && std::isfinite(size)) result.push_back({t, area, (1 / size) * area});
@@ -82,6 +89,7 @@ RenderMesh unit_sphere(int segments) { return sphere_cap(segments, segments / 2,
 RenderMesh unit_half_sphere(int segments) { return sphere_cap(segments, segments / 4, 0); }
 
 RenderMesh unit_tube(int segments) {
+  MUROSIMF_ASSERT(segments >= 3);
   const double r = equal_area_radius(segments);
   RenderMesh solid;
   for (int k = 0; k < segments; ++k) {
@@ -125,6 +133,7 @@ RenderMesh unit_box() {
 
 RenderMesh render_mesh_of(const ConvexHull& hull) {
   RenderMesh solid;
+  MUROSIMF_ASSERT(hull.normals.size() == hull.faces.size());
   for (std::size_t face = 0; face < hull.faces.size(); ++face) {
     const auto first = static_cast<std::uint32_t>(solid.corners.size());
     for (const std::uint32_t corner : hull.faces[face]) {
@@ -151,6 +160,7 @@ RenderMesh render_mesh_of(std::span<const Vec3d> vertices, std::span<const std::
     for (const std::uint32_t vertex : face.corners) {
       Vec3d sum;
       for (const std::size_t other : at_vertex[vertex]) {
+        // Weighted by area, so that the normal does not depend on how a flat part is cut into triangles.
         if (dot(faces[other].normal, face.normal) > least) sum += faces[other].area;
       }
       const Vertex corner{floats(vertices[vertex]), floats((1 / norm(sum)) * sum)};
@@ -159,6 +169,7 @@ RenderMesh render_mesh_of(std::span<const Vec3d> vertices, std::span<const std::
       solid.triangles.push_back(found->second);
     }
   }
+  MUROSIMF_ASSERT(solid.triangles.size() == 3 * faces.size());
   return solid;
 }
 

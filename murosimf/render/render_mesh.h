@@ -26,8 +26,8 @@ struct RenderMesh {
   [[nodiscard]] std::size_t triangle_count() const { return triangles.size() / 3; }
 };
 
-/// Round solids have `segments` around (a multiple of 4). Seen along their axis they cover the same area as what they
-/// stand for: their corners stand out a little, the middles of their sides stand in. From aside a sphere covers up to a
+/// Round solids have `segments` around (a multiple of 4). Seen along their axis they cover the same area as the exact shape:
+/// their corners stand out a little, the middles of their sides stand in. From aside a sphere covers up to a
 /// share of 5.5 / segments^2 less.
 [[nodiscard]] RenderMesh unit_sphere(int segments);       ///< radius 1
 [[nodiscard]] RenderMesh unit_half_sphere(int segments);  ///< radius 1, z > 0, open below
@@ -35,10 +35,10 @@ struct RenderMesh {
 [[nodiscard]] RenderMesh unit_cylinder(int segments);     ///< the same, closed
 [[nodiscard]] RenderMesh unit_box();                      ///< from -1 to 1
 
-/// Flat faces.
+/// The mesh of a hull, with flat faces.
 [[nodiscard]] RenderMesh render_mesh_of(const ConvexHull& hull);
 
-/// Of a mesh. Triangles that meet at less than `crease` [rad] are shaded as one smooth surface; those without area are
+/// The mesh of triangles. Those that meet at less than `crease` [rad] are shaded as one smooth surface; those without area are
 /// left out.
 [[nodiscard]] RenderMesh render_mesh_of(std::span<const Vec3d> vertices,
                                         std::span<const std::array<std::uint32_t, 3>> triangles, double crease = 0.7);

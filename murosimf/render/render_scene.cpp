@@ -4,6 +4,7 @@
 
 #include "murosimf/collision/colliding_shapes.h"
 #include "murosimf/collision/contact_properties.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/feet.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/sensors/view_source.h"
@@ -25,7 +26,7 @@ double farthest(const RenderMesh& solid) {
 Color color_on(const Entity& entity, const Color& color) {
   const Color gray;
   const bool is_default = color.red == gray.red && color.green == gray.green && color.blue == gray.blue;
-  Color shown = is_default ? entity.options().color : color;
+  Color shown = is_default ? entity.options().color : color;  // gray: the color of shapes without one
   shown.alpha = color.alpha;
   return shown;
 }
@@ -42,6 +43,7 @@ EntityAppearance appearance_of_shapes(const Entity& entity) {
 RenderScene::RenderScene(const World& world, const std::vector<Entity*>& moving_entities,
                          const AppearanceOf& appearance) {
   for (const auto& entity : world.entities()) add_entity(*entity, moving_entities, appearance);
+  // By owner and object: for_drawables() computes each pose once.
   std::stable_sort(drawables_.begin(), drawables_.end(), [](const Drawable& a, const Drawable& b) {
     return a.owner != b.owner ? a.owner < b.owner : a.object < b.object;
   });
@@ -53,6 +55,7 @@ void RenderScene::locate() {
       const auto* column = owner.entity->find(property);
       return column ? std::span(column->values) : decltype(std::span(column->values)){};
     };
+    // Entities without an orientation column do not move: they stay at their rest poses.
     if (!owner.entity->find(properties::orientation)) continue;
     owner.r = values(properties::position);
     owner.R = values(properties::orientation);
@@ -60,6 +63,7 @@ void RenderScene::locate() {
     owner.w = values(properties::angular_velocity);
     owner.stance_foot = values(properties::stance_foot);
     owner.dynamic = values(properties::dynamic);
+    MUROSIMF_ASSERT(owner.r.empty() || owner.r.size() == owner.R.size());
   }
 }
 
@@ -106,7 +110,7 @@ void RenderScene::add_entity(Entity& entity, const std::vector<Entity*>& moving_
   }
 }
 
-/// Meshes of equal corners are one: equal robots share them. `identity` tells them apart faster.
+/// Adds a mesh. Meshes of equal corners are shared: those of equal robots. Equal `identity` makes the comparison faster.
 int RenderScene::add_mesh(const RenderMesh& solid, const void* identity) {
   for (std::size_t i = 0; i < meshes_.size(); ++i) {
     const bool same = identity ? identities_[i] == identity
@@ -115,6 +119,7 @@ int RenderScene::add_mesh(const RenderMesh& solid, const void* identity) {
   }
   meshes_.push_back(solid);
   identities_.push_back(identity);
+  MUROSIMF_ASSERT(meshes_.size() == identities_.size());
   return static_cast<int>(meshes_.size()) - 1;
 }
 
@@ -142,7 +147,7 @@ void RenderScene::add_shape(Drawable drawable, const PlacedShape& shape) {
   }
 }
 
-/// A tube with two half spheres.
+/// Adds a capsule: a tube with two half spheres.
 void RenderScene::add_round(Drawable drawable, const Capsule& capsule) {
   const double r = capsule.radius, h = capsule.half_length;
   const Transformd middle = drawable.place;
@@ -166,24 +171,30 @@ void RenderScene::label_pieces() {
 
 bool RenderScene::is_present(int owner) const {
   const auto i = static_cast<std::size_t>(owner);
+  MUROSIMF_ASSERT(i < owners_.size() && (!moment_ || moment_->frame != nullptr));
   if (!moment_) return owners_[i].entity->present();
   return i < moment_->frame->present.size() && moment_->frame->present[i];
 }
 
 int RenderScene::standing_foot(int owner) const {
   const auto i = static_cast<std::size_t>(owner);
+  MUROSIMF_ASSERT(i < owners_.size());
   if (!moment_) return owners_[i].standing_foot();
   return i < moment_->standing_feet.size() ? moment_->standing_feet[i] : -2;
 }
 
 Transformd RenderScene::pose_of(int number, int object, double ahead) const {
+  MUROSIMF_ASSERT(static_cast<std::size_t>(number) < owners_.size());
   const auto i = static_cast<std::size_t>(object);
   const Owner& owner = owners_[static_cast<std::size_t>(number)];
+  MUROSIMF_ASSERT(i < owner.rest.size());
   if (owner.r.empty() || owner.R.empty()) return owner.rest[i];
   if (moment_) {
     const std::size_t row = moment_->frame->first[static_cast<std::size_t>(number)] + i;
+    MUROSIMF_ASSERT(row < moment_->frame->position.size() && row < moment_->frame->orientation.size());
     return {moment_->frame->position[row], moment_->frame->orientation[row]};
   }
+  MUROSIMF_ASSERT(i < owner.r.size() && i < owner.R.size());
   Transformd pose{owner.r[i], owner.R[i]};
   if (ahead == 0) return pose;
   if (!owner.v.empty()) pose.position += ahead * owner.v[i];

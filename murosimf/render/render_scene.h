@@ -1,4 +1,4 @@
-/// render_scene.h - what there is to be drawn: pieces of robots, ball and goals, and where they are now.
+/// render_scene.h - the pieces of a picture: of robots, ball and goals, and their present poses.
 #pragma once
 
 #include <cstdint>
@@ -26,14 +26,14 @@ struct ShownShape {
   PlacedShape placed;
 };
 
-/// What an entity looks like. What has an alpha of 0 is not drawn. Gray, the color that things have by default, is drawn in the entity's own color.
+/// Appearance of an entity. Parts with an alpha of 0 are not drawn. Gray, the default color of shapes, is drawn in the entity's own color.
 struct EntityAppearance {
   std::vector<ShownMesh> meshes;
   std::vector<ShownShape> shapes;
 };
 using AppearanceOf = std::function<EntityAppearance(const Entity&)>;
 
-/// The color in which an entity shows something of `color`.
+/// The color in which an entity shows a part of `color`.
 [[nodiscard]] Color color_on(const Entity& entity, const Color& color);
 
 /// All shapes of the model.
@@ -41,7 +41,7 @@ using AppearanceOf = std::function<EntityAppearance(const Entity&)>;
 
 enum class Form { sphere, half_sphere, tube, cylinder, box, mesh };
 
-/// One thing to draw. Solids of the forms have the size 1 and are scaled.
+/// One piece to draw. Solids of the forms have the size 1 and are scaled.
 struct Drawable {
   int owner = 0, object = 0;
   Transformd place;  ///< of the solid in the frame of the object
@@ -50,54 +50,54 @@ struct Drawable {
   int mesh = -1;  ///< RenderScene::meshes
   Color color;
   std::uint16_t label = 0;
-  double radius = 0;  ///< [m] about its origin, all of it
+  double radius = 0;  ///< [m] bounding radius about its origin
   int foot = -1;      ///< 0 or 1: of the model's first or second foot, where standing feet are marked
 };
 
-/// Where things are at one moment, for who draws beside a running simulation: it must stay as it is while that is shown.
+/// Poses at one moment, for drawing beside a running simulation: it must stay unchanged while it is shown.
 struct ShownMoment {
   const PoseFrame* frame = nullptr;
-  std::vector<int> standing_feet;  ///< by entity: 0 or 1, another number if none is to be marked; may be empty
+  std::vector<int> standing_feet;  ///< by entity: 0 or 1, another number to mark none; may be empty
 };
 
-/// The things of a world that have shapes, all but the ground.
+/// The entities of a world that have shapes, without the ground.
 class RenderScene {
  public:
-  /// `moving_entities`: those that get labels of their own. The world must outlive it, and its entities must be there already.
+  /// `moving_entities` get labels of their own. The world must outlive it, and its entities must exist.
   RenderScene(const World& world, const std::vector<Entity*>& moving_entities,
               const AppearanceOf& appearance = appearance_of_shapes);
 
-  /// Reads the columns that there are; to be called when all of them are there.
+  /// Finds the columns of poses; to be called when all algorithms are attached.
   void locate();
 
-  /// From now on the foot on which a kinematic walker stands has this color (paper, Fig. 4).
+  /// Draws the foot on which a kinematic walker stands in this color (paper, Fig. 4).
   void mark_standing_feet(const Color& color);
 
-  /// From now on things are where that moment has them, and no column is read; null: where the columns have them.
+  /// Shows the poses of that moment, and reads no column; null: shows the poses of the columns.
   void show(const ShownMoment* moment) { moment_ = moment; }
 
-  /// From now on the label of each piece is `first_piece_label` and its number (drawables()): for who asks what a pixel shows.
+  /// Makes the label of each piece `first_piece_label` plus its number (drawables()), to find out what a pixel shows.
   static constexpr std::uint16_t first_piece_label = 16;
   void label_pieces();
 
   [[nodiscard]] const std::vector<Drawable>& drawables() const { return drawables_; }
   [[nodiscard]] const std::vector<RenderMesh>& meshes() const { return meshes_; }
   [[nodiscard]] const Entity* owner(const Drawable& drawable) const { return owners_[drawable.owner].entity; }
-  /// Of the first entity that has some; null if none has.
+  /// Markings of the first entity that has some; null if none has.
   [[nodiscard]] const Markings* markings() const { return markings_; }
 
-  /// Calls visit(piece, pose) for each piece of who is there; poses [m] in the world, moved on by `ahead` [s].
+  /// Calls visit(piece, pose) for each piece of the entities that are present; poses [m] in the world, extrapolated by `ahead` [s].
   template <class Visit>
   void for_drawables(double ahead, const Visit& visit) const;
 
  private:
   struct Owner {
     const Entity* entity;
-    std::vector<Transformd> rest;    // of what nothing moves
-    std::span<const Vec3d> r, v, w;  // none of what nothing moves
+    std::vector<Transformd> rest;    // poses of entities that do not move
+    std::span<const Vec3d> r, v, w;  // empty for entities that do not move
     std::span<const Mat3d> R;
-    std::span<const double> stance_foot, dynamic;  // none of what does not stand kinematically, ever
-    /// 0 or 1; none of them if it does not stand kinematically now.
+    std::span<const double> stance_foot, dynamic;  // empty for entities that never stand kinematically
+    /// 0 or 1; another number if it does not stand kinematically at present.
     [[nodiscard]] int standing_foot() const {
       const bool stands = !stance_foot.empty() && !dynamic.empty() && dynamic[0] == 0;
       return !stands ? -2 : stance_foot[0] != 0 ? 1 : 0;

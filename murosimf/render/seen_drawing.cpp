@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/math/scalar.h"
 
 namespace murosimf::render {
@@ -15,13 +16,13 @@ constexpr int corners_of_circle = 48, corners_of_disc = 24;
 constexpr double least_width = 1.5, least_dot = 2, least_letters = 11, most_letters = 72;  // [px]
 constexpr double usual_width = 2;                                                          // [px]
 
-/// Sees one shape of an eye.
+/// Projects one shape for an eye.
 class Eye {
  public:
   Eye(const DrawnShape& shape, const Transformd& frame, const sensors::Perspective& view, std::vector<SeenShape>& into)
       : shape_(shape), frame_(frame), view_(view), into_(into) {}
 
-  void look() {
+  void project() {
     if (shape_.points.empty()) return;
     switch (shape_.kind) {
       case DrawnShape::circle: return circle();
@@ -36,7 +37,7 @@ class Eye {
   }
 
  private:
-  /// Optical axes: z away from the eye.
+  /// Positions in optical axes: z away from the eye.
   [[nodiscard]] std::vector<Vec3d> in_eye(std::span<const Vec3d> points) const {
     std::vector<Vec3d> seen;
     seen.reserve(points.size());
@@ -46,10 +47,11 @@ class Eye {
     return seen;
   }
   [[nodiscard]] Vec3d pixel(const Vec3d& seen) const {
+    MUROSIMF_ASSERT(view_.right > view_.left && view_.bottom > view_.top);
     return {(seen.x / seen.z - view_.left) / (view_.right - view_.left) * view_.width,
             (seen.y / seen.z - view_.top) / (view_.bottom - view_.top) * view_.height, 0};
   }
-  /// [px] of a length across the line of sight.
+  /// [px] Size of a length across the line of sight.
   [[nodiscard]] double pixels(double length, double depth) const {
     return length / std::max(depth, nearest) * view_.width / (view_.right - view_.left);
   }
@@ -58,11 +60,12 @@ class Eye {
         SeenShape{.kind = kind, .points = {}, .color = shape_.color, .opacity = opacity * shape_.opacity, .words = {}});
   }
 
-  /// Straight pieces, each as wide as it is seen.
+  /// Adds straight pieces, each with its projected width.
   void strip(const std::vector<Vec3d>& points, double width) {
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
       Vec3d a = points[i], b = points[i + 1];
       if (a.z < nearest && b.z < nearest) continue;
+      // Cut at the plane in front of the eye: a projection of points behind it is meaningless.
       if (a.z < nearest) a = b + ((b.z - nearest) / (b.z - a.z)) * (a - b);
       if (b.z < nearest) b = a + ((a.z - nearest) / (a.z - b.z)) * (b - a);
       SeenShape& line = add(SeenShape::Kind::line, 1);
@@ -91,17 +94,18 @@ class Eye {
     }
   }
 
-  /// Its outline, with what is behind seen through it.
+  /// Adds the outline of a sphere, filled transparently.
   void sphere(const Vec3d& middle) {
     disc(middle, shape_.size, 0.45);
     if (middle.z < nearest) return;
     SeenShape& edge = add(SeenShape::Kind::line, 1);
+    MUROSIMF_ASSERT(into_.size() >= 2);
     edge.points = into_[into_.size() - 2].points;
     edge.points.push_back(edge.points.front());
     edge.size = usual_width;
   }
 
-  /// What of a polygon is in front of the eye (Sutherland and Hodgman, at one plane).
+  /// Adds the part of a polygon in front of the eye (Sutherland and Hodgman, at one plane).
   void area(const std::vector<Vec3d>& corners) {
     std::vector<Vec3d> kept;
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -131,7 +135,7 @@ class Eye {
 
 void see(const DrawnShape& shape, const Transformd& frame, const sensors::Perspective& view,
          std::vector<SeenShape>& into) {
-  Eye(shape, frame, view, into).look();
+  Eye(shape, frame, view, into).project();
 }
 
 }  // namespace murosimf::render

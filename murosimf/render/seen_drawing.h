@@ -1,6 +1,6 @@
-/// seen_drawing.h - drawings for people who watch (model/drawing.h) as a picture shows them: lines, areas and words in its pixels.
+/// seen_drawing.h - drawings for observers (model/drawing.h) projected into a picture: lines, areas and words in its pixels.
 ///
-/// Over the picture, not in it: nothing hides them.
+/// Over the picture, not in it: they are not hidden by objects.
 #pragma once
 
 #include <string>
@@ -17,14 +17,14 @@ namespace murosimf::render {
 struct SeenShape {
   enum class Kind { line, area, words };
   Kind kind = Kind::line;
-  std::vector<Vec3d> points;  ///< of words: their middle
+  std::vector<Vec3d> points;  ///< middle of words
   double size = 1;            ///< [px] width of lines, height of words
   Color color;
   double opacity = 1;
   std::string words;
 };
 
-/// `frame`: of the shape's points, in the world. What is behind the eye is cut off.
+/// Projects a shape. `frame`: of the shape's points, in the world. Parts behind the eye are cut off.
 void see(const DrawnShape& shape, const Transformd& frame, const sensors::Perspective& view,
          std::vector<SeenShape>& into);
 

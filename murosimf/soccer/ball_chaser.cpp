@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "murosimf/locomotion/gait_properties.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/soccer/planar.h"
 
@@ -12,13 +13,13 @@ namespace murosimf::soccer {
 
 using sensors::Sighting;
 
-/// What a player knows, on the ground plane.
+/// The situation of a player on the ground plane.
 struct Situation {
   const Sighting* self = nullptr;
   const Sighting* ball = nullptr;
-  int rank = 0;                                          ///< how many of the team are nearer to the ball
+  int rank = 0;                                          ///< number of robots of the team that are nearer to the ball
   Vec3d to_goal;                                         ///< unit, from the ball to the goal
-  Vec3d avoidance;                                       ///< push away from robots that are too near
+  Vec3d avoidance;                                       ///< direction away from robots that are too near
   Vec3d toward;                                          ///< unit, to the nearest of these
   double gap = std::numeric_limits<double>::infinity();  ///< to it
 };
@@ -29,7 +30,7 @@ namespace {
 constexpr double in_front = 0.30;     // the ball is at the feet
 constexpr double beside_feet = 0.09;  // ... and not beside them
 constexpr double arrived = 0.10;
-constexpr double closest = 0.40;  // to another robot: who does not go for the ball walks no nearer
+constexpr double closest = 0.40;  // to another robot, for those that support
 
 Vec3d flat(const Vec3d& v) { return {v.x, v.y, 0}; }
 Vec3d left_of(const Vec3d& v) { return {-v.y, v.x, 0}; }
@@ -39,6 +40,7 @@ Vec3d unit(const Vec3d& v) {
 }
 
 Situation assess(const std::vector<Sighting>& sightings, const BallChaserOptions& options) {
+  MUROSIMF_ASSERT(options.keep_clear > 0);
   Situation s;
   for (const Sighting& sighting : sightings) {
     if (!sighting.present) continue;
@@ -51,6 +53,7 @@ Situation assess(const std::vector<Sighting>& sightings, const BallChaserOptions
   for (const Sighting& other : sightings) {
     if (!other.present || &other == s.self || &other == s.ball || other.team.empty()) continue;
     const double theirs = norm(flat(s.ball->position - other.position));
+    // Equal distances are decided by the names, so that exactly one robot of a team has rank 0.
     if (other.team == s.self->team && (theirs < own || (theirs == own && other.name < s.self->name))) ++s.rank;
     const Vec3d away = flat(s.self->position - other.position);
     const double gap = norm(away);
@@ -61,6 +64,7 @@ Situation assess(const std::vector<Sighting>& sightings, const BallChaserOptions
     }
   }
   return s;
+  MUROSIMF_ASSERT(s.rank >= 0);
 }
 
 Vec3d to_robot_frame(const Vec3d& v, double heading) {
@@ -69,6 +73,7 @@ Vec3d to_robot_frame(const Vec3d& v, double heading) {
 
 /// Walks to `place`; far away along the line of sight, nearby sideways too, turning to `facing`.
 Vec3d walk_to(const Situation& s, const Vec3d& place, const Vec3d& facing, double speed) {
+  MUROSIMF_ASSERT(s.self != nullptr && speed >= 0);
   const Vec3d way = to_robot_frame(flat(place - s.self->position), s.self->heading);
   const double distance = norm(way);
   const double bearing = std::atan2(way.y, way.x);
@@ -82,6 +87,7 @@ Vec3d walk_to(const Situation& s, const Vec3d& place, const Vec3d& facing, doubl
 }
 
 Vec3d attack(const Situation& s, const BallChaserOptions& options) {
+  MUROSIMF_ASSERT(s.self != nullptr && s.ball != nullptr);
   const Vec3d ball = flat(s.ball->position);
   const Vec3d seen = to_robot_frame(ball - flat(s.self->position), s.self->heading);
   const double aim_error = wrapped(std::atan2(s.to_goal.y, s.to_goal.x) - s.self->heading);
@@ -98,7 +104,9 @@ Vec3d attack(const Situation& s, const BallChaserOptions& options) {
 }
 
 Vec3d support(const Situation& s, const BallChaserOptions& options) {
+  MUROSIMF_ASSERT(s.self != nullptr && s.ball != nullptr && s.rank > 0);
   const double side = s.rank % 2 == 1 ? 1 : -1;
+  // Odd and even ranks wait on different sides of the ball.
   const Vec3d ball = flat(s.ball->position);
   Vec3d place = ball - options.support_behind * s.to_goal + (side * options.support_aside) * left_of(s.to_goal);
   const Vec3d& half_field = options.half_field;
@@ -110,7 +118,7 @@ Vec3d support(const Situation& s, const BallChaserOptions& options) {
   return walk_to(s, place, to_ball, options.speed);
 }
 
-/// Who does not fight for the ball does not push others: they would step on each other's feet.
+/// Removes the part of a supporter's velocity that pushes others: the robots would step on each other's feet.
 Vec3d without_pushing(const Vec3d& command, const Situation& s) {
   if (s.rank == 0 || s.gap > closest) return command;
   const Vec3d toward = to_robot_frame(s.toward, s.self->heading);
@@ -134,14 +142,15 @@ void BallChaser::initialize() {
   if (kick_) *kick_ = {};
 }
 
-/// Walks to the ball, and has the engine kick it, which takes over there. Asks again and again, for where the ball is meanwhile.
+/// Walks to the ball and requests a kick there, which the motion engine executes. Requests are repeated with the ball's present place.
 Vec3d BallChaser::attack_with_kicks(const Situation& s, const Instant& instant) noexcept {
+  MUROSIMF_ASSERT(kick_ != nullptr && s.self != nullptr && s.ball != nullptr);
   constexpr double near = 0.45, slow = 0.05;  // [m], [m/s]
   constexpr Duration again = std::chrono::milliseconds(500);
   const Vec3d ball = flat(s.ball->position);
   const Vec3d seen = to_robot_frame(ball - flat(s.self->position), s.self->heading);
   if (norm(seen) > near || norm(flat(s.ball->velocity)) > slow) {
-    kick_->number = 0;
+    kick_->number = 0;  // a moving ball would have left the place that the kick is planned for
     return norm(seen) > near ? walk_to(s, ball, unit(ball - flat(s.self->position)), options_.speed) : Vec3d{};
   }
   if (kick_->number != 0 && instant.now % again >= instant.period) return {};

@@ -1,4 +1,4 @@
-/// behavior_properties.h - properties of what a robot takes for true and is about to do.
+/// behavior_properties.h - properties of a robot's own estimates and plans.
 #pragma once
 
 #include <span>
@@ -17,7 +17,7 @@ inline constexpr Property<double> next_waypoint      {{"next_waypoint", "1", "-"
 
 // clang-format on
 
-/// Every property of this page, constant ones first.
+/// Every property of this header, constant ones first.
 [[nodiscard]] std::span<const CatalogEntry> behavior_list();
 
 }  // namespace murosimf::properties

@@ -1,4 +1,4 @@
-/// beliefs.h - where robots take themselves to be, for people who watch: ghosts beside the truth.
+/// beliefs.h - pose estimates of robots, drawn for observers as ghosts beside the true poses.
 #pragma once
 
 #include <optional>
@@ -7,8 +7,8 @@
 
 namespace murosimf::soccer {
 
-/// [m, m, rad] x, y and heading of its base on the field, as the robot's own software says (properties::pose_estimate); nothing if it has
-/// no opinion, or is not there.
+/// [m, m, rad] x, y and heading of its base on the field, as estimated by the robot's own software (properties::pose_estimate); nothing if
+/// there is no estimate, or the robot is absent.
 [[nodiscard]] std::optional<Vec3d> believed_pose(const Entity& robot);
 
 }  // namespace murosimf::soccer

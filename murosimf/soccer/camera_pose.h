@@ -1,10 +1,10 @@
-/// camera_pose.h - what a robot knows of its own body: where its camera is above the ground, which way it turned.
+/// camera_pose.h - estimates from a robot's own body: the pose of its camera above the ground, and its heading.
 ///
 /// From sensors only: joint angles of the sensor `encoders`, put into the robot's model, and the orientation of the sensor
-/// `imu`. Up is where the inertial sensor says; the ground is as far below the base as the lowest corner of a sole. The
-/// camera is taken to be mounted as its robot's file says (CameraInfo::nominal) and the inertial sensor to have the axes
-/// of the object that it sits on: mounting errors of both, bends and delays are not known, and so are errors here too.
-/// Of the heading only changes are to be used: a real sensor does not know north.
+/// `imu`. The inertial sensor defines up; the ground is as far below the base as the lowest corner of a sole. The
+/// camera is mounted as its robot's file says (CameraInfo::nominal) and the inertial sensor has the axes
+/// of the object that it sits on: mounting errors of both, bends and delays are unknown here, and so become errors of the pose.
+/// Use only changes of the heading: a real sensor does not measure north.
 #pragma once
 
 #include <vector>
@@ -22,14 +22,16 @@ class CameraPoseEstimator {
   /// Throws SetupError if the robot has no sensors `encoders` and `imu`, or no soles.
   CameraPoseEstimator(Setup& setup, const sensors::CameraInfo& camera);
 
-  /// Looks at the sensors' last samples. False until all have shown one.
+  /// Reads the last samples of the sensors. False until all have one.
   bool sense() noexcept;
 
   [[nodiscard]] const CameraPose& camera() const noexcept { return camera_pose_; }
-  [[nodiscard]] double heading() const noexcept { return heading_; }  ///< [rad] of the base, from anywhere
+  [[nodiscard]] double heading() const noexcept {
+    return heading_;
+  }  ///< [rad] of the base, from an arbitrary direction
 
  private:
-  /// Something fixed to a link, and the links from the base to there.
+  /// An object fixed to a link, and the links from the base to there.
   struct Part {
     FixedObject place;
     std::vector<int> path;

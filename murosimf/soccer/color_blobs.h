@@ -20,12 +20,12 @@ struct Blob {
   imaging::Pixel lowest;                         ///< [px] middle of its lowest run; of several, the first from the left
 };
 
-/// Finds blobs and keeps the memory that this takes.
+/// Finds blobs and keeps its buffers from picture to picture.
 class BlobFinder {
  public:
   explicit BlobFinder(const ColorClass& color, int fewest_pixels = 20) : color_(color), fewest_pixels_(fewest_pixels) {}
 
-  /// Those of at least so many pixels, the largest first; of equal ones the higher first. Valid until the next picture.
+  /// Blobs of at least `fewest_pixels`, the largest first; of equal ones the higher first. Valid until the next picture.
   [[nodiscard]] const std::vector<Blob>& find(const imaging::ColorImage& picture) noexcept;
 
  private:

@@ -1,4 +1,4 @@
-/// color_class.h - which pixels belong to a thing of a certain color: hue, saturation and brightness within bounds.
+/// color_class.h - classes of pixels by color: hue, saturation and brightness within bounds.
 ///
 /// Source: hue, saturation, value of Smith, "Color gamut transform pairs", SIGGRAPH 1978.
 #pragma once

@@ -1,9 +1,10 @@
-/// dead_reckoning.h - how a walking robot moved, as it may believe itself: no sensor looks at the ground.
+/// dead_reckoning.h - motion of a walking robot as estimated by itself, without a sensor of the ground.
 ///
-/// Forward and sideways as the walk intends (`gait_velocity`), turned as the inertial sensor says. Slipping, swaying and a
-/// walk that does not do what it is told are what is missing.
+/// Forward and sideways by the velocity of the gait (`gait_velocity`), turned by the inertial sensor. Slipping, swaying and
+/// deviations of the walk from its command are errors of the estimate.
 #pragma once
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/model/setup.h"
 #include "murosimf/soccer/planar.h"
@@ -13,6 +14,7 @@ namespace murosimf::soccer {
 /// The pose of the robot after a time `dt` [s], in the frame of the pose before. `velocity` [m/s] forward, left;
 /// `turned` [rad]. The way is an arc of a circle.
 [[nodiscard]] inline Vec3d step_along(const Vec3d& velocity, double turned, double dt) noexcept {
+  MUROSIMF_ASSERT(dt >= 0);
   const Vec3d way = from_frame({0, 0, 0.5 * turned}, {dt * velocity.x, dt * velocity.y, 0});  // along the chord
   return {way.x, way.y, turned};
 }

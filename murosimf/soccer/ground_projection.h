@@ -1,4 +1,4 @@
-/// ground_projection.h - from a pixel to the place on the ground that is seen there, and back.
+/// ground_projection.h - maps a pixel to the place on the ground that it shows, and back.
 ///
 /// The frame is the robot's own on the ground: its origin below the origin of the base, x where the base looks, y left,
 /// z up; the ground is its plane z = 0. With e the camera, A its optical axes and d the ray of a pixel in them,
@@ -13,13 +13,13 @@
 
 namespace murosimf::soccer {
 
-/// Where a camera is.
+/// Pose of a camera.
 struct CameraPose {
   Vec3d eye;   ///< [m] the pinhole
   Mat3d axes;  ///< optical axes (x right, y down, z forward) to those of the robot on the ground
 };
 
-/// [m] Nothing if the pixel looks at or above the horizon, or beyond the lens.
+/// [m] Nothing if the pixel shows the horizon or above, or is beyond the lens.
 [[nodiscard]] inline std::optional<Vec3d> on_ground(const imaging::Lens& lens, const CameraPose& pose,
                                                     const imaging::Pixel& pixel) noexcept {
   constexpr double flattest = 1e-3;  // [1] slope of a ray that meets the ground a kilometer away or nowhere

@@ -1,4 +1,4 @@
-/// line_distance_field.h - how far it is from any place of a field to the nearest line, looked up in a table.
+/// line_distance_field.h - distance from any place of a field to the nearest line, from a table.
 ///
 /// Source: likelihood fields, Thrun, Burgard, Fox, Probabilistic Robotics (2005), ch. 6.4.
 #pragma once
@@ -12,11 +12,11 @@ namespace murosimf::soccer {
 
 class LineDistanceField {
  public:
-  /// Of the middles of the lines, a cell every `cell` [m]; beyond the ground that the markings show the nearest cell
-  /// counts. Throws SetupError if the markings have no lines, or more than 4 million cells.
+  /// Distances from the middles of the lines, a cell every `cell` [m]; beyond the ground of the markings the nearest cell
+  /// is used. Throws SetupError if the markings have no lines, or more than 4 million cells.
   explicit LineDistanceField(const Markings& markings, double cell = 0.02);
 
-  /// [m] from (x, y); off by up to 0.7 cells.
+  /// [m] from (x, y); with an error of up to 0.7 cells.
   [[nodiscard]] double distance(double x, double y) const noexcept;
 
  private:

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::soccer {
 namespace {
 
@@ -15,9 +17,10 @@ struct Run {
 
 double whiteness(const Rgb& p) { return std::min({p.red, p.green, p.blue}) / 255.0; }
 
-/// Calls `found` with runs that are not green but white somewhere, between green on both sides. `at(i)` is a pixel.
+/// Calls `found` with runs that are not green but white somewhere, between green on both sides. `at(i)` returns a pixel.
 template <class At, class Found>
 void for_white_runs(int size, const LineScan& scan, const At& at, const Found& found) {
+  MUROSIMF_ASSERT(size >= 0 && scan.fewest_green > 0);
   int green = 0;  // pixels since the last other one
   Run run;
   double white = 0;
@@ -25,6 +28,7 @@ void for_white_runs(int size, const LineScan& scan, const At& at, const Found& f
   for (int i = 0; i < size; ++i) {
     const Rgb& pixel = at(i);
     if (scan.green.contains(pixel)) {
+      // The run counts only when enough green follows: a line at the border of the picture has an unknown width.
       if (++green == scan.fewest_green && open) {
         if (white >= scan.least_white) found(run);
         open = false;
@@ -47,9 +51,10 @@ class Collector {
   Collector(const imaging::Lens& lens, const CameraPose& pose, const LineScan& scan, std::vector<LinePoint>& points)
       : lens_(lens), pose_(pose), scan_(scan), points_(points) {}
 
-  /// The run between the borders `a` and `b`, `pixels` long.
+  /// Adds the run between the borders `a` and `b`, `pixels` long.
   void add(const Pixel& a, const Pixel& b, int pixels) {
-    if (points_.size() >= scan_.most) return;
+    MUROSIMF_ASSERT(pixels > 0);
+    if (points_.size() >= scan_.most) return;  // bounded: the cost of a picture and the reserved memory
     const auto from = on_ground(lens_, pose_, a), to = on_ground(lens_, pose_, b);
     if (!from || !to) return;
     const Vec3d place = 0.5 * (*from + *to), across = *to - *from;
@@ -69,6 +74,7 @@ class Collector {
 
 void find_line_points(const imaging::ColorImage& picture, const imaging::Lens& lens, const CameraPose& pose,
                       const LineScan& scan, std::vector<LinePoint>& points) noexcept {
+  MUROSIMF_ASSERT(scan.spacing > 0);
   points.clear();
   Collector collector(lens, pose, scan, points);
   for (int u = scan.spacing / 2; u < picture.width(); u += scan.spacing) {

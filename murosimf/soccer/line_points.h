@@ -1,6 +1,6 @@
 /// line_points.h - points on the white lines of a green field, along columns and rows of a picture.
 ///
-/// Every so many pixels a column and a row are looked through for runs that are not green between green on both sides. Such
+/// Every `spacing` pixels a column and a row are scanned for runs that are not green between green on both sides. Such
 /// a run is a line if something in it is bright and gray enough, and if on the ground it is as wide as lines are: at most
 /// `widest`, less what the borders of pixels may add. The point is the middle of the run's ends on the ground.
 /// What stands on the ground (posts, robots) is a line only where it happens to be as wide.

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "murosimf/locomotion/gait_properties.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/soccer/behavior_properties.h"
 #include "murosimf/soccer/dead_reckoning.h"
 #include "murosimf/soccer/walk_to.h"
@@ -13,11 +14,14 @@ namespace {
 
 constexpr double arrived = 0.25;  // [m] from a waypoint
 
-/// At most `most` of them, evenly chosen.
+/// Writes at most `most` of the points to `chosen`, evenly chosen.
 void thin_out(const std::vector<soccer::LinePoint>& points, std::size_t most, std::vector<soccer::LinePoint>& chosen) {
   chosen.clear();
   const std::size_t count = std::min(most, points.size());
-  for (std::size_t i = 0; i < count; ++i) chosen.push_back(points[i * points.size() / count]);
+  for (std::size_t i = 0; i < count; ++i) {
+    MUROSIMF_ASSERT(i * points.size() / count < points.size());
+    chosen.push_back(points[i * points.size() / count]);
+  }
 }
 
 }  // namespace
@@ -48,6 +52,7 @@ void Localize::initialize() {
   command_ = {};
   waypoint_ = 0;
   particles_.all = filter_.scatter(options_.start);
+  MUROSIMF_ASSERT(!particles_.all.empty());
   particles_.points.reserve(options_.most_points);
   particles_.points.clear();
   particles_.frame = 0;
@@ -61,6 +66,7 @@ void Localize::step(const Instant& instant) noexcept {
   const double before = particles_.heading;
   if (!body_.sense()) return;
   particles_.heading = body_.heading();
+  // Number of the step, rounded: random numbers of a step are addressed by it, also after a restored state.
   const auto number = static_cast<std::uint64_t>((instant.now + instant.period / 2) / instant.period);
   if (std::isfinite(before)) {
     const double dt = seconds(instant.period);
@@ -77,6 +83,7 @@ void Localize::step(const Instant& instant) noexcept {
 void Localize::look(std::uint64_t number) noexcept {
   particles_.frame = frame_.number;
   soccer::find_line_points(frame_.color, frame_.info->lens, body_.camera(), options_.scan, seen_);
+  // Fewer points than found: neighbors on one line are wrong together and cost time.
   thin_out(seen_, options_.most_points, particles_.points);
   filter_.weigh(particles_.all, particles_.points, lines_);
   filter_.resample(particles_.all, number);

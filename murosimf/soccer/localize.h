@@ -1,11 +1,11 @@
-/// localize.h - algorithm: walks a round on the field and finds out from its camera where it is (paper 7.1).
+/// localize.h - algorithm: walks a round on the field and estimates its pose from its camera (paper 7.1).
 ///
 /// Between two pictures particles move by dead_reckoning.h, with a picture they are weighed by line_points.h as
-/// particle_filter.h says. It walks where it believes to go. The camera's pose is that of camera_pose.h at the time of the
-/// picture's arrival: the camera must have no latency worth mentioning.
+/// described in particle_filter.h. The robot walks by its own estimate. The camera's pose is that of camera_pose.h at the time of the
+/// picture's arrival: the latency of the camera must be negligible.
 ///
-/// `pose_estimate` and `pose_spread` are columns like all others. The particles are no part of the state hash, like the
-/// frames that they come from: they are what the robot makes of its readings, and for who looks.
+/// `pose_estimate` and `pose_spread` are columns like all others. The particles are not part of the state hash, like the
+/// frames that they come from: they are derived from readings, and drawn for observers.
 /// The start must be known roughly (ParticleFilterOptions::prior): a field looks the same from both of its halves.
 #pragma once
 
@@ -19,7 +19,7 @@
 
 namespace murosimf::soccer {
 
-/// What `localize` shows besides numbers.
+/// Output of `localize` besides numbers.
 struct Particles {
   std::vector<soccer::Particle> all;
   std::vector<soccer::LinePoint> points;  ///< of the last picture, those that were used
@@ -34,7 +34,7 @@ inline constexpr Property<Particles> possible_poses{
 
 struct LocalizeOptions {
   Markings markings;       ///< of the field
-  Vec3d start;             ///< [m, m, rad] where it is told to be
+  Vec3d start;             ///< [m, m, rad] given start pose
   std::vector<Vec3d> way;  ///< [m] of its round, on the field; none: it stands
   double speed = 0.2;      ///< [m/s]
   std::string camera = "camera";

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "murosimf/locomotion/gait_properties.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/soccer/behavior_properties.h"
 #include "murosimf/soccer/dead_reckoning.h"
 #include "murosimf/soccer/walk_to.h"
@@ -18,6 +19,7 @@ constexpr double keep_inside = 0.2;  // [m] of the touch lines
 
 /// [m] The point of a way that is first `ahead` away from its beginning, or its end.
 Vec3d point_ahead(const std::vector<Vec3d>& way, double ahead) noexcept {
+  MUROSIMF_ASSERT(!way.empty() && ahead >= 0);
   for (std::size_t i = 1; i < way.size(); ++i) {
     const Vec3d step = way[i] - way[i - 1];
     const double length = norm(step);
@@ -52,6 +54,7 @@ void ObstacleCourse::initialize() {
   pose_ = options_.start;
   course_.obstacles.clear();
   course_.way.clear();
+  // Reserved once, so that steps do not allocate.
   course_.way.reserve(around_.most_points());
   course_.heading = std::numeric_limits<double>::quiet_NaN();
   course_.frame = 0;
@@ -81,7 +84,7 @@ void ObstacleCourse::look() noexcept {
   }
 }
 
-/// With less clearance where there is no way.
+/// Plans with less clearance where there is no way.
 void ObstacleCourse::plan() noexcept {
   for (const double share : {1.0, 0.6, 0.2}) {
     plan(share * options_.clearance);
@@ -90,6 +93,7 @@ void ObstacleCourse::plan() noexcept {
 }
 
 void ObstacleCourse::plan(double clearance) noexcept {
+  MUROSIMF_ASSERT(clearance >= 0);
   disks_.clear();
   for (const soccer::Obstacle& obstacle : course_.obstacles.all()) {
     if (obstacle.sightings < options_.fewest_sightings) continue;
@@ -99,6 +103,7 @@ void ObstacleCourse::plan(double clearance) noexcept {
   const Vec3d here{pose_.x, pose_.y, 0};
   const Vec3d goal{options_.goal_x + beyond * forward, std::clamp(pose_.y, -inside, inside), 0};
   const auto way = around_.find(here, goal, disks_, {.lowest_y = -inside, .highest_y = inside});
+  MUROSIMF_ASSERT(way.size() <= around_.most_points());
   course_.way.assign(way.begin(), way.end());
 }
 

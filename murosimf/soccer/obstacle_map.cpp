@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::soccer {
 
 std::optional<ObstacleSighting> obstacle_of(const Blob& blob, const imaging::Lens& lens, const CameraPose& pose,
                                             double radius, double farthest) noexcept {
+  MUROSIMF_ASSERT(radius >= 0 && farthest > 0);
   const imaging::LensSpec& picture = lens.spec();
+  // The foot of the obstacle is out of the picture: its distance is unknown.
   if (blob.bottom >= picture.height - 1) return std::nullopt;
   const auto foot = on_ground(lens, pose, {blob.lowest.u, blob.lowest.v + 0.5});
   if (!foot) return std::nullopt;
@@ -26,6 +29,7 @@ void ObstacleMap::state(StateArchive& archive) {
 }
 
 void ObstacleMap::see(const Vec3d& place, bool whole, double same) noexcept {
+  MUROSIMF_ASSERT(count_ <= most_obstacles);
   Obstacle* nearest = nullptr;
   double least = same;
   for (std::size_t i = 0; i < count_; ++i) {
@@ -39,6 +43,7 @@ void ObstacleMap::see(const Vec3d& place, bool whole, double same) noexcept {
     return;
   }
   ++nearest->sightings;
+  // A mean at first, then a filter: the odometry drifts, so that old sightings lose their weight.
   if (whole) nearest->place += std::max(0.2, 1.0 / nearest->sightings) * (place - nearest->place);
 }
 

@@ -1,8 +1,8 @@
 /// obstacle_map.h - the standing obstacles that a robot has seen, in a frame of its own.
 ///
 /// All obstacles are alike: upright, of one color and one radius. A blob's lowest pixel shows where the nearest one of it
-/// meets the ground, on the side of the robot; its middle is a radius farther away. What is cut off by the left or right
-/// border of the picture is used only while nothing better is known there, and what is cut off below not at all.
+/// meets the ground, on the side of the robot; its middle is a radius farther away. A blob that is cut off by the left or right
+/// border of the picture is used only while no better sighting exists there, one that is cut off below not at all.
 #pragma once
 
 #include <array>
@@ -30,14 +30,14 @@ struct ObstacleSighting {
   bool whole = true;  ///< not cut off by a side of the picture
 };
 
-/// Of a blob, with obstacles of a `radius` [m]. Nothing if its foot is below the picture, or beyond `farthest` [m].
+/// Place of a blob, for obstacles of a `radius` [m]. Nothing if its foot is below the picture, or beyond `farthest` [m].
 [[nodiscard]] std::optional<ObstacleSighting> obstacle_of(const Blob& blob, const imaging::Lens& lens,
                                                           const CameraPose& pose, double radius,
                                                           double farthest) noexcept;
 
 class ObstacleMap {
  public:
-  /// `place` [m] in the frame of the map. A sighting within `same` [m] of a known obstacle is that one: it moves it by a
+  /// Adds a sighting at `place` [m] in the frame of the map. Within `same` [m] of a known obstacle it moves that one by a
   /// share of the way, 1/n at first and a fifth later, so that the map follows the robot's own errors. Others are new while
   /// there is room.
   void see(const Vec3d& place, bool whole, double same) noexcept;
@@ -45,7 +45,7 @@ class ObstacleMap {
 
   [[nodiscard]] std::span<const Obstacle> all() const noexcept { return {obstacles_.data(), count_}; }
 
-  /// Throws SetupError.
+  /// Throws SetupError for more obstacles than the map holds.
   void state(StateArchive& archive);
 
  private:

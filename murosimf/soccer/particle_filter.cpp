@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::soccer {
 namespace {
 
@@ -11,6 +13,7 @@ constexpr double cluster_turn = 30 * pi / 180;  // [rad]
 
 /// Mean and standard deviations of the particles within the cluster around `center`.
 PoseEstimate mean_around(std::span<const Particle> particles, const Vec3d& center) noexcept {
+  // Differences from the center: headings are averaged without a jump at pi.
   double sum = 0;
   Vec3d first, second;
   for (const Particle& particle : particles) {
@@ -24,11 +27,13 @@ PoseEstimate mean_around(std::span<const Particle> particles, const Vec3d& cente
   const Vec3d mean = (1 / sum) * first, square = (1 / sum) * second;
   const auto deviation = [](double s, double m) { return std::sqrt(std::max(0.0, s - m * m)); };
   return {{center.x + mean.x, center.y + mean.y, wrapped(center.z + mean.z)},
+          // (also the variance is free of cancellation, as the differences are small)
           {deviation(square.x, mean.x), deviation(square.y, mean.y), deviation(square.z, mean.z)}};
 }
 
 double effective_number(std::span<const Particle> particles) noexcept {
   double squares = 0;
+  MUROSIMF_ASSERT(!particles.empty());
   for (const Particle& particle : particles) squares += particle.weight * particle.weight;
   return 1 / squares;
 }
@@ -41,7 +46,9 @@ ParticleFilter::ParticleFilter(const ParticleFilterOptions& options, std::uint64
       motion_(seed, name + "/motion"),
       draw_(seed, name + "/draw"),
       logs_(static_cast<std::size_t>(options.particles)),
-      drawn_(static_cast<std::size_t>(options.particles)) {}
+      drawn_(static_cast<std::size_t>(options.particles)) {
+  MUROSIMF_ASSERT(options.particles > 0);
+}
 
 void ParticleFilter::reseed(std::uint64_t seed) noexcept {
   for (RandomStream* stream : {&scatter_, &motion_, &draw_}) stream->reseed(seed);
@@ -62,6 +69,7 @@ std::vector<Particle> ParticleFilter::scatter(const Vec3d& start) const {
 
 void ParticleFilter::move(std::span<Particle> particles, const Vec3d& step_pose, double dt,
                           std::uint64_t step) const noexcept {
+  MUROSIMF_ASSERT(dt >= 0 && particles.size() == logs_.size());
   const ParticleFilterOptions& o = options_;
   const double way = std::hypot(step_pose.x, step_pose.y), turn = std::abs(step_pose.z);
   const auto deviation = [](double moving, double amount, double resting, double time) {
@@ -69,6 +77,7 @@ void ParticleFilter::move(std::span<Particle> particles, const Vec3d& step_pose,
   };
   const Vec3d s{deviation(o.way_noise, way, o.time_noise.x, dt), deviation(o.way_noise, way, o.time_noise.y, dt),
                 deviation(o.turn_noise, turn, o.time_noise.z, dt)};
+  // Two draws for each particle: a step's numbers do not overlap those of the next step.
   const std::uint64_t first = 2 * step * particles.size();
   for (std::size_t i = 0; i < particles.size(); ++i) {
     const auto a = motion_.normals(first + 2 * i), b = motion_.normals(first + 2 * i + 1);
@@ -79,6 +88,7 @@ void ParticleFilter::move(std::span<Particle> particles, const Vec3d& step_pose,
 
 double ParticleFilter::log_likelihood(const Vec3d& pose, std::span<const LinePoint> points,
                                       const LineDistanceField& lines) const noexcept {
+  MUROSIMF_ASSERT(deviations_.size() == points.size());
   const double cosine = std::cos(pose.z), sine = std::sin(pose.z);
   double sum = 0, product = 1;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -95,23 +105,27 @@ double ParticleFilter::log_likelihood(const Vec3d& pose, std::span<const LinePoi
 
 void ParticleFilter::weigh(std::span<Particle> particles, std::span<const LinePoint> points,
                            const LineDistanceField& lines) noexcept {
+  MUROSIMF_ASSERT(particles.size() == logs_.size());
   if (points.empty()) return;
   const double c = std::min(1.0, options_.independent_points / static_cast<double>(points.size()));
   double best = -1e300;
   deviations_.clear();
-  for (const LinePoint& point : points) {
+  for (const LinePoint& point : points) {  // once per picture, not per particle
     deviations_.push_back(options_.point_noise + options_.lean_noise * dot(point.place, point.place));
   }
+  MUROSIMF_ASSERT(deviations_.size() == points.size());
   for (std::size_t i = 0; i < particles.size(); ++i) {
     logs_[i] = c * log_likelihood(particles[i].pose, points, lines) + std::log(std::max(particles[i].weight, 1e-300));
     best = std::max(best, logs_[i]);
   }
+  // Relative to the best: likelihoods of many points underflow.
   double total = 0;
   for (std::size_t i = 0; i < particles.size(); ++i) total += particles[i].weight = std::exp(logs_[i] - best);
   for (Particle& particle : particles) particle.weight /= total;
 }
 
 bool ParticleFilter::resample(std::span<Particle> particles, std::uint64_t step) noexcept {
+  MUROSIMF_ASSERT(!particles.empty() && particles.size() == drawn_.size());
   const auto count = static_cast<double>(particles.size());
   if (effective_number(particles) > 0.5 * count) return false;
   const double start = draw_.uniform(step);
@@ -120,6 +134,7 @@ bool ParticleFilter::resample(std::span<Particle> particles, std::uint64_t step)
   for (std::size_t i = 0; i < particles.size(); ++i) {
     const double mark = (start + static_cast<double>(i)) / count;
     while (sum < mark && source + 1 < particles.size()) sum += particles[++source].weight;
+    MUROSIMF_ASSERT(source < particles.size());
     drawn_[i] = {particles[source].pose, 1 / count};
   }
   std::copy(drawn_.begin(), drawn_.end(), particles.begin());

@@ -1,19 +1,19 @@
-/// particle_filter.h - Monte Carlo localization: where a robot is on a field whose lines it sees.
+/// particle_filter.h - Monte Carlo localization: estimates the pose of a robot on a field from the lines that it sees.
 ///
-/// Each particle is a pose that is possible. One step: move all by the odometry, each with errors of its own; weigh each by
+/// Each particle is a possible pose. One step: move all by the odometry, each with its own errors; weigh each by
 /// how well the points that were seen on lines lie on the field's lines from there; draw the next particles by weight.
 ///
 /// With d_i the distance of point i from the nearest line, seen from the particle, and r_i its distance from the robot,
 ///
 ///     log w = c sum_i log(m + (1 - m) exp(-d_i^2 / (2 s_i^2)))         s_i = s_0 + s_2 r_i^2
 ///
-/// s_2 r^2 is what a wrong lean of the camera does to a point; m keeps points that are none from deciding. Points of one
-/// picture are wrong together, so c counts them as at most `independent_points`. Particles are drawn by low-variance
+/// s_2 r^2 is the error by a wrong lean of the camera; m limits the effect of points that are no line points. Errors of one
+/// picture are correlated, so c counts its points as at most `independent_points`. Particles are drawn by low-variance
 /// resampling when the effective number of them, 1 / sum w^2, falls below half.
 /// Source: Dellaert, Fox, Burgard, Thrun, "Monte Carlo localization for mobile robots", ICRA 1999; likelihood field, low-
 ///         variance sampler: Thrun, Burgard, Fox, Probabilistic Robotics (2005), ch. 6.4 and 4.3.4; effective number:
 ///         Liu, "Metropolized independent sampling", Statistics and Computing 6 (1996).
-/// Limits: a field is the same seen from its other half: the prior must know the half. Nothing is injected to find a robot
+/// Limits: a field looks the same from its other half: the prior must contain the half. Nothing is injected to find a robot
 ///         again that was carried away.
 #pragma once
 
@@ -39,7 +39,7 @@ struct ParticleFilterOptions {
   Vec3d prior{0.5, 0.5, pi / 6};       ///< [m, m, rad] standard deviations around the start; x and y are the robot's
   double way_noise = 0.06;             ///< [m/sqrt(m)] of the place after a meter
   double turn_noise = 0.05;            ///< [rad/sqrt(rad)] of the heading after a radian
-  Vec3d time_noise{0.02, 0.02, 0.02};  ///< [m/sqrt(s), m/sqrt(s), rad/sqrt(s)] whatever the robot does
+  Vec3d time_noise{0.02, 0.02, 0.02};  ///< [m/sqrt(s), m/sqrt(s), rad/sqrt(s)] independent of the motion
   double point_noise = 0.04;           ///< [m] s_0
   double lean_noise = 0.03;            ///< [1/m] s_2
   double misread = 0.1;                ///< [1] m
@@ -53,18 +53,19 @@ struct PoseEstimate {
 
 class ParticleFilter {
  public:
-  /// Keeps nothing between steps but the options: particles are the caller's, of constant number. `seed` and `name` decide
+  /// Keeps only the options between steps: particles belong to the caller, of constant number. `seed` and `name` determine
   /// all random numbers; those of a step are addressed by its number, so that each step needs another one.
   ParticleFilter(const ParticleFilterOptions& options, std::uint64_t seed, const std::string& name);
 
-  /// Random numbers of another seed.
+  /// Switches to the random numbers of another seed.
   void reseed(std::uint64_t seed) noexcept;
-  /// Particles around `start`.
+  /// Returns particles around `start`.
   [[nodiscard]] std::vector<Particle> scatter(const Vec3d& start) const;
-  /// `step_pose`: the robot's motion in its own frame (dead_reckoning.h), in a time `dt` [s].
+  /// Moves the particles. `step_pose`: the robot's motion in its own frame (dead_reckoning.h), in a time `dt` [s].
   void move(std::span<Particle> particles, const Vec3d& step_pose, double dt, std::uint64_t step) const noexcept;
+  /// Multiplies the weights by the likelihood of the points, and normalizes them.
   void weigh(std::span<Particle> particles, std::span<const LinePoint> points, const LineDistanceField& lines) noexcept;
-  /// True if it was done.
+  /// Draws particles by weight if few of them count. True if it did.
   bool resample(std::span<Particle> particles, std::uint64_t step) noexcept;
 
  private:

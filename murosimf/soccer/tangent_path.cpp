@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::soccer {
 namespace {
 
@@ -26,23 +28,29 @@ WayAround::WayAround(std::size_t most_disks) : most_disks_(most_disks) {
 
 std::span<const Vec3d> WayAround::find(const Vec3d& start, const Vec3d& goal, std::span<const Disk> disks,
                                        const WayBounds& bounds) noexcept {
+  MUROSIMF_ASSERT(bounds.lowest_x <= bounds.highest_x && bounds.lowest_y <= bounds.highest_y);
   constexpr double far = std::numeric_limits<double>::infinity();
-  take_disks(start, goal, disks);
+  set_disks(start, goal, disks);
   corners_.clear();
   corners_.push_back({start, 0, 0, false});
   corners_.push_back({goal, far, 0, false});
   add_corners(bounds);
   way_.clear();
   if (!search()) return way_;
-  for (std::size_t i = 1; i != 0; i = corners_[i].from) way_.push_back(corners_[i].place);
+  for (std::size_t i = 1; i != 0; i = corners_[i].from) {
+    MUROSIMF_ASSERT(corners_[i].from < corners_.size());
+    way_.push_back(corners_[i].place);
+  }
   way_.push_back(start);
   std::reverse(way_.begin(), way_.end());
+  MUROSIMF_ASSERT(way_.size() >= 2);
   return way_;
 }
 
-void WayAround::take_disks(const Vec3d& start, const Vec3d& goal, std::span<const Disk> disks) noexcept {
+void WayAround::set_disks(const Vec3d& start, const Vec3d& goal, std::span<const Disk> disks) noexcept {
   disks_.clear();
   for (const Disk& disk : disks.first(std::min(disks.size(), most_disks_))) {
+    // A little less than the distance: start and goal must not lie on the border.
     const double room = 0.98 * std::min(norm(Vec3d(start - disk.center)), norm(Vec3d(goal - disk.center)));
     disks_.push_back({disk.center, std::min(disk.radius, room)});
   }
@@ -71,8 +79,10 @@ bool WayAround::is_free(const Vec3d& a, const Vec3d& b) const noexcept {
                      [&](const Disk& disk) { return distance_to_segment(disk.center, a, b) >= inside * disk.radius; });
 }
 
-/// Dijkstra's; true if it came to the goal, which is corner 1.
+/// Searches by Dijkstra's algorithm; true if it reached the goal, which is corner 1. Corners are few: a linear search for the
+/// next one is faster than a heap, and equal costs are resolved by the order of corners.
 bool WayAround::search() noexcept {
+  MUROSIMF_ASSERT(corners_.size() >= 2);
   while (true) {
     std::size_t next = corners_.size();
     for (std::size_t i = 0; i < corners_.size(); ++i) {
@@ -80,6 +90,7 @@ bool WayAround::search() noexcept {
       if (next == corners_.size() || corners_[i].cost < corners_[next].cost) next = i;
     }
     if (next == corners_.size()) return false;
+    MUROSIMF_ASSERT(!corners_[next].done);
     if (next == 1) return true;
     corners_[next].done = true;
     for (Corner& corner : corners_) {

@@ -20,32 +20,32 @@ struct Disk {
   double radius = 0;
 };
 
-/// Where the way may lead.
+/// Bounds of a way.
 struct WayBounds {
   double lowest_x = -1e9, highest_x = 1e9, lowest_y = -1e9, highest_y = 1e9;
 };
 
 class WayAround {
  public:
-  /// Room for so many disks.
+  /// Reserves memory for `most_disks` disks.
   explicit WayAround(std::size_t most_disks);
 
-  /// From `start` to `goal`, both included; valid until the next one. Empty if there is none. A start or goal within a disk
-  /// makes that disk smaller, to just beside it. Corners out of bounds are not used. Only the first `most_disks` count.
+  /// The way from `start` to `goal`, both included; valid until the next call. Empty if there is none. A start or goal within a disk
+  /// makes that disk smaller, to just beside it. Corners out of bounds are not used. Only the first `most_disks` disks count.
   [[nodiscard]] std::span<const Vec3d> find(const Vec3d& start, const Vec3d& goal, std::span<const Disk> disks,
                                             const WayBounds& bounds = {}) noexcept;
 
-  /// Of a way.
+  /// Largest number of points of a way.
   [[nodiscard]] std::size_t most_points() const noexcept { return way_.capacity(); }
 
  private:
   struct Corner {
     Vec3d place;
     double cost;       // [m] from the start
-    std::size_t from;  // corner before
+    std::size_t from;  // previous corner of the way
     bool done;
   };
-  void take_disks(const Vec3d& start, const Vec3d& goal, std::span<const Disk> disks) noexcept;
+  void set_disks(const Vec3d& start, const Vec3d& goal, std::span<const Disk> disks) noexcept;
   void add_corners(const WayBounds& bounds) noexcept;
   [[nodiscard]] bool is_free(const Vec3d& place) const noexcept;
   [[nodiscard]] bool is_free(const Vec3d& a, const Vec3d& b) const noexcept;

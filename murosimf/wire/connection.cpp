@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
+
+#include "murosimf/math/assert.h"
 
 namespace murosimf::wire {
 namespace {
@@ -13,6 +16,7 @@ constexpr std::size_t prefix = 4;               // [byte]
 constexpr std::size_t first_buffer = 4 * 1024;  // [byte]
 
 std::uint32_t length_at(const char* bytes) {
+  MUROSIMF_ASSERT(bytes != nullptr);
   std::uint32_t length = 0;
   for (std::size_t i = 0; i < prefix; ++i) length = length << 8 | static_cast<unsigned char>(bytes[i]);
   return length;
@@ -24,13 +28,16 @@ Connection::Connection(Socket socket, std::size_t longest)
     : socket_(std::move(socket)), longest_(longest), incoming_(std::min(first_buffer, prefix + longest)) {}
 
 void Connection::send(std::string_view message) {
+  MUROSIMF_ASSERT(message.size() <= std::numeric_limits<std::uint32_t>::max());
   const auto length = static_cast<std::uint32_t>(message.size());
+  // The most significant byte first, as the protocol has it.
   for (int shift = 24; shift >= 0; shift -= 8) outgoing_.push_back(static_cast<char>(length >> shift & 0xff));
   outgoing_.append(message);
   flush();
 }
 
 bool Connection::flush() {
+  // A part of a message may be sent: the rest waits for the next call.
   while (sent_ < outgoing_.size()) {
     const std::size_t count = socket_.send(std::span(outgoing_).subspan(sent_));
     if (count == 0) return false;
@@ -47,8 +54,9 @@ void Connection::flush_until(WallTime end) {
   }
 }
 
-/// Its buffer grows to the message that is coming, after its length has been looked at.
+/// The next message in the buffer, which grows to the arriving message after its length has been checked.
 std::optional<std::string_view> Connection::next_in_buffer() {
+  MUROSIMF_ASSERT(begin_ <= end_ && end_ <= incoming_.size());
   const std::size_t there = end_ - begin_;
   if (there < prefix) return {};
   const std::size_t length = length_at(&incoming_[begin_]);
@@ -64,17 +72,19 @@ std::optional<std::string_view> Connection::next_in_buffer() {
   return message;
 }
 
-/// Only called when no whole message is there, so that what is moved is short.
+/// Receives more bytes. Only called when no whole message is in the buffer, so that few bytes are moved.
 void Connection::fill() {
   std::copy(incoming_.begin() + static_cast<std::ptrdiff_t>(begin_),
             incoming_.begin() + static_cast<std::ptrdiff_t>(end_), incoming_.begin());
   end_ -= begin_;
   begin_ = 0;
   end_ += socket_.receive(std::span(incoming_).subspan(end_));
+  MUROSIMF_ASSERT(end_ <= incoming_.size());
 }
 
 std::optional<std::string_view> Connection::receive() {
   for (;;) {
+    // Several messages may have arrived at once.
     if (const auto message = next_in_buffer()) return message;
     const std::size_t before = end_ - begin_;
     fill();

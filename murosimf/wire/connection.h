@@ -20,11 +20,11 @@ class Connection {
 
   // Without waiting. Throw WireError if the connection has ended, or the peer has announced a message that is too long.
 
-  /// To be sent; what cannot be sent now is by flush().
+  /// Queues and sends a message; flush() sends the rest later.
   void send(std::string_view message);
-  /// Sends what is left; true: nothing is.
+  /// Sends the rest; true if nothing is left.
   bool flush();
-  /// The next message, if all of it is there; valid until the next call. What came before the connection ended is still given.
+  /// The next message, if it is complete; valid until the next call. Messages from before the end of the connection are still returned.
   [[nodiscard]] std::optional<std::string_view> receive();
 
   // The same, waiting until `end`; also WireError: "did not answer in time", "does not take what it is sent".
@@ -40,7 +40,7 @@ class Connection {
   std::string outgoing_;
   std::size_t sent_ = 0;  // of outgoing_
   std::vector<char> incoming_;
-  std::size_t begin_ = 0, end_ = 0;  // of what has come, in incoming_
+  std::size_t begin_ = 0, end_ = 0;  // of the received bytes in incoming_
 };
 
 }  // namespace murosimf::wire

@@ -16,7 +16,7 @@ namespace {
 using namespace std::chrono_literals;
 using WallClock = std::chrono::steady_clock;
 
-constexpr auto longest_pause = 500ms;      // after which limits are looked at
+constexpr auto longest_pause = 500ms;      // between checks of limits
 constexpr auto out_of_descriptors = 50ms;  // until accepting is tried again
 
 }  // namespace
@@ -37,11 +37,12 @@ Reception::~Reception() {
   ::close(wake_);
 }
 
-/// Whoever has waited longest makes room.
+/// Accepts all waiting connections. If there are too many, the one that has waited longest is rejected.
 void Reception::accept_all(WallTime now) {
   for (;;) {
     Socket socket = listener_.accept();
     if (!socket.is_open()) {
+      // Without descriptors the connection stays in the queue, and poll() returns at once.
       if (errno == EMFILE || errno == ENFILE) std::this_thread::sleep_for(out_of_descriptors);
       return;
     }
@@ -56,8 +57,8 @@ void Reception::accept_all(WallTime now) {
   }
 }
 
-/// Whether it is a stranger no more: admitted or turned away.
-bool Reception::look_at(Stranger& stranger, WallTime now) const {
+/// Whether the caller is finished: admitted or rejected.
+bool Reception::inspect(Stranger& stranger, WallTime now) const {
   try {
     const auto message = stranger.caller.connection.receive();
     if (!message && now < stranger.end) return false;
@@ -72,13 +73,15 @@ bool Reception::look_at(Stranger& stranger, WallTime now) const {
 void Reception::receive_all() {
   std::vector<pollfd> asked;
   while (!ends_) {
+    // In this order: the event that ends the thread, the listener, the callers.
     asked.assign({{wake_, POLLIN, 0}, {listener_.number(), POLLIN, 0}});
     for (const Stranger& stranger : strangers_) {
       asked.push_back({stranger.caller.connection.socket().number(), POLLIN, 0});
     }
     (void)::poll(asked.data(), asked.size(), strangers_.empty() ? -1 : static_cast<int>(longest_pause / 1ms));
     const WallTime now = WallClock::now();
-    strangers_.remove_if([&](Stranger& stranger) { return look_at(stranger, now); });
+    // Callers first: accept_all() may remove one of them.
+    strangers_.remove_if([&](Stranger& stranger) { return inspect(stranger, now); });
     if (asked[1].revents != 0) accept_all(now);
   }
 }

@@ -1,7 +1,7 @@
-/// reception.h - accepts connections in a thread of its own, until each has sent its first message.
+/// reception.h - accepts connections in its own thread, until each has sent its first message.
 ///
-/// Whoever sends nothing for too long, or what the door does not take, is turned away with one line. There are never more of them than
-/// most_strangers, and none of them is waited for.
+/// Callers that send nothing for too long, or that the door rejects, receive one line and are disconnected. There are never more of them
+/// than most_strangers, and the thread waits for none of them.
 #pragma once
 
 #include <atomic>
@@ -15,7 +15,7 @@
 
 namespace murosimf::wire {
 
-/// Somebody who has connected.
+/// A connected peer.
 struct Caller {
   Connection connection;
   std::string address;  ///< "127.0.0.1:40312"
@@ -29,13 +29,13 @@ struct ReceptionOptions {
 
 class Reception {
  public:
-  /// Both are called by the thread. `admit` has the first message; it takes the connection, or throws WireError, which turns the caller
-  /// away ("speaks another version").
+  /// Both are called by the thread. `admit` receives the first message; it takes the connection, or throws WireError, which rejects the
+  /// caller ("speaks another version").
   struct Door {
     std::function<void(Caller& caller, std::string_view message)> admit;
     std::function<void(Caller& caller, const std::string& reason)> turn_away;  ///< "it closed the connection"
   };
-  /// Throws WireError if nobody can listen there ("the port is in use").
+  /// Throws WireError if the address cannot be listened at ("the port is in use").
   Reception(const ReceptionOptions& options, Door door);
   ~Reception();
   Reception(const Reception&) = delete;
@@ -48,11 +48,11 @@ class Reception {
  private:
   struct Stranger {
     Caller caller;
-    WallTime end;  // by which it has said who it is
+    WallTime end;  // by which its first message must arrive
   };
   void receive_all();
   void accept_all(WallTime now);
-  [[nodiscard]] bool look_at(Stranger& stranger, WallTime now) const;
+  [[nodiscard]] bool inspect(Stranger& stranger, WallTime now) const;
 
   ReceptionOptions options_;
   Door door_;

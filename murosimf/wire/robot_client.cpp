@@ -32,6 +32,7 @@ RobotClient::RobotClient(const ClientOptions& options)
       incoming_(std::make_unique<wire::ToClient>()) {
   connect(options);
   wire::Hello& hello = *outgoing_->mutable_hello();
+  // The first message on every connection: the simulator checks the version before anything else.
   hello.set_version(protocol_version);
   hello.set_robot(options.robot);
   hello.set_rate(options.rate);
@@ -45,7 +46,7 @@ RobotClient::RobotClient(const ClientOptions& options)
 
 RobotClient::~RobotClient() = default;
 
-/// The simulator may start after its clients.
+/// Connects; tries again for a while, since the simulator may start after its clients.
 void RobotClient::connect(const ClientOptions& options) {
   const wire::WallTime end = after(patience_);
   for (;;) {
@@ -67,7 +68,7 @@ void RobotClient::send() {
     connection_->send(outgoing_->SerializeAsString());
     connection_->flush_until(after(patience_));
   } catch (const wire::WireError&) {
-    // the simulator has closed the connection: why, or that the run is over, is what it has sent before
+    // The simulator has closed the connection: its last message, which is read next, gives the reason.
   }
 }
 
@@ -140,6 +141,7 @@ void RobotClient::ready() {
 void RobotClient::answer() {
   if (!std::exchange(owes_answer_, false)) return;
   wire::Commands& commands = *outgoing_->mutable_commands();
+  // The message object is reused: its memory grows once.
   commands.Clear();
   commands.set_cycle(cycle_);
   for (const CommandRow& row : commands_) {
@@ -171,10 +173,10 @@ void RobotClient::draw(std::string_view group, const std::vector<Shape>& shapes,
 bool RobotClient::next() {
   ready();
   answer();
-  return take_cycle();
+  return read_cycle();
 }
 
-bool RobotClient::take_cycle() {
+bool RobotClient::read_cycle() {
   const wire::ToClient& message = receive(false);
   if (message.has_goodbye()) return false;
   if (!message.has_cycle()) throw ClientError("the simulator sends no cycle");
@@ -183,13 +185,14 @@ bool RobotClient::take_cycle() {
   now_ = cycle.now();
   starts_ = cycle.start();
   owes_answer_ = true;
-  take_samples(cycle);
-  take_messages(cycle);
-  take_pictures(cycle);
+  read_samples(cycle);
+  read_messages(cycle);
+  read_pictures(cycle);
   return true;
 }
 
-void RobotClient::take_samples(const wire::Cycle& cycle) {
+void RobotClient::read_samples(const wire::Cycle& cycle) {
+  // In the order in which the signals were requested.
   for (std::size_t i = 0; i < signals_.size() && std::cmp_less(i, cycle.samples_size()); ++i) {
     const wire::Sample& sample = cycle.samples(static_cast<int>(i));
     signals_[i].time = sample.time();
@@ -198,14 +201,14 @@ void RobotClient::take_samples(const wire::Cycle& cycle) {
   }
 }
 
-void RobotClient::take_messages(const wire::Cycle& cycle) {
+void RobotClient::read_messages(const wire::Cycle& cycle) {
   messages_.clear();
   for (const wire::TeamMessage& message : cycle.messages()) {
     messages_.push_back({message.content(), message.sender(), message.sent()});
   }
 }
 
-void RobotClient::take_pictures(const wire::Cycle& cycle) {
+void RobotClient::read_pictures(const wire::Cycle& cycle) {
   for (const wire::Picture& come : cycle.pictures()) {
     if (come.picture() >= pictures_.size())
       throw ClientError("the simulator sends a picture that nobody has asked for");

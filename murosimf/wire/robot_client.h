@@ -1,11 +1,11 @@
-/// robot_client.h - control software of a simulated robot, in a program of its own: it sees and sets rows of numbers by name.
+/// robot_client.h - control software of a simulated robot, in its own program: reads and sets rows of numbers by name.
 ///
 ///     murosimf::client::RobotClient robot({.robot = "striker", .port = 5000});
 ///     const auto& ball = robot.signal("ground_truth.ball_position");
 ///     auto& velocity = robot.command("walk.velocity");
 ///     while (robot.next()) velocity.values[0] = ball.samples > 0 ? 0.2 : 0;
 ///
-/// The names, units and rules are those of docs/library.md; docs/tcp.md has the rest. A program whose one thread has several robots
+/// The names, units and rules are those of docs/library.md; docs/tcp.md has the rest. A program with several robots in one thread
 /// calls ready() of each before it connects the next one, and answer() before next() of another one. This library needs Protobuf
 /// and fmt, nothing else of the simulator.
 #pragma once
@@ -32,7 +32,7 @@ class ToClient;
 
 namespace murosimf::client {
 
-/// Nobody listens, there is nothing of a name, or the simulator has ended the connection for what this program did. One line.
+/// The address is not listened at, a name does not exist, or the simulator has ended the connection because of this program. One line.
 class ClientError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -42,10 +42,10 @@ struct ClientOptions {
   std::string robot;
   std::string host = "127.0.0.1";
   std::uint16_t port = 0;
-  double rate = 0;               ///< [Hz] wanted, unless the scene says one; 0: any
-  std::string software = "C++";  ///< what reports call it
+  double rate = 0;               ///< [Hz] requested, unless the scene gives one; 0: any
+  std::string software = "C++";  ///< name in reports
   std::chrono::duration<double> patience{
-      60};  ///< [s] for which nobody may listen yet, and in which a question is answered
+      60};  ///< [s] for which it tries to connect, and waits for the answer to a question
 };
 
 /// Numbers to read, up to date after each next().
@@ -53,16 +53,16 @@ struct Signal {
   std::vector<double> values;
   std::vector<std::string> labels;  ///< of each number: the joint, or "x"
   std::int64_t time = 0;            ///< [ns] of simulated time at which they were measured
-  std::uint64_t samples = 0;        ///< that have come so far; 0: there was none yet
+  std::uint64_t samples = 0;        ///< received so far; 0: none yet
 };
 
-/// Numbers to set. They hold until they are set again.
+/// Numbers to set. They apply until they are set again.
 struct CommandRow {
   std::vector<double> values;
   std::vector<std::string> labels;
 };
 
-/// What a robot of the team has sent.
+/// A message of a robot of the team.
 struct TeamMessage {
   std::string bytes;
   std::string sender;     ///< empty: it comes from outside of the simulation
@@ -76,10 +76,10 @@ struct Picture {
   double period = 0;          ///< [s] of simulated time from one to the next
   std::string bytes;          ///< rows from the top, without gaps; empty: there was none yet
   std::int64_t time = 0;      ///< [ns] of simulated time at which the exposure of its first row began
-  std::uint64_t number = 0;   ///< of pictures that have come so far
+  std::uint64_t number = 0;   ///< of pictures received so far
 };
 
-/// Something to be drawn for people who watch.
+/// A shape of a drawing for observers.
 struct Shape {
   enum Kind { circle, line, dots, sphere, polygon, text };
   Kind kind = circle;
@@ -112,9 +112,9 @@ class RobotClient {
   CommandRow& command(std::string_view name);
   /// "camera.color", "camera.depth", "camera.labels"
   const Picture& picture(std::string_view name);
-  /// From now on it hears its team, and may send to it. Throws ClientError if it has none.
+  /// Subscribes to messages of the team, and allows sending to it. Throws ClientError if there is no team.
   void use_messages();
-  /// Nothing more is asked for; the first next() says so, too.
+  /// Ends the requests; the first next() does so as well.
   void ready();
 
   /// Sends the commands, unless answer() has, and waits for the next cycle. False: the run is over. Throws ClientError.
@@ -126,16 +126,16 @@ class RobotClient {
   /// Whether the run begins with this cycle, or begins again: commands hold before its first step, signals have no numbers yet.
   [[nodiscard]] bool starts() const { return starts_; }
 
-  /// What has arrived from the team since the cycle before.
+  /// Messages from the team since the last cycle.
   [[nodiscard]] const std::vector<TeamMessage>& messages() const { return messages_; }
-  /// To all other robots of the team; sent with the commands.
+  /// Sends to all other robots of the team, with the commands.
   void send_message(std::string_view bytes) { sends_.emplace_back(bytes); }
 
-  /// Draws shapes as a group of that name, in the place of the one before; without shapes that is gone. Points are in the world, or in
+  /// Draws shapes as a group of that name, which replaces the last one; without shapes it is removed. Points are in the world, or in
   /// the frame of the robot's base. Sent with the commands.
   void draw(std::string_view group, const std::vector<Shape>& shapes, bool of_robot = false);
 
-  /// A line for the report of the run; sent with the commands.
+  /// Adds a line to the report of the run; sent with the commands.
   void say(std::string_view line) { says_.emplace_back(line); }
 
  private:
@@ -143,10 +143,10 @@ class RobotClient {
   const wire::Description& ask(const wire::Ask& question, std::string_view name);
   void send();
   const wire::ToClient& receive(bool in_time);
-  [[nodiscard]] bool take_cycle();
-  void take_samples(const wire::Cycle& cycle);
-  void take_messages(const wire::Cycle& cycle);
-  void take_pictures(const wire::Cycle& cycle);
+  [[nodiscard]] bool read_cycle();
+  void read_samples(const wire::Cycle& cycle);
+  void read_messages(const wire::Cycle& cycle);
+  void read_pictures(const wire::Cycle& cycle);
 
   RobotInfo info_;
   std::chrono::duration<double> patience_;
@@ -155,7 +155,7 @@ class RobotClient {
   std::deque<Picture> pictures_;
   std::vector<TeamMessage> messages_;
   std::vector<std::string> says_, sends_;
-  std::unique_ptr<wire::Commands> draws_;  // what is drawn with the next commands
+  std::unique_ptr<wire::Commands> draws_;  // drawings of the next commands
   std::unique_ptr<wire::Connection> connection_;
   std::unique_ptr<wire::FromClient> outgoing_;
   std::unique_ptr<wire::ToClient> incoming_;

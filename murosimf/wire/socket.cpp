@@ -17,16 +17,19 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::wire {
 namespace {
 
-constexpr int waiting_connections = 128;                           // that the system keeps until somebody accepts them
+constexpr int waiting_connections = 128;                           // kept by the system until they are accepted
 constexpr int silent = 30, between_questions = 10, questions = 3;  // [s], [s], [1] until a silent computer is gone
-constexpr int receive_buffer = 256 * 1024;  // [byte] of a socket: what a client may send that nobody has looked at
+constexpr int receive_buffer = 256 * 1024;  // [byte] of a socket: unread bytes that a client may send
 
 using Addresses = std::unique_ptr<addrinfo, decltype(&::freeaddrinfo)>;
 
 Addresses resolve(const Address& address, bool to_listen) {
+  // Both versions of the protocol.
   addrinfo hints{};
   hints.ai_family = AF_UNSPEC;
   hints.ai_socktype = SOCK_STREAM;
@@ -49,10 +52,11 @@ std::string reason(int error) {
 }
 
 void set_option(int socket, int level, int option, int value) {
-  (void)::setsockopt(socket, level, option, &value, sizeof value);  // without it all is slower, and as right
+  MUROSIMF_ASSERT(socket >= 0);
+  (void)::setsockopt(socket, level, option, &value, sizeof value);  // an optimization: errors are ignored
 }
 
-/// A computer without power, or behind a cable that is out, closes no connection: the system asks whether it is still there.
+/// Enables keepalive: a computer without power, or behind an unplugged cable, closes no connection.
 void expect_life(int socket) {
   set_option(socket, SOL_SOCKET, SO_KEEPALIVE, 1);
   set_option(socket, IPPROTO_TCP, TCP_KEEPIDLE, silent);
@@ -81,6 +85,7 @@ Address address_of(int socket, const AskSystem& ask) {
 Address parse_address(std::string_view text) {
   Address address;
   std::string_view port = text;
+  // The last colon separates the port: addresses of version 6 contain colons as well.
   if (const std::size_t colon = text.rfind(':'); colon != std::string_view::npos) {
     std::string_view host = text.substr(0, colon);
     port = text.substr(colon + 1);
@@ -140,6 +145,7 @@ Socket Socket::connect(const Address& address) {
   for (const addrinfo* one = found.get(); one; one = one->ai_next) {
     Socket socket(::socket(one->ai_family, SOCK_STREAM | SOCK_CLOEXEC, 0));
     if (socket.is_open() && ::connect(socket.number_, one->ai_addr, one->ai_addrlen) == 0) {
+      // Connecting blocks, everything later does not.
       (void)::fcntl(socket.number_, F_SETFL, ::fcntl(socket.number_, F_GETFL) | O_NONBLOCK);
       set_option(socket.number_, IPPROTO_TCP, TCP_NODELAY, 1);
       return socket;
@@ -168,6 +174,7 @@ std::size_t Socket::send(std::span<const char> bytes) const {
 }
 
 std::size_t Socket::receive(std::span<char> bytes) const {
+  MUROSIMF_ASSERT(!bytes.empty());
   const ssize_t received = ::recv(number_, bytes.data(), bytes.size(), 0);
   if (received > 0) return static_cast<std::size_t>(received);
   if (received < 0 && would_wait(errno)) return 0;
@@ -184,6 +191,7 @@ Socket Socket::watcher() const { return Socket(::fcntl(number_, F_DUPFD_CLOEXEC,
 bool Socket::wait(WallTime end, bool to_send) const {
   using namespace std::chrono;
   for (;;) {
+    // Rounded up: the last wait must not spin.
     const auto left = std::max(0LL, static_cast<long long>(ceil<milliseconds>(end - steady_clock::now()).count()));
     pollfd asked{number_, static_cast<short>(to_send ? POLLOUT : POLLIN), 0};
     const int ready = ::poll(&asked, 1, static_cast<int>(std::min(left, 1'000'000LL)));

@@ -1,4 +1,4 @@
-/// socket.h - a TCP socket that never makes anybody wait, except where a function says so.
+/// socket.h - a TCP socket that never blocks, except in functions that are documented to wait.
 #pragma once
 
 #include <chrono>
@@ -12,7 +12,7 @@
 
 namespace murosimf::wire {
 
-/// A connection has ended, or the peer has said what it must not. One line without the peer's name: "closed the connection".
+/// A connection has ended, or the peer has violated the protocol. One line without the peer's name: "closed the connection".
 class WireError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -41,13 +41,13 @@ class Socket {
   [[nodiscard]] static Socket listen(const Address& address);
   [[nodiscard]] static Socket connect(const Address& address);  ///< waits, as long as the system does
 
-  /// A socket to who has come; one that is not open if nobody has. It ends if the other computer does not answer for a minute (without
-  /// power, or off the network), or takes nothing of what waits for it for as long. (TCP keepalive, RFC 9293 section 3.8.4; user timeout, RFC 5482.)
+  /// A socket to the next waiting connection; one that is not open if none waits. It ends if the other computer does not answer for a minute
+  /// (without power, or off the network), or receives nothing of the waiting data for as long. (TCP keepalive, RFC 9293 section 3.8.4; user timeout, RFC 5482.)
   [[nodiscard]] Socket accept() const;
 
   [[nodiscard]] bool is_open() const { return number_ >= 0; }
   [[nodiscard]] int number() const { return number_; }
-  /// It is the caller's from now on.
+  /// Passes the ownership to the caller.
   [[nodiscard]] int release() noexcept { return std::exchange(number_, -1); }
   [[nodiscard]] Address own_address() const;
   [[nodiscard]] Address peer_address() const;
@@ -58,7 +58,7 @@ class Socket {
 
   /// Whether the peer has closed its end, or the connection has broken; what it has sent before may still be there.
   [[nodiscard]] bool has_ended() const;
-  /// Another one to the same connection, which lasts until both are closed: for who watches it from another thread.
+  /// Another socket of the same connection, which lasts until both are closed: to be observed from another thread.
   [[nodiscard]] Socket watcher() const;
 
   /// Waits until something can be received, or (`to_send`) sent. False: not until `end`.

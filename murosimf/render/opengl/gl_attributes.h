@@ -1,4 +1,4 @@
-/// gl_attributes.h - buffers of corners, and what their numbers mean to a shader.
+/// gl_attributes.h - buffers of corners, and the layout of their attributes for a shader.
 ///
 /// Only for the .cpp files of this folder: it brings OpenGL in.
 #pragma once
@@ -8,12 +8,15 @@
 
 #include <epoxy/gl.h>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::render {
 
-/// Says where the attribute `index` stands in the buffer that is bound: `numbers` of a type at `offset` of every `stride`
-/// bytes. Unsigned integers stay whole numbers.
+/// Describes the attribute `index` of the buffer that is bound: `numbers` of a type at `offset` of every `stride`
+/// bytes. Unsigned integers remain integers.
 inline void attribute(GLuint index, GLint numbers, GLenum type, std::size_t stride, std::size_t offset,
                       bool per_instance, bool normalized = false) {
+  MUROSIMF_ASSERT(numbers >= 1 && numbers <= 4 && stride > 0);
   const void* place = reinterpret_cast<const void*>(offset);
   glEnableVertexAttribArray(index);
   if (type == GL_UNSIGNED_INT) {

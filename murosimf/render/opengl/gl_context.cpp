@@ -10,6 +10,7 @@
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/render/opengl/driver_memory.h"
 
@@ -23,14 +24,15 @@ namespace {
                   reason));
 }
 
-/// epoxy ends the program where these are missing.
+/// Checks for libraries without which epoxy ends the program.
 void check_libraries() {
+  // The libraries stay loaded: epoxy finds them by the same names.
   const auto loads = [](const char* name) { return dlopen(name, RTLD_LAZY | RTLD_LOCAL) != nullptr; };
   if (!loads("libEGL.so.1")) refuse("libEGL.so.1 is not installed");
   if (!loads("libOpenGL.so.0") && !loads("libGL.so.1")) refuse("neither libOpenGL.so.0 nor libGL.so.1 is installed");
 }
 
-/// Displays to try: graphics cards first, then Mesa's own that needs none. Never one of a window system.
+/// Displays to try: graphics cards first, then Mesa's own without a card. Never one of a window system.
 std::vector<EGLDisplay> displays() {
   std::vector<EGLDisplay> found;
   const bool can_list = epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_enumeration") ||
@@ -39,6 +41,7 @@ std::vector<EGLDisplay> displays() {
     std::array<EGLDeviceEXT, 16> devices{};
     EGLint count = 0;
     if (eglQueryDevicesEXT(static_cast<EGLint>(devices.size()), devices.data(), &count)) {
+      MUROSIMF_ASSERT(count >= 0 && static_cast<std::size_t>(count) <= devices.size());
       for (EGLint i = 0; i < count; ++i) {
         found.push_back(
             eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[static_cast<std::size_t>(i)], nullptr));
@@ -51,7 +54,7 @@ std::vector<EGLDisplay> displays() {
   return found;
 }
 
-/// Null if the display has no such context.
+/// A context of the display; none if it cannot provide one.
 EGLContext make_context(EGLDisplay display) {
   if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr)) return EGL_NO_CONTEXT;
   if (!epoxy_has_egl_extension(display, "EGL_KHR_surfaceless_context") || !eglBindAPI(EGL_OPENGL_API)) {
@@ -88,13 +91,14 @@ GlContext::GlContext() : handles_(std::make_unique<Handles>()) {
     }
     *handles_ = {display, context};
     renderer_ = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    // Contexts are current in one thread at a time: another thread may draw with it later.
     eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     return;
   }
   refuse("no EGL device can do OpenGL 3.3");
 }
 
-// displays are shared by all contexts of the program, and stay
+// Displays are shared by all contexts of the program, and remain.
 GlContext::~GlContext() { eglDestroyContext(handles_->display, handles_->context); }
 
 bool GlContext::software() const {
@@ -105,7 +109,8 @@ bool GlContext::software() const {
 }
 
 GlContext::Current::Current(const GlContext& context) : context_(context) {
-  eglBindAPI(EGL_OPENGL_API);  // is the thread's own
+  eglBindAPI(EGL_OPENGL_API);  // the setting belongs to the thread
+  MUROSIMF_ASSERT(context_.handles_->context != EGL_NO_CONTEXT);
   eglMakeCurrent(context_.handles_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, context_.handles_->context);
 }
 

@@ -9,13 +9,13 @@ namespace murosimf::render {
 /// One context. Only one thread may use it at a time, between `Current`'s constructor and destructor.
 class GlContext {
  public:
-  /// Of the first EGL device that can do OpenGL 3.3. Throws SetupError with the packages to install.
+  /// Uses the first EGL device with OpenGL 3.3. Throws SetupError with the packages to install.
   GlContext();
   ~GlContext();
   GlContext(const GlContext&) = delete;
   GlContext& operator=(const GlContext&) = delete;
 
-  /// While it lives, OpenGL calls of this thread go to the context.
+  /// While it lives, OpenGL calls of this thread apply to the context.
   class Current {
    public:
     explicit Current(const GlContext& context);
@@ -27,9 +27,9 @@ class GlContext {
     const GlContext& context_;
   };
 
-  /// As the driver calls itself: "llvmpipe (LLVM 15.0.6, 256 bits)".
+  /// Name that the driver reports: "llvmpipe (LLVM 15.0.6, 256 bits)".
   [[nodiscard]] const std::string& renderer() const { return renderer_; }
-  /// The processor draws, not a graphics card.
+  /// Whether the processor draws, not a graphics card.
   [[nodiscard]] bool software() const;
 
  private:

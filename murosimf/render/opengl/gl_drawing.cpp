@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/render/opengl/gl_matrix.h"
 #include "murosimf/render/opengl/gl_meshes.h"
 #include "murosimf/render/opengl/gl_strokes.h"
@@ -35,8 +36,9 @@ void set(GlProgram& program, const char* name, const GlMatrix& m) {
   glUniformMatrix4fv(program.uniform(name), 1, GL_FALSE, m.data());
 }
 
-/// What the ground shows of a color, as the solids' shader does it (shaders.cpp), with and without the lamp.
+/// Sets the displayed color of the ground, by the equation of the solids' shader (shaders.cpp), with and without the lamp.
 void set_ground_color(GlProgram& program, const Color& color, const Light& light) {
+  MUROSIMF_ASSERT(norm(light.toward) > 0);
   const double lamp = std::max(0.0, light.toward.z / norm(light.toward));
   const auto shown = [&](double share) {
     const auto one = [&](double base, double sky, double from_lamp) {
@@ -50,11 +52,13 @@ void set_ground_color(GlProgram& program, const Color& color, const Light& light
   set(program, "in_shade", shown(0));
 }
 
-/// What the lamp sees: how far its light comes.
+/// Depths seen from the lamp: the reach of its light.
 struct ShadowMap {
   explicit ShadowMap(int pixels) : side(pixels) {
+    MUROSIMF_ASSERT(side > 0);
     glBindTexture(GL_TEXTURE_2D, *texture);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, side, side, 0, GL_DEPTH_COMPONENT, GL_FLOAT, nullptr);
+    // Outside of the map everything is lit: its box contains all pieces.
     constexpr std::array<GLfloat, 4> lit{1, 1, 1, 1};
     glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, lit.data());
     for (const auto& [key, value] : {std::pair<GLenum, GLint>{GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER},
@@ -78,7 +82,7 @@ struct ShadowMap {
   double texel = 0;  // [m]
 };
 
-/// The programs that show light, with or without shadows.
+/// The programs that use the light, with or without shadows.
 struct LitPrograms {
   explicit LitPrograms(std::string_view shadows)
       : solid({light_source, solid_vertex}, {light_source, shadows, solid_fragment}),
@@ -91,15 +95,15 @@ struct LitPrograms {
 
 struct GlDrawing::Objects {
   LitPrograms plain{no_shadow_source};
-  std::optional<LitPrograms> shadowed;  // from when they are wanted
-  LitPrograms* lit = &plain;            // those of this picture
+  std::optional<LitPrograms> shadowed;  // made when first used
+  LitPrograms* lit = &plain;            // the programs of this picture
   GlProgram shade{{light_source, solid_vertex}, {shade_fragment}};
   MeshBuffers meshes;
   StrokeBuffers strokes;
   GlVertexArray ground_array;
   GlBuffer ground_buffer;
-  std::optional<ShadowMap> shadows;  // from when they are wanted
-  std::list<GlTarget> targets;       // the one used last is the first
+  std::optional<ShadowMap> shadows;  // made when first used
+  std::list<GlTarget> targets;       // most recently used first
 };
 
 GlDrawing::GlDrawing(const RenderScene& render_scene)
@@ -116,6 +120,7 @@ GlDrawing::~GlDrawing() {
 }
 
 GlTarget& GlDrawing::target(int width, int height, int samples) {
+  MUROSIMF_ASSERT(width > 0 && height > 0 && samples >= 1);
   auto& targets = objects_->targets;
   const auto known =
       std::find_if(targets.begin(), targets.end(), [&](const GlTarget& t) { return t.fits(width, height, samples); });
@@ -123,7 +128,7 @@ GlTarget& GlDrawing::target(int width, int height, int samples) {
     targets.splice(targets.begin(), targets, known);
   } else {
     targets.emplace_front(width, height, samples);
-    if (targets.size() > most_targets) targets.pop_back();
+    if (targets.size() > most_targets) targets.pop_back();  // the least recently used one
   }
   return targets.front();
 }
@@ -136,10 +141,11 @@ DrawCount GlDrawing::draw(const Projection& wanted, const sensors::Layers& layer
   const Light& light = options.light;
   const int samples = options.samples;
   if (view.rows == 0) view.rows = view.height - view.first_row;
+  MUROSIMF_ASSERT(view.first_row >= 0 && view.rows > 0 && view.first_row + view.rows <= view.height);
   if (light.shadows && layers.color) draw_shadows(view, options, ahead);
   list_.fill(render_scene_, projection, layers.depth, ahead, catalog_);
   const GlMatrix clip = projection.parallel ? parallel_clip_of(view, render_scene_, ahead) : clip_of(view, nearest);
-  // several samples to a pixel make sense for colors only
+  // Several samples to a pixel apply to colors only: a mean of depths or labels is meaningless.
   std::vector<std::pair<sensors::Layers, int>> passes{{layers, 1}};
   if (samples > 1 && layers.color) {
     passes = {{{true, false, false}, samples}};
@@ -165,6 +171,7 @@ void GlDrawing::draw_scene(const Projection& projection, const GlMatrix& clip, c
   const Mat3d to_optical = transpose(view.axes);
   const bool shaded = light.shadows && layers.color;
   glActiveTexture(GL_TEXTURE0);
+  MUROSIMF_ASSERT(!shaded || (objects_->shadows && objects_->shadowed));
   glBindTexture(GL_TEXTURE_2D, shaded ? *objects_->shadows->texture : 0);
   objects_->lit = shaded ? &*objects_->shadowed : &objects_->plain;
   for (GlProgram* program : {&objects_->lit->solid, &objects_->lit->ground, &objects_->lit->stroke}) {
@@ -182,6 +189,7 @@ void GlDrawing::draw_scene(const Projection& projection, const GlMatrix& clip, c
   glEnable(GL_CULL_FACE);
   glCullFace(GL_BACK);
   glEnable(GL_DEPTH_TEST);
+  // First the ground, without depth test; then opaque pieces; transparent ones blend over all of these.
   if (options.ground) draw_ground(projection, layers, light, to);
   objects_->lit->solid.use();
   objects_->meshes.load(list_.instances());
@@ -189,11 +197,11 @@ void GlDrawing::draw_scene(const Projection& projection, const GlMatrix& clip, c
   if (!list_.clear_groups().empty()) draw_clear(layers, to);
 }
 
-/// See-through pieces: laid over the colors that are there; depths and labels are their own.
+/// Draws transparent pieces: colors blend over those that are there; depths and labels replace them.
 void GlDrawing::draw_clear(const sensors::Layers& layers, GlTarget& to) {
   if (layers.color) {
     to.draw_layers({true, false, false});
-    glDepthMask(GL_FALSE);
+    glDepthMask(GL_FALSE);  // pieces behind one another must all contribute
     glEnablei(GL_BLEND, 0);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     objects_->meshes.draw(list_.clear_groups());
@@ -207,7 +215,7 @@ void GlDrawing::draw_clear(const sensors::Layers& layers, GlTarget& to) {
   to.draw_layers(layers);
 }
 
-/// What lies on the ground is drawn in its order, not by depth.
+/// Draws the ground. Floor, field and lines lie in one plane, so their order decides, not the depth.
 void GlDrawing::draw_ground(const Projection& projection, const sensors::Layers& layers, const Light& light,
                             GlTarget& to) {
   const sensors::Perspective& view = projection.window;
@@ -228,7 +236,7 @@ void GlDrawing::draw_ground(const Projection& projection, const sensors::Layers&
   glDisable(GL_DEPTH_CLAMP);
 }
 
-/// Floor and field.
+/// Draws floor and field.
 void GlDrawing::draw_areas(const Projection& projection, const Light& light) {
   const sensors::Perspective& view = projection.window;
   const auto rectangle = [&](double x, double y, double half_length, double half_width, const Color& color) {
@@ -240,16 +248,16 @@ void GlDrawing::draw_areas(const Projection& projection, const Light& light) {
     }
     draw_rectangle(corners, color, light);
   };
-  // below the eye, or where the middle of a parallel picture meets the ground
+  // The point of the ground below the eye, or in the middle of a parallel picture.
   const Vec3d middle = projection.parallel ? view.eye - (view.eye.z / view.axes.z.z) * view.axes.z : view.eye;
   rectangle(middle.x, middle.y, floor_reach, floor_reach, floor_color);
   const Markings* markings = render_scene_.markings();
   if (markings) rectangle(0, 0, markings->half_length, markings->half_width, grass);
 }
 
-/// The ground seen level: all below its edge, behind everything.
+/// Draws the ground seen level: all below its edge, behind everything.
 void GlDrawing::draw_earth(const sensors::Perspective& view, const Light& light) {
-  // -z of the world is mostly y of the picture, or else x
+  // -z of the world is mostly y of the picture, or else x.
   const Vec3d down = transposed_times(view.axes, Vec3d{0, 0, -1});
   const Vec3d deep = (1 / std::hypot(down.x, down.y)) * Vec3d{down.x, down.y, 0}, along{deep.y, -deep.x, 0};
   const Vec3d edge = Vec3d{0, 0, floor_reach} + view.eye.z * deep;
@@ -257,7 +265,7 @@ void GlDrawing::draw_earth(const sensors::Perspective& view, const Light& light)
   draw_rectangle({edge - side + below, edge + side + below, edge - side, edge + side}, floor_color, light);
 }
 
-/// `corners` [m] optical frame, in the order of a strip.
+/// Draws a rectangle. `corners` [m] optical frame, in the order of a strip.
 void GlDrawing::draw_rectangle(const std::array<Vec3d, 4>& corners, const Color& color, const Light& light) {
   GlProgram& program = objects_->lit->ground;
   program.use();
@@ -279,10 +287,11 @@ void GlDrawing::draw_strokes(const Projection& projection, const sensors::Layers
   program.use();
   set(program, "to_optical", matrix_of(transpose(view.axes), transposed_times(view.axes, -1.0 * view.eye)));
   set(program, "pixel", std::max((view.right - view.left) / view.width, (view.bottom - view.top) / view.height));
+  // Not at the height of the ground, where a stroke would vanish and its filter divide by zero.
   Vec3d eye_place{view.eye.x, view.eye.y, std::max(view.eye.z, 0.01)};
   if (projection.parallel) {
     eye_place = -view.axes.z;
-    // straight above, any direction is away from the eye
+    // Straight from above, any direction points away from the eye.
     if (std::hypot(eye_place.x, eye_place.y) < 0.002) eye_place.x = 0.002;
   }
   const Float3 eye = floats(eye_place);
@@ -294,7 +303,7 @@ void GlDrawing::draw_strokes(const Projection& projection, const sensors::Layers
     set(program, "least", least);
     glDrawArrays(GL_TRIANGLES, 0, objects_->strokes.count);
   };
-  glDisable(GL_CULL_FACE);
+  glDisable(GL_CULL_FACE);  // the rectangles of a stroke have no common orientation
   if (layers.color) {
     to.draw_layers({true, false, false});
     glEnablei(GL_BLEND, 0);
@@ -310,7 +319,7 @@ void GlDrawing::draw_strokes(const Projection& projection, const sensors::Layers
   glEnable(GL_CULL_FACE);
 }
 
-/// The lamp looks along its light, in parallel, at all that throws shadows.
+/// Draws the shadow map: the lamp looks along its light, in parallel, at all that casts shadows.
 void GlDrawing::draw_shadows(const sensors::Perspective& view, const RendererOptions& options, double ahead) {
   const Light& light = options.light;
   if (!objects_->shadows) {
@@ -319,9 +328,10 @@ void GlDrawing::draw_shadows(const sensors::Perspective& view, const RendererOpt
   }
   ShadowMap& map = *objects_->shadows;
   const LampView lamp = lamp_view(render_scene_, light.toward, ahead);
+  MUROSIMF_ASSERT(map.side > 0 && lamp.half_width > 0 && lamp.half_height > 0);
   map.texel = 2 * std::max(lamp.half_width, lamp.half_height) / map.side;
   const GlMatrix clip = clip_of(lamp);
-  // from optical axes to those of the lamp, then to its picture, 0 to 1
+  // From optical axes to those of the lamp, then to its picture, 0 to 1.
   const Mat3d turn = transpose(lamp.axes) * view.axes;
   const Vec3d shift = transposed_times(lamp.axes, view.eye - lamp.eye);
   map.to_lamp = half_and_half() * (clip * matrix_of(turn, shift));
@@ -335,7 +345,7 @@ void GlDrawing::draw_shadows(const sensors::Perspective& view, const RendererOpt
   glClear(GL_DEPTH_BUFFER_BIT);
   glFrontFace(GL_CW);
   glEnable(GL_CULL_FACE);
-  glCullFace(GL_FRONT);  // the far sides throw them: near ones cannot darken themselves
+  glCullFace(GL_FRONT);  // the far sides cast them: near ones cannot darken themselves
   objects_->shade.use();
   set(objects_->shade, "clip", clip);
   objects_->meshes.load(list_.instances());

@@ -14,26 +14,26 @@
 
 namespace murosimf::render {
 
-/// How much was drawn.
+/// Amount of what was drawn.
 struct DrawCount {
   std::size_t drawables = 0, triangles = 0;
 };
 
 class GlDrawing {
  public:
-  /// Throws SetupError: no device, or one that cannot do it.
+  /// Throws SetupError: no device, or one without the necessary features.
   explicit GlDrawing(const RenderScene& render_scene);
   ~GlDrawing();
   GlDrawing(const GlDrawing&) = delete;
   GlDrawing& operator=(const GlDrawing&) = delete;
 
   [[nodiscard]] const GlContext& context() const { return context_; }
-  /// Throws SetupError if the picture cannot be had, because it is too large for the device.
+  /// Draws a view. Throws SetupError if the picture is too large for the device.
   DrawCount draw(const Projection& wanted, const sensors::Layers& layers, const RendererOptions& options, double ahead,
                  sensors::View& into);
 
  private:
-  struct Objects;  // what lives in the context; made and removed while it is current
+  struct Objects;  // objects of the context; made and removed while it is current
 
   void draw_scene(const Projection& projection, const GlMatrix& clip, const sensors::Layers& layers,
                   const RendererOptions& options, GlTarget& to);

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::render {
@@ -20,6 +21,7 @@ GLuint compiled(GLenum kind, std::initializer_list<std::string_view> parts) {
   std::string source(version);
   for (const std::string_view part : parts) source += part;
   const GLuint shader = glCreateShader(kind);
+  MUROSIMF_ASSERT(shader != 0);
   const GLchar* text_begin = source.c_str();
   glShaderSource(shader, 1, &text_begin, nullptr);
   glCompileShader(shader);
@@ -37,7 +39,7 @@ GlProgram::GlProgram(std::initializer_list<std::string_view> vertex, std::initia
   const GLuint name = *name_;
   for (const GLuint shader : {compiled(GL_VERTEX_SHADER, vertex), compiled(GL_FRAGMENT_SHADER, fragment)}) {
     glAttachShader(name, shader);
-    glDeleteShader(shader);  // goes with the program
+    glDeleteShader(shader);  // marks it: the driver deletes it with the program
   }
   glLinkProgram(name);
   GLint good = GL_FALSE;

@@ -1,4 +1,4 @@
-/// gl_handles.h - OpenGL's names of things, deleted with their owner. The context must be current for all of it.
+/// gl_handles.h - OpenGL's names of objects, deleted with their owner. The context must be current for all of it.
 ///
 /// Only for the .cpp files of this folder: it brings OpenGL in.
 #pragma once
@@ -9,9 +9,11 @@
 
 #include <epoxy/gl.h>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::render {
 
-/// Owns one name; `Kind` makes and deletes it.
+/// Owns one name; `Kind` creates and deletes it.
 template <class Kind>
 class GlHandle {
  public:
@@ -25,6 +27,7 @@ class GlHandle {
   /// The name; made on first use.
   GLuint operator*() {
     if (name_ == 0) name_ = Kind::make();
+    MUROSIMF_ASSERT(name_ != 0);
     return name_;
   }
 
@@ -72,7 +75,7 @@ using GlFramebuffer = GlHandle<FramebufferKind>;
 /// A vertex shader and a fragment shader.
 class GlProgram {
  public:
-  /// Throws SetupError with the driver's message. The parts of a shader are put together.
+  /// Compiles and links. Throws SetupError with the driver's message. The parts of a shader are concatenated.
   GlProgram(std::initializer_list<std::string_view> vertex, std::initializer_list<std::string_view> fragment);
   void use() { glUseProgram(*name_); }
   [[nodiscard]] GLint uniform(const char* name) { return glGetUniformLocation(*name_, name); }

@@ -4,13 +4,17 @@
 #include <cmath>
 #include <initializer_list>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::render {
 namespace {
 
 GlMatrix by_rows(std::initializer_list<double> numbers) {
+  MUROSIMF_ASSERT(numbers.size() == 16);
   GlMatrix m{};
   std::size_t i = 0;
   for (const double number : numbers) {
+    // Given by rows as on paper; OpenGL stores columns.
     m[i % 4 * 4 + i / 4] = static_cast<float>(number);
     ++i;
   }
@@ -22,13 +26,14 @@ struct Bounds {
   [[nodiscard]] bool empty() const { return low.x > high.x; }
 };
 
-/// [m] of all pieces, along `axes`.
+/// [m] Bounds of all pieces, along `axes`.
 Bounds bounds_of(const RenderScene& render_scene, const Mat3d& axes, double ahead) {
   Bounds bounds;
   Vec3d &low = bounds.low, &high = bounds.high;
   render_scene.for_drawables(ahead, [&](const Drawable& drawable, const Transformd& pose) {
     const Vec3d p = transposed_times(axes, pose.position);
     const double r = drawable.radius;
+    // A robot that was frozen after a blow-up must not take the shadows of the others with it.
     if (!std::isfinite(norm(p) + r)) return;
     low = {std::min(low.x, p.x - r), std::min(low.y, p.y - r), std::min(low.z, p.z - r)};
     high = {std::max(high.x, p.x + r), std::max(high.y, p.y + r), std::max(high.z, p.z + r)};
@@ -38,6 +43,7 @@ Bounds bounds_of(const RenderScene& render_scene, const Mat3d& axes, double ahea
 
 }  // namespace
 
+/// Sums in double precision: positions are far from the origin in relation to their differences.
 GlMatrix operator*(const GlMatrix& a, const GlMatrix& b) {
   GlMatrix product{};
   for (std::size_t column = 0; column < 4; ++column) {
@@ -66,6 +72,8 @@ GlMatrix half_and_half() {
 
 GlMatrix clip_of(const sensors::Perspective& view, double nearest) {
   const double width = view.right - view.left, height = view.bottom - view.top;
+  MUROSIMF_ASSERT(width > 0 && height > 0 && nearest > 0);
+  // The limit of the usual matrix for a farthest plane at infinity: nothing is cut far away.
   return by_rows({2 / width, 0, -(view.right + view.left) / width, 0,    //
                   0, 2 / height, -(view.bottom + view.top) / height, 0,  //
                   0, 0, 1, -2 * nearest,                                 //
@@ -79,6 +87,7 @@ GlMatrix parallel_clip_of(const sensors::Perspective& window, const RenderScene&
   const double at = dot(window.axes.z, window.eye);
   const double nearest = bounds.empty() ? -room : bounds.low.z - at - room;
   const double farthest = bounds.empty() ? room : bounds.high.z - at + room, depth = farthest - nearest;
+  MUROSIMF_ASSERT(width > 0 && height > 0 && depth > 0);
   return by_rows({2 / width, 0, 0, -(window.right + window.left) / width,    //
                   0, 2 / height, 0, -(window.bottom + window.top) / height,  //
                   0, 0, 2 / depth, -(farthest + nearest) / depth,            //
@@ -86,8 +95,10 @@ GlMatrix parallel_clip_of(const sensors::Perspective& window, const RenderScene&
 }
 
 LampView lamp_view(const RenderScene& render_scene, const Vec3d& toward, double ahead) {
+  MUROSIMF_ASSERT(norm(toward) > 0);
   LampView lamp;
   lamp.axes.z = (-1 / norm(toward)) * toward;
+  // The axis that is farther from the direction of the light: the cross product does not vanish.
   const Vec3d side = std::abs(toward.x) < std::abs(toward.y) ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
   const Vec3d x = cross(side, lamp.axes.z);
   lamp.axes.x = (1 / norm(x)) * x;
@@ -99,6 +110,7 @@ LampView lamp_view(const RenderScene& render_scene, const Vec3d& toward, double 
   lamp.half_width = 0.5 * (high.x - low.x) + 0.05;
   lamp.half_height = 0.5 * (high.y - low.y) + 0.05;
   lamp.half_depth = 0.5 * (high.z - low.z) + 0.05;
+  MUROSIMF_ASSERT(lamp.half_width > 0 && lamp.half_height > 0 && lamp.half_depth > 0);
   return lamp;
 }
 

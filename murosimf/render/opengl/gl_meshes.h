@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/render/instances.h"
 #include "murosimf/render/opengl/gl_attributes.h"
 #include "murosimf/render/opengl/gl_handles.h"
@@ -36,7 +37,7 @@ struct MeshBuffers {
     attribute(1, 3, GL_FLOAT, sizeof(Vertex), offsetof(Vertex, normal), false);
   }
 
-  /// What is drawn from now on.
+  /// Loads the instances of the following calls of draw().
   void load(std::span<const Instance> instances) {
     glBindBuffer(GL_ARRAY_BUFFER, *instance_buffer);
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(instances.size_bytes()), instances.data(), GL_STREAM_DRAW);
@@ -56,6 +57,7 @@ struct MeshBuffers {
       place(5, 3, GL_FLOAT, offsetof(Instance, normal_scale));
       place(6, 4, GL_UNSIGNED_BYTE, offsetof(Instance, color), true);
       place(7, 1, GL_UNSIGNED_INT, offsetof(Instance, label));
+      MUROSIMF_ASSERT(group.solid < ranges.size());
       const Range& range = ranges[group.solid];
       glDrawElementsInstancedBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(range.indices), GL_UNSIGNED_INT,
                                         reinterpret_cast<const void*>(range.first_index * sizeof(std::uint32_t)),

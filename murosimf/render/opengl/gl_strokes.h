@@ -1,4 +1,4 @@
-/// gl_strokes.h - strokes painted on the ground as rectangles, with room for the filter of shaders.cpp.
+/// gl_strokes.h - strokes painted on the ground as rectangles, with a margin for the filter of shaders.cpp.
 ///
 /// Only for the .cpp files of this folder: it brings OpenGL in.
 #pragma once
@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/math/scalar.h"
 #include "murosimf/model/shape.h"
 #include "murosimf/render/opengl/gl_attributes.h"
@@ -39,21 +40,23 @@ struct StrokeBuffers {
   GlBuffer buffer;
 
  private:
-  /// How a straight piece ends where another one begins.
+  /// The end of a straight piece where another one begins.
   struct Joint {
-    float beyond = 0;   // [m] by which it goes on, so that the outer corner is filled
-    bool soft = false;  // the next one goes on in about the same direction: no edge between them
+    float beyond = 0;   // [m] by which it is extended, so that the outer corner is filled
+    bool soft = false;  // the next one continues in about the same direction: no edge between them
   };
 
   static Joint joint(const Vec3d& before, const Vec3d& at, const Vec3d& after, double half_width) {
     const Vec3d a = at - before, b = after - at;
     const double turn = std::abs(std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y));
+    // The miter of a bend; beyond a right angle the tangent grows without bound.
     return {static_cast<float>(half_width * std::tan(std::min(0.5 * turn, 0.25 * pi))), turn < 0.5};
   }
 
   static void add(const Stroke& stroke, std::vector<StrokeCorner>& corners) {
     const auto& p = stroke.points;
     const double half = 0.5 * stroke.width;
+    MUROSIMF_ASSERT(half >= 0);
     const std::size_t last = p.size() - 1;
     const bool closed = p.size() > 2 && norm(p.front() - p.back()) < 1e-9;
     for (std::size_t i = 0; i < last; ++i) {

@@ -6,12 +6,14 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::render {
 namespace {
 
 void allocate(GLuint name, GLenum format, int width, int height, int samples) {
+  MUROSIMF_ASSERT(width > 0 && height > 0 && samples >= 1);
   glBindRenderbuffer(GL_RENDERBUFFER, name);
   if (samples > 1) {
     glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
@@ -40,6 +42,7 @@ GlTarget::GlTarget(int width, int height, int samples) : width_(width), height_(
   allocate(*color_, GL_RGBA8, width, height, samples);
   attach(GL_COLOR_ATTACHMENT0, *color_);
   allocate(*depth_buffer_, GL_DEPTH_COMPONENT32F, width, height, samples);
+  // Depths and labels have no meaningful mean: targets with several samples have colors alone.
   attach(GL_DEPTH_ATTACHMENT, *depth_buffer_);
   if (samples == 1) {
     allocate(*depth_, GL_R32F, width, height, 1);
@@ -60,8 +63,10 @@ bool GlTarget::fits(int width, int height, int samples) const {
 }
 
 void GlTarget::begin(const sensors::Perspective& view, const sensors::Layers& layers, const Color& background) {
+  MUROSIMF_ASSERT(view.first_row >= 0 && view.first_row + view.rows <= height_);
   glBindFramebuffer(GL_FRAMEBUFFER, *frame_);
   glViewport(0, 0, width_, height_);
+  // Only the rows of this view: a camera with a rolling shutter draws a picture in several parts.
   glScissor(0, view.first_row, width_, view.rows);
   glEnable(GL_SCISSOR_TEST);
   draw_layers(layers);
@@ -84,10 +89,12 @@ void GlTarget::draw_layers(const sensors::Layers& layers) {
 }
 
 void GlTarget::read_colors(int first, int rows, imaging::ColorImage& into) {
+  MUROSIMF_ASSERT(first >= 0 && rows >= 0 && first + rows <= height_);
   bytes_.resize(std::size_t{4} * static_cast<std::size_t>(width_) * static_cast<std::size_t>(rows));
   if (samples_ > 1) {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, *frame_);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, *resolved_);
+    // Multisampled buffers cannot be read directly: the copy takes the mean of the samples.
     glBlitFramebuffer(0, first, width_, first + rows, 0, first, width_, first + rows, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, *resolved_);
   }
@@ -99,7 +106,8 @@ void GlTarget::read_colors(int first, int rows, imaging::ColorImage& into) {
 
 void GlTarget::read(const sensors::Perspective& view, const sensors::Layers& layers, sensors::View& into) {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, *frame_);
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  MUROSIMF_ASSERT(view.first_row >= 0 && view.first_row + view.rows <= height_);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);  // rows of the pictures are not padded
   if (layers.depth) {
     fit(into.depth, width_, height_);
     glReadBuffer(GL_COLOR_ATTACHMENT1);

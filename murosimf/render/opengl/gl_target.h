@@ -1,4 +1,4 @@
-/// gl_target.h - memory that is drawn into: colors, depths and labels of one size.
+/// gl_target.h - memory to draw into: colors, depths and labels of one size.
 ///
 /// Only for the .cpp files of this folder: it brings OpenGL in.
 #pragma once
@@ -12,13 +12,13 @@ namespace murosimf::render {
 
 class GlTarget {
  public:
-  /// `samples` to a pixel are for colors alone. Throws SetupError if the driver cannot do it.
+  /// `samples` to a pixel apply to colors alone. Throws SetupError if the driver does not support it.
   GlTarget(int width, int height, int samples);
 
   [[nodiscard]] bool fits(int width, int height, int samples) const;
-  /// Drawing goes here from now on, to the attachments of `layers`, cleared; rows of the view only.
+  /// Directs drawing here, to the attachments of `layers`, cleared; rows of the view only.
   void begin(const sensors::Perspective& view, const sensors::Layers& layers, const Color& background);
-  /// From now on drawing changes these only.
+  /// Restricts drawing to these layers.
   void draw_layers(const sensors::Layers& layers);
   /// Copies what was drawn, row 0 first.
   void read(const sensors::Perspective& view, const sensors::Layers& layers, sensors::View& into);

@@ -1,4 +1,5 @@
 #include "murosimf/render/renderer.h"
+#include "murosimf/math/assert.h"
 
 #include <mutex>
 
@@ -8,8 +9,9 @@
 namespace murosimf::render {
 
 struct Renderer::Contexts {
-  /// One that nobody draws with now.
+  /// A context that no thread draws with, from the pool, or a new one.
   std::unique_ptr<GlDrawing> take(const RenderScene& render_scene) {
+    // Contexts are made outside of the lock: that takes long.
     {
       const std::scoped_lock lock(mutex);
       if (!free.empty()) {
@@ -21,13 +23,15 @@ struct Renderer::Contexts {
     return std::make_unique<GlDrawing>(render_scene);
   }
   void give_back(std::unique_ptr<GlDrawing> drawing, const DrawCount& drawn) {
+    MUROSIMF_ASSERT(drawing != nullptr);
     const std::scoped_lock lock(mutex);
     free.push_back(std::move(drawing));
     ++totals.views;
     totals.drawables += drawn.drawables;
     totals.triangles += drawn.triangles;
   }
-  void complain(const char* what) {
+  /// Keeps the first error.
+  void report(const char* what) {
     const std::scoped_lock lock(mutex);
     if (trouble.empty()) trouble = what;
   }
@@ -79,7 +83,7 @@ void Renderer::draw_projection(const Projection& projection, const sensors::Laye
     const DrawCount drawn = drawing->draw(projection, layers, options_, ahead, view);
     contexts_->give_back(std::move(drawing), drawn);
   } catch (const std::exception& error) {
-    contexts_->complain(error.what());
+    contexts_->report(error.what());
   }
 }
 

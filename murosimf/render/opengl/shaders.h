@@ -1,17 +1,17 @@
-/// shaders.h - the programs that the graphics device runs, in GLSL.
+/// shaders.h - the programs of the graphics device, in GLSL.
 ///
-/// All places are in the optical frame of the view (x right, y down, z forward), so single precision is enough however
-/// far from the world's origin the camera is.
+/// All places are in the optical frame of the view (x right, y down, z forward), so that single precision suffices at any distance of the
+/// camera from the world's origin.
 #pragma once
 
 #include <string_view>
 
 namespace murosimf::render {
 
-/// Stands before every shader: what light does (light.h).
+/// Precedes every shader: the equation of light (light.h).
 extern const std::string_view light_source;
-/// Stands before fragment shaders: how much of the lamp's light comes to a place. Software drivers work out both sides
-/// of a branch, so there is one for each.
+/// Precedes fragment shaders: the share of the lamp's light that reaches a place. Software drivers execute both sides
+/// of a branch, so there is one source for each.
 extern const std::string_view shadow_source, no_shadow_source;
 
 /// Pieces: unit solids, scaled, turned and moved by instance.
