@@ -10,6 +10,7 @@
 #include "murosimf/collision/implicit_stick_law.h"
 #include "murosimf/collision/kelvin_voigt_law.h"
 #include "murosimf/collision/paper_law.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/motion/articulated_dynamics.h"
 #include "murosimf/motion/full_dynamics.h"
 #include "murosimf/motion/kinematic_walking.h"
@@ -17,7 +18,7 @@
 namespace murosimf::catalog {
 namespace {
 
-/// With the level's own options in their places.
+/// Applies the level's own options.
 LevelOptions with_own(const OptionTable<LevelOptions>& table, LevelOptions options) {
   table.apply(options.own, options);
   return options;
@@ -64,6 +65,7 @@ std::shared_ptr<const collision::ContactLaw> make_paper_multipoint(const OptionV
   return std::make_shared<collision::PaperLaw>(options);
 }
 
+// [s] without and with servos: docs/scenes.md, "Long steps", measured by benchmarks/step_sizes.py
 constexpr LongestSteps bounded_steps{0.01, 0.01}, literal_steps{0.002, 0.001};
 
 LongestSteps paper_steps(const OptionValues& given) {
@@ -72,7 +74,7 @@ LongestSteps paper_steps(const OptionValues& given) {
   return options.bounded ? bounded_steps : literal_steps;
 }
 
-// Keys: what stands in a scene file; "position.z" is the height in `position`.
+// Keys: names in a scene file; "position.z" is the height in `position`.
 std::vector<LevelType> built_in_levels() {
   return {
       LevelType{"kinematic_walking", "the standing foot is fixed on the plane; cannot fall, ignores forces (paper 4.1)",
@@ -189,6 +191,7 @@ bool has_word(std::string_view words, std::string_view word) {
 }
 
 Registries& registries() {
+  // functions, not static objects: plug-ins and tests use them before and during static initialization of other files
   static Registry<LevelType> levels("level", built_in_levels());
   static Registry<ContactLawType> contacts("contact law", built_in_contacts());
   static Registry<BodyContactLawType> body_contacts("law of contact between bodies", built_in_body_contacts());
@@ -206,6 +209,7 @@ const Registry<BodyContactLawType>& body_contacts() { return registries().body_c
 const Registry<ControllerType>& controllers() { return registries().controllers; }
 
 LongestSteps stable_steps(const ContactLawType& law, const OptionValues& given) {
+  MUROSIMF_ASSERT(law.longest_steps.without_servos > 0 && law.longest_steps.with_servos > 0);
   return law.longest_steps_with ? law.longest_steps_with(given) : law.longest_steps;
 }
 
@@ -216,6 +220,7 @@ LongestSteps accurate_steps(const ContactLawType& law, const OptionValues& given
 
 std::unique_ptr<MotionLevel> make_level(std::string_view name, Setup& setup, const LevelOptions& options) {
   const LevelType& type = levels().find(name);
+  MUROSIMF_ASSERT(type.make != nullptr);
   LevelOptions known = options;
   known.own = values_among(type.options, options.own);
   return type.make(setup, known);
@@ -223,11 +228,13 @@ std::unique_ptr<MotionLevel> make_level(std::string_view name, Setup& setup, con
 
 std::shared_ptr<const collision::ContactLaw> make_contact_law(std::string_view name, const OptionValues& given) {
   const ContactLawType& type = contacts().find(name);
+  MUROSIMF_ASSERT(type.make != nullptr);
   return type.make(values_among(type.options, given));
 }
 
 std::unique_ptr<collision::BodyContactLaw> make_body_contact_law(std::string_view name, const OptionValues& given) {
   const BodyContactLawType& type = body_contacts().find(name);
+  MUROSIMF_ASSERT(type.make != nullptr);
   return type.make(values_among(type.options, given));
 }
 

@@ -7,7 +7,7 @@ constexpr double longest_time = 60;     // [s]
 constexpr double longest_motion = 1e9;  // [s]
 constexpr double cycle = 0.005;         // [s] of AnkleStrategy: shorter filters would not be stable
 constexpr double shortest_limit = 0.01, longest_limit = 86400;  // [s] of wall time
-constexpr double fastest = 10;                                  // [m/s] no robot here is as fast
+constexpr double fastest = 10;                                  // [m/s] beyond all robots
 constexpr double longest_length = 100;                          // [m]
 
 }  // namespace

@@ -79,8 +79,8 @@ fs::file_time_type time_of(const fs::path& file) {
 
 ControllerLibrary::ControllerLibrary(const fs::path& file, fs::file_time_type written)
     : file_(file), written_(written), threads_(std::make_shared<ForeignThreads>()) {
-  threads_->who = fmt::format("library '{}'", file.string());
-  note_suspect(threads_->who);
+  threads_->name = fmt::format("library '{}'", file.string());
+  note_suspect(threads_->name);
   const files::PrivateCopy copy(file, file.string());
   if (time_of(file) != written) fail(file, "was written to while it was read; try again");
   guarded(file, "its loading", threads_, [&] { library_.emplace(copy, files::Unloading::when_unused, file.string()); });

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::connect {
@@ -50,7 +51,7 @@ void LibraryRobot::check_options(const std::string& owner) const {
   }
 }
 
-/// What look() finds; null if it throws, and why is kept.
+/// Returns the result of look(); null if it throws, and keeps the reason.
 template <class Look>
 auto* LibraryRobot::found(const Look& look) noexcept {
   decltype(look()) result = nullptr;
@@ -153,7 +154,7 @@ int LibraryRobot::draw(const murosimf_robot* robot, const char* group, int of_ro
   return of(robot).port_->draw(std::move(drawn)) ? 1 : 0;
 }
 
-/// In a row that can only be read.
+/// Copies the bytes into a read-only row. The row grows by doubling, so that its number of mappings stays logarithmic.
 const std::byte* LibraryRobot::shown(const std::string& bytes) {
   if (!message_ || bytes.size() > room_) {
     room_ = std::max({bytes.size(), 2 * room_, std::size_t{1500}});
@@ -171,4 +172,5 @@ int LibraryRobot::receive(const murosimf_robot* robot, murosimf_message* message
   return 1;
 }
 
+MUROSIMF_ASSERT(bytes.size() <= room_);
 }  // namespace murosimf::connect

@@ -8,6 +8,7 @@
 #include "murosimf/connect/signal_row.h"
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/locomotion/motion_report.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 
@@ -48,6 +49,7 @@ void RobotPort::add_sensor(Setup& setup, const sensors::Reading& found) {
 }
 
 void RobotPort::add_joints(std::string name, std::span<const double> column, bool in_steps) {
+  MUROSIMF_ASSERT(column.size() == model_->objects().size());
   Signal signal{.name = std::move(name)};
   std::vector<double> steps;  // [rad] 0: none
   for (const int joint : model_->joints()) {
@@ -63,7 +65,7 @@ void RobotPort::add_joints(std::string name, std::span<const double> column, boo
   signals_.push_back(std::move(signal));
 }
 
-/// Only for software that asks: others' robots have none of these columns.
+/// Called only when software requests them: other robots have none of these columns.
 void RobotPort::add_motions() {
   const locomotion::NamedMotions* const given = model_->find(properties::given_motions, 0);
   static const locomotion::NamedMotions none;
@@ -111,6 +113,7 @@ const murosimf_signal* RobotPort::signal(std::string_view name) {
   if (found == signals_.end()) throw SetupError(unknown_name("signal", name, signal_names()));
   found->asked = true;
   if (!found->row) found->row = &show_numbers(rows_, found->name, found->numbers(), found->now);
+  // Rows in transit have another length once a signal is added.
   if (!std::exchange(found->wanted, true) && link_) link_->drop();
   return &found->row->shown_head<const murosimf_signal>();
 }
@@ -132,6 +135,7 @@ void RobotPort::listen() {
 }
 
 CallNote RobotPort::told() {
+  MUROSIMF_ASSERT(note_ != nullptr);
   note_ = nullptr;
   radio_.note_use(nullptr);
   heard_.received = used_.received;
@@ -167,8 +171,9 @@ void RobotPort::refresh(Duration now) noexcept {
   }
 }
 
-/// Of each signal that is wanted: time, number of samples, numbers.
+/// Sends time, number of samples and numbers of each requested signal.
 void RobotPort::send_over_link(Duration now) {
+  MUROSIMF_ASSERT(link_);
   sent_.clear();
   for (Signal& signal : signals_) {
     if (!signal.wanted) continue;
@@ -196,6 +201,7 @@ void RobotPort::receive_over_link(Duration now) noexcept {
     show(signal);
   }
 }
+MUROSIMF_ASSERT(number == arrived->end());
 
 void RobotPort::restart() noexcept {
   commands_.restart();
@@ -235,7 +241,7 @@ void RobotPort::show(const Signal& signal) noexcept {
 
 void RobotPort::state(StateArchive& archive) {
   commands_.state(archive);
-  if (archive.loads()) pictures_.forget();
+  if (archive.loads()) pictures_.forget();  // their numbers may repeat with other contents
   for (Signal& signal : signals_) archive(signal.wanted, signal.now.samples);
   if (!link_) return;
   archive(*link_);

@@ -20,7 +20,7 @@ namespace {
 catalog::ControllerOptions controller_options(const SceneParts& parts, const scene_file::RobotSpec& robot) {
   const scene_file::SceneSpec& spec = parts.spec;
   catalog::ControllerOptions options;
-  options.everybody = parts.moving_entities;
+  options.moving_entities = parts.moving_entities;
   options.command = robot.command;
   options.own = robot.options;
   options.rate = robot.control_rate;

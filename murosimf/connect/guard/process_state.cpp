@@ -10,11 +10,12 @@
 #include <span>
 
 #include "murosimf/connect/guard/call_watch.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::connect {
 namespace {
 
-constexpr mode_t nobody_else = 077;  // what files may be given that are made while the umask is looked at
+constexpr mode_t nobody_else = 077;  // permissions denied to files that another thread creates while the umask is read
 
 mode_t present_file_mask() {
   const mode_t mask = ::umask(nobody_else);
@@ -23,10 +24,11 @@ mode_t present_file_mask() {
 }
 
 int signal_of(std::size_t i, std::span<const int> signals) {
+  MUROSIMF_ASSERT(i <= signals.size());
   return i < signals.size() ? signals[i] : break_off_signal();
 }
 
-/// Flags of no handler mean nothing: who puts it back (system) may put it back with others.
+/// Flags without a handler are ignored: a function that restores the handler (system) may set other flags.
 bool same(const struct sigaction& one, const struct sigaction& other) {
   const bool is_none = one.sa_handler == SIG_DFL || one.sa_handler == SIG_IGN;
   return one.sa_handler == other.sa_handler && (is_none || one.sa_flags == other.sa_flags);
@@ -45,7 +47,7 @@ bool same_signals(const sigset_t& one, const sigset_t& other) {
   return true;
 }
 
-/// The name of the C locale as it is now. The C library frees it when it is changed.
+/// Copies the name of the current C locale: the C library frees it when the locale changes.
 const char* kept_name() noexcept {
   thread_local std::array<char, 500> name{};
   const char* const present = std::setlocale(LC_ALL, nullptr);
@@ -74,7 +76,7 @@ ProcessChanges CallState::put_back() const noexcept {
   return changes;
 }
 
-/// That of C++ first, which sets that of C, too.
+/// Restores the C++ locale first, because that also sets the C locale.
 void CallState::put_back_locale(ProcessChanges& changes) const noexcept {
   if (::uselocale(nullptr) != thread_locale_) {
     changes.add(ProcessChange::locale);
@@ -166,7 +168,7 @@ bool ProcessState::put_back_stack() const noexcept {
   return true;
 }
 
-/// One that ran before goes on.
+/// A timer that ran before continues.
 bool ProcessState::put_back_timers() const noexcept {
   bool changed = false;
   for (std::size_t i = 0; i < timers_.size(); ++i) {

@@ -54,7 +54,7 @@ void refuse(wire::Connection& connection, const std::string& reason) noexcept {
     wire::ToClient message;
     message.mutable_refusal()->set_reason(reason);
     connection.send(message.SerializeAsString());
-  } catch (const std::exception&) {  // it has gone
+  } catch (const std::exception&) {  // the client has disconnected
   }
 }
 

@@ -6,7 +6,7 @@
 namespace murosimf::serial::dynamixel {
 namespace {
 
-constexpr std::uint16_t polynomial = 0x8005;
+constexpr std::uint16_t polynomial = 0x8005;  // x^16 + x^15 + x^2 + 1, without its highest bit
 
 constexpr std::array<std::uint16_t, 256> make_table() {
   std::array<std::uint16_t, 256> table{};

@@ -1,12 +1,13 @@
 #include "murosimf/serial/dynamixel/packet_parser.h"
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/serial/dynamixel/packet_checksum.h"
 
 namespace murosimf::serial::dynamixel {
 namespace {
 
-/// Without the FD that follows each FF FF FD.
+/// Removes the FD that follows each FF FF FD.
 Bytes unstuffed(ByteView stuffed) {
   Bytes bytes;
   for (std::size_t i = 0; i < stuffed.size(); ++i) {
@@ -27,6 +28,7 @@ std::optional<Packet> PacketParser::next() {
     place_ += found == Found::packet ? size_of_last_ : 1;
     if (found == Found::packet) return packet;
   }
+  MUROSIMF_ASSERT(place_ <= bytes_.size());
   bytes_.erase(bytes_.begin(), bytes_.begin() + static_cast<std::ptrdiff_t>(place_));
   place_ = 0;
   return std::nullopt;
@@ -38,6 +40,7 @@ void PacketParser::forget() {
 }
 
 PacketParser::Found PacketParser::look(ByteView bytes, Packet& packet) {
+  MUROSIMF_ASSERT(!bytes.empty());
   if (bytes[0] != 0xFF) return Found::nothing;
   if (bytes.size() < 2) return Found::more_needed;
   if (bytes[1] != 0xFF) return Found::nothing;
@@ -69,6 +72,7 @@ PacketParser::Found PacketParser::look_v2(ByteView bytes, Packet& packet) {
     return Found::nothing;
   }
   Bytes body = unstuffed(bytes.subspan(7, length - 2));
+  MUROSIMF_ASSERT(!body.empty());
   packet = {Protocol::v2, bytes[4], body.front(), {body.begin() + 1, body.end()}};
   size_of_last_ = size;
   return Found::packet;
