@@ -7,6 +7,7 @@
 #include "murosimf/collision/ground_contact.h"
 #include "murosimf/collision/multirate_stepping.h"
 #include "murosimf/connect/message_exchange.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/motion/accelerations.h"
 #include "murosimf/motion/odometer.h"
 #include "murosimf/robot/motion_file.h"
@@ -49,8 +50,8 @@ catalog::ControllerOptions controller_options(const SceneParts& parts, const sce
   return options;
 }
 
-/// Reading a file runs no code that it names, unless somebody says so: on the command line, or a program. Who asks over a network
-/// writes no command line.
+/// Reading a file must not run code that it names, unless the command line or a program permits it. Requests over a network
+/// cannot permit it.
 void refuse_library_of_file(const SceneParts& parts, const scene_file::RobotSpec& robot) {
   const auto given = robot.given.find("library");
   const bool by_command_line =
@@ -82,10 +83,10 @@ void attach_messages(SceneParts& parts, const Entity& entity) {
 void attach_ground_contact(SceneParts& parts, Entity& entity, const std::string& level, const std::string& law,
                            const OptionValues& options) {
   if (find_entry(catalog::levels(), "level", level).traits.dynamic) entity.contact = law;
-  parts.ground_contacts.push_back(
-      &parts.simulation->attach<collision::GroundContact>("ground_contact", entity, parts.spec.rate, parts.field,
-                                                          catalog::make_contact_law(law, options),
-                                                          parts.spec.materials));
+  parts.ground_contacts.push_back(&parts.simulation->attach<collision::GroundContact>(
+      "ground_contact", entity, parts.spec.rate, parts.field,
+      MUROSIMF_ASSERT(parts.ground_contacts.size() < parts.moving_entities.size());
+      catalog::make_contact_law(law, options), parts.spec.materials));
 }
 
 void attach_air(SceneParts& parts, Entity& entity) {
@@ -100,8 +101,9 @@ catalog::LevelOptions level_options(const SceneParts& parts, const scene_file::R
 }
 
 void attach_level(SceneParts& parts, Entity& entity, const catalog::LevelOptions& options) {
-  parts.simulation->attach(entity.level, entity, parts.spec.rate,
-                           [&](Setup& setup) { return catalog::make_level(entity.level, setup, options); });
+  parts.simulation->attach(
+      entity.level, entity, parts.spec.rate, MUROSIMF_ASSERT(parts.spec.rate > 0);
+      [&](Setup& setup) { return catalog::make_level(entity.level, setup, options); });
 }
 
 void attach_level_of(SceneParts& parts, const scene_file::RobotSpec& robot, Entity& entity) {

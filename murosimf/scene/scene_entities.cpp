@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/scene/assets.h"
@@ -13,7 +14,7 @@
 namespace murosimf::scene {
 namespace {
 
-/// Bodies that stand are part of it; scenes share only fields without.
+/// Static bodies are part of it; scenes share only fields without any.
 ModelPtr field_of(const scene_file::FieldSpec& field, const std::vector<Chain>& standing, Assets& assets) {
   const scene_file::FieldSize& size = scene_file::field_size(field.size);
   const bool nets = field.goals && field.nets.value_or(size.nets);
@@ -23,6 +24,7 @@ ModelPtr field_of(const scene_file::FieldSpec& field, const std::vector<Chain>& 
   };
   if (!standing.empty()) return make();
   const Vec3d& pile = field.friction_direction;
+  // every input of `make` is in the key
   return assets.model(fmt::format("field {} {} {} {} {} {} {} {}", field.size, field.goals, nets, field.landmark_poles,
                                   pile.x, pile.y, pile.z, field.surface),
                       make);
@@ -128,6 +130,7 @@ void add_entities(SceneParts& parts, ModelSource& models) {
       enlist(parts, body, world.add(body.name, kind.model, kind.options));
     });
   }
+  MUROSIMF_ASSERT(parts.robots.size() == parts.spec.robots.size());
 }
 
 }  // namespace murosimf::scene

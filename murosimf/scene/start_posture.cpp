@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 
@@ -34,6 +35,7 @@ double start_position(const Model& model, const Keyframe* keyframe, int joint) {
 void take_posture(const Keyframe* keyframe, Entity& robot) {
   if (!robot.find(properties::joint_target)) return;
   auto& targets = robot.column(properties::joint_target).values;
+  MUROSIMF_ASSERT(targets.size() == robot.model().objects().size());
   for (const int joint : robot.model().joints()) {
     const bool said = keyframe || robot.model().find(properties::joint_start, joint);
     if (said) targets[joint] = start_position(robot.model(), keyframe, joint);
@@ -43,6 +45,7 @@ void take_posture(const Keyframe* keyframe, Entity& robot) {
 void take_targets(const Keyframe* keyframe, Entity& robot) {
   if (!keyframe) return;
   auto& targets = robot.column(properties::joint_target).values;
+  MUROSIMF_ASSERT(targets.size() == robot.model().objects().size());
   for (const auto& [joint, target] : keyframe->targets) targets[robot.model().object_index(joint)] = target;
 }
 

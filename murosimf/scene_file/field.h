@@ -115,7 +115,7 @@ inline constexpr double net_before_bars = 0.005;  ///< [m]
 /// Objects that stand on a field, besides bodies of the scene.
 struct FieldFurniture {
   bool goals = true;
-  bool nets = false;   ///< of the goals, if they stand there: "goal_left_net_rear"
+  bool nets = false;   ///< of the goals, if these exist: "goal_left_net_rear"
   bool poles = false;  ///< "landmark_left" at y > 0, "landmark_right" at y < 0: three cylinders each
 };
 

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::session {
 namespace {
 
-constexpr Duration patience =
-    std::chrono::milliseconds(20);  // until a stop of the simulation is seen while it is paused
+constexpr Duration patience = std::chrono::milliseconds(20);  // polling period of a stop while paused
 constexpr Duration between_reports = std::chrono::milliseconds(100);
 
 }  // namespace
@@ -46,7 +46,7 @@ void Session::Inside::run(const std::function<void(Duration)>& progress) {
   refuse_all();
 }
 
-/// Whether no step is to be made now.
+/// Whether no step is due at present.
 bool Session::Inside::stands() const {
   const std::lock_guard lock(mutex);
   if (requests.finished || source->at_end()) return true;
@@ -61,12 +61,13 @@ bool Session::Inside::ends() {
   return !options.stays && !requests.paused && done && jobs.empty();
 }
 
-/// Until somebody wants something.
+/// Waits for a request.
 void Session::Inside::wait() {
   publish(true);
   std::unique_lock lock(mutex);
   while (!attention.load() && !simulation.stopped()) changed.wait_for(lock, patience);
   lock.unlock();
+  // the pause must not count as delay
   restart_clock();
 }
 
@@ -85,6 +86,7 @@ void Session::Inside::step() {
   publish(false);
   const auto wakes = [&] { return attention.load() || simulation.stopped(); };
   clock.wait_until(simulation.now(), wakes);
+  // a request may arrive while the clock waits: served at once, then the clock continues to wait
   while (attention.exchange(false)) {
     attend();
     if (stands()) return;
@@ -92,7 +94,7 @@ void Session::Inside::step() {
   }
 }
 
-/// Does what others have asked for.
+/// Executes the requests of other threads.
 void Session::Inside::attend() {
   std::deque<Job> all;
   {
@@ -110,8 +112,10 @@ void Session::Inside::attend() {
     }
   }
   for (Job& job : all) {
+    MUROSIMF_ASSERT(job.call != nullptr);
     try {
       job.call();
+      // published before the future is ready: a caller that waits for it sees the new status
       publish(status.paused);
       job.done.set_value();
     } catch (...) {
