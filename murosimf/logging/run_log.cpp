@@ -36,7 +36,7 @@ RunLog::RunLog(Simulation& simulation, const std::vector<std::string>& patterns,
   for (const LoggedNumber& number : logged) {
     if (number.sensor.empty()) add_property(number);
   }
-  // later than the simulation's schedule is made: a state that is loaded knows nothing of the log
+  // scheduled after the simulation's own events: a loaded state does not contain the log
   if (!properties_.empty()) {
     simulation_.after_start([this] { simulation_.at(Duration{}, [this] { note_properties(); }); });
   }

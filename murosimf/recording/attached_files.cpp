@@ -25,7 +25,8 @@ AttachedFiles files_now(const std::vector<std::filesystem::path>& files, const R
                     .contents = {}};
   for (const std::filesystem::path& file : files) {
     const std::string path = paths.reduced(file);
-    std::string bytes = files::read_input_file(file, std::numeric_limits<std::int64_t>::max());
+    std::string bytes = files::read_input_file(
+        file, std::numeric_limits<std::int64_t>::max());  // read once: hash and attachment are of the same bytes
     now.list.values[path] = size_and_hash(bytes);
     if (bytes.size() > most_attached_bytes) continue;
     now.contents.push_back({.log_time = 0,

@@ -2,9 +2,12 @@
 
 #include <cmath>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::recording {
 
 double rounded(double value, double step) noexcept {
+  MUROSIMF_ASSERT(step > 0);
   return std::nearbyint(value * (1 / step)) * step + 0.0;  // no -0
 }
 

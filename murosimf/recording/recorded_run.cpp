@@ -21,14 +21,14 @@ RunDescription description_of(const McapReader& file) {
   });
 }
 
-/// A scene with those who take part in it.
+/// A scene with its external participants.
 struct RepeatedScene {
   RepeatedScene(const std::string& file, const scene::SceneOptions& options) : scene(file, options) {}
   scene::Scene scene;
-  std::optional<league::League> league{};  // goes first
+  std::optional<league::League> league{};  // destroyed first
 };
 
-/// Whether somebody took part by a channel whose name begins so.
+/// Whether there is a participant with a channel that begins like this.
 bool takes_part(const RunDescription& run, std::string_view begin) {
   return std::ranges::any_of(run.channels, [&](const std::string& name) { return name.starts_with(begin); });
 }

@@ -1,4 +1,4 @@
-// What a repetition has shown, for people and programs.
+// Results of a repetition, for people and programs.
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 

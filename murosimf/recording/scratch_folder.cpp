@@ -21,9 +21,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view name_of_all = "murosimf_scratch.", six = "XXXXXX";
-constexpr std::time_t young = 60;  // [s] one that is this new may not be locked yet
+constexpr std::time_t young = 60;  // [s] a younger folder may not be locked yet
 
-/// A descriptor that holds the lock; -1: somebody else has it, or it cannot be had.
+/// A descriptor that holds the lock; -1: it is held by another process, or not available.
 int locked(const fs::path& folder) {
   const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
   if (file >= 0 && ::flock(file, LOCK_EX | LOCK_NB) == 0) return file;

@@ -8,6 +8,7 @@
 
 #include "murosimf/files/input_file.h"
 #include "murosimf/files/output_file.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/recording/frame_writer.h"
 #include "murosimf/recording/recorded_series.h"
@@ -27,6 +28,7 @@ Metadata run_metadata(const scene::Scene& scene, const std::string& program, con
 }
 
 Attachment text_attachment(const std::string& name, const std::string& text, Duration time) {
+  MUROSIMF_ASSERT(time >= Duration{});
   return {.log_time = static_cast<std::uint64_t>(time.count()),
           .create_time = 0,
           .name = name,

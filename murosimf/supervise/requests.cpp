@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <supervision.pb.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/object_access.h"
 #include "murosimf/scene_file/scene_spec.h"
@@ -70,7 +71,10 @@ void write(const scene::Scene& scene, const Entity& entity, wire::SceneEntity& t
 
 }  // namespace
 
-void Requests::visit(const std::function<void(scene::Scene&)>& look) { session_->visit(look).get(); }
+void Requests::visit(const std::function<void(scene::Scene&)>& look) {
+  MUROSIMF_ASSERT(session_ != nullptr);
+  session_->visit(look).get();
+}
 
 void Requests::write_status(wire::Status& told) const {
   const session::SessionStatus status = session_->status();
@@ -89,7 +93,7 @@ void Requests::write_status(wire::Status& told) const {
   told.set_diagnostic(status.diagnostic);
 }
 
-/// Of the session of that number, or a later one.
+/// Of the session with that number, or a later one.
 void Requests::welcome(wire::ToSupervisor& answer, int session) {
   const SessionSlot::Lease lease(*slot_, session);
   session_ = &lease.session();
@@ -163,7 +167,7 @@ void Requests::answer_of_session(const FromSupervisor& request, wire::ToSupervis
   write_status(*answer.mutable_status());
 }
 
-/// Until it is there, or somebody else has paused it or taken it to another time.
+/// Returns when the time is reached, or another supervisor has paused the run or moved it in time.
 void Requests::advance(Duration duration) {
   session_->pause();
   settle();
@@ -181,7 +185,7 @@ void Requests::advance(Duration duration) {
   session_->run_until(before.end);
 }
 
-/// What its status says afterwards is of after what it was told before: it has looked twice.
+/// Two visits: after the second one the status includes all requests made before the first.
 void Requests::settle() {
   for (int i = 0; i < 2; ++i) visit([](scene::Scene&) {});
 }
@@ -198,7 +202,7 @@ void Requests::seek(const FromSupervisor& request) {
       .get();
 }
 
-/// All at the same instant.
+/// All numbers at the same instant.
 void Requests::read(const Patterns& patterns, wire::ToSupervisor& answer) {
   const int session = slot_->number();
   if (std::exchange(found_in_, session) != session) found_.clear();

@@ -28,7 +28,7 @@ namespace {
 constexpr unsigned protocol_version = 1;
 constexpr std::size_t longest_request = 65536;  // [byte]
 constexpr std::size_t longest_name = 100;
-constexpr std::size_t most_lines = 100;  // about those who were refused
+constexpr std::size_t most_lines = 100;  // about refused clients
 
 std::string drawn_token() {
   std::array<unsigned char, 16> bytes{};
@@ -40,7 +40,7 @@ std::string drawn_token() {
   return token;
 }
 
-/// Takes as long for every token of that length.
+/// Compares in constant time, so that the time does not reveal a prefix of the token.
 bool equal(std::string_view a, std::string_view b) {
   unsigned char difference = a.size() == b.size() ? 0 : 1;
   for (std::size_t i = 0; i < a.size() && i < b.size(); ++i) difference |= static_cast<unsigned char>(a[i] ^ b[i]);
@@ -63,7 +63,7 @@ wire::WallTime after(double s) {
   return WallClock::now() + std::chrono::duration_cast<WallClock::duration>(std::chrono::duration<double>(s));
 }
 
-/// One supervisor, in a thread of its own.
+/// One supervisor, in its own thread.
 class Supervisor {
  public:
   Supervisor(wire::Caller caller, std::string name, SessionSlot& slot, const SupervisionOptions& options)
@@ -99,13 +99,13 @@ class Supervisor {
   std::string name_;
   double patience_;
   std::function<void(const std::string&)> say_;
-  int wake_;  // event that ends the thread's waiting
+  int wake_;  // event that ends the wait of the thread
   std::atomic<bool> ends_{false}, over_{false};
   Requests requests_;
   std::thread thread_;
 };
 
-/// For the next request; false: there will be none.
+/// Waits for the next request; false: there will be none.
 bool Supervisor::wait() const {
   std::array<pollfd, 2> asked{pollfd{wake_, POLLIN, 0}, {connection_.socket().number(), POLLIN, 0}};
   (void)::poll(asked.data(), asked.size(), -1);
@@ -146,14 +146,14 @@ void Supervisor::talk() {
   send(connection_, message);
 }
 
-/// Who has just gone is told nothing, and nobody is told of that.
+/// Sends the reason to a client that is still connected, and reports it; a disconnection needs no report.
 void Supervisor::drop(const std::string& reason) noexcept {
   if (has_gone()) return;
   try {
     wire::ToSupervisor message;
     message.mutable_refused()->set_reason(reason);
     send(connection_, message);
-  } catch (const std::exception&) {  // it has gone now
+  } catch (const std::exception&) {  // it has disconnected meanwhile
   }
   if (say_) say_(fmt::format("{} was dropped: it {}", name_, reason));
 }
@@ -183,11 +183,11 @@ class Server final : public Supervision {
 
  private:
   void admit(wire::Caller& caller, std::string_view message);
-  void turn_away(wire::Caller& caller, const std::string& reason);
+  void reject(wire::Caller& caller, const std::string& reason);
 
   SupervisionOptions options_;
   SessionSlot slot_;
-  std::list<Supervisor> supervisors_;  // of the reception's thread
+  std::list<Supervisor> supervisors_;  // accessed by the reception's thread only
   std::size_t told_ = 0;
   std::unique_ptr<wire::Reception> reception_;
 };
@@ -205,7 +205,7 @@ Server::Server(session::Session& session, const SupervisionOptions& options) : o
                                .longest = longest_request,
                                .hello_limit = options_.hello_limit},
         wire::Reception::Door{[this](wire::Caller& caller, std::string_view message) { admit(caller, message); },
-                              [this](wire::Caller& caller, const std::string& reason) { turn_away(caller, reason); }});
+                              [this](wire::Caller& caller, const std::string& reason) { reject(caller, reason); }});
   } catch (const wire::WireError& error) {
     throw SetupError(fmt::format("cannot listen on {}: {}", to_text(options_.address), error.what()));
   }
@@ -235,7 +235,7 @@ void Server::admit(wire::Caller& caller, std::string_view bytes) {
   supervisors_.emplace_back(std::move(caller), name, slot_, options_);
 }
 
-void Server::turn_away(wire::Caller& caller, const std::string& reason) {
+void Server::reject(wire::Caller& caller, const std::string& reason) {
   try {
     wire::ToSupervisor message;
     message.mutable_refused()->set_reason(reason);

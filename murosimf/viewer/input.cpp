@@ -7,7 +7,7 @@
 namespace murosimf::viewer {
 namespace {
 
-/// What one picture has been given.
+/// Events already assigned to a picture.
 struct Given {
   std::set<std::string> keys;
   std::set<int> buttons;

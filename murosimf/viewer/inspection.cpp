@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "murosimf/collision/contact_properties.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
@@ -49,7 +50,7 @@ ObjectValues values_of(const World& world, const ObjectPath& path, const std::ve
       const Quantity quantity = object.get(name);
       values.properties.push_back(
           {std::string(name), std::string(quantity.unit), quantity.numbers, entity.find(name) == nullptr});
-    } catch (const SetupError&) {  // what is no row of numbers
+    } catch (const SetupError&) {  // properties that are no row of numbers are not shown
     }
   }
   return values;
@@ -76,6 +77,7 @@ void add_loads(const scene::SceneParts& parts, const World& world, std::vector<J
       if (!(limit > 0)) continue;
       loads.push_back(
           {{static_cast<int>(i), object}, std::abs(torque->values[static_cast<std::size_t>(object)]) / limit});
+      MUROSIMF_ASSERT(static_cast<std::size_t>(object) < torque->values.size());
     }
   }
 }
@@ -83,6 +85,7 @@ void add_loads(const scene::SceneParts& parts, const World& world, std::vector<J
 template <class T>
 std::size_t copy_from(std::size_t known, const std::vector<T>& all, std::vector<T>& into) {
   const std::size_t first = std::min(known, all.size());
+  MUROSIMF_ASSERT(first <= all.size());
   into.assign(all.begin() + static_cast<std::ptrdiff_t>(first), all.end());
   return first;
 }

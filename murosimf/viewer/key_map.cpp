@@ -90,6 +90,7 @@ KeyMap::KeyMap(const std::filesystem::path& file) : KeyMap() {
   std::map<KeyChord, Action> given;
   for (const auto& [name, node] : table) {
     const Action action = with_context(files::where(node.source()), [&] { return action_named(name.str()).action; });
+    // an action in the file loses its default keys, an empty list leaves it without any
     std::erase_if(keys_, [&](const auto& key) { return key.second == action; });
     for (const auto* text : texts_of(node)) {
       const std::string where = files::where(text->source());

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::viewer {
 
 void Curve::add(double time, double value) {
@@ -11,10 +13,12 @@ void Curve::add(double time, double value) {
   times_.erase(later, times_.end());
   times_.push_back(time);
   values_.push_back(value);
+  MUROSIMF_ASSERT(times_.size() == values_.size());
   if (times_.size() > most_) thin_out();
 }
 
 void Curve::thin_out() {
+  // only the older half: recent samples keep their full rate
   std::size_t kept = 0;
   for (std::size_t i = 0; i < times_.size(); ++i) {
     if (i < times_.size() / 2 && i % 2 == 1) continue;
@@ -52,6 +56,7 @@ std::vector<double> ticks(double low, double high, int count) {
       break;
     }
   }
+  // tolerance: rounding must not drop a tick at an end
   for (double i = std::ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; ++i)
     places.push_back(i == 0 ? 0 : i * step);
   return places;

@@ -16,7 +16,7 @@ namespace {
 
 using Kind = ScriptStep::Kind;
 
-/// What stands behind a word.
+/// Syntax of the arguments of a word.
 struct Grammar {
   std::string_view word;
   Kind kind;
@@ -60,7 +60,7 @@ const Grammar& grammar_of(const std::string& word) {
 }
 
 std::string without_comment(std::string line) {
-  // a # within a word is none: files may have one
+  // a # within a word starts no comment: file names may contain one
   for (std::size_t i = 0; i < line.size(); ++i) {
     if (line[i] == '#' && (i == 0 || line[i - 1] == ' ' || line[i - 1] == '\t')) line.resize(i);
   }

@@ -27,7 +27,7 @@ std::string unpack(const Chunk& chunk) {
   return records;
 }
 
-/// Adds it, unless it is known: channels and schemas may be repeated.
+/// Adds it, unless it is known: channels and schemas may be repeated in a file.
 template <class T>
 void add_once(std::vector<T>& known, T&& found) {
   const auto same = std::ranges::find(known, found.id, &T::id);
@@ -71,6 +71,7 @@ McapReader::McapReader(const std::filesystem::path& file, McapReading reading) :
 std::string McapReader::bytes_at(std::uint64_t offset, std::uint64_t length) const {
   if (offset > size_ || length > size_ - offset) throw SetupError("the file ends too early");
   std::string bytes(length, '\0');
+  // seek and read together: the stream has one position
   const std::lock_guard lock(reading_);
   const bool good = std::fseek(stream_.get(), static_cast<long>(offset), SEEK_SET) == 0 &&
                     std::fread(bytes.data(), 1, length, stream_.get()) == length;
@@ -108,7 +109,7 @@ void McapReader::check_header() {
   contents_.header = parse_record<Header>(content);
 }
 
-/// Whether there is a good one.
+/// Returns whether there is a valid one.
 bool McapReader::read_summary() try {
   const std::uint64_t end_bytes = footer_bytes + mcap_magic.size();
   if (size_ < end_bytes + mcap_magic.size()) return false;
@@ -120,7 +121,7 @@ bool McapReader::read_summary() try {
   const std::string end = bytes_at(footer_start, footer_bytes - sizeof(footer.summary_crc));
   if (footer.summary_crc != 0 && crc32(end, crc32(bytes)) != footer.summary_crc) return false;
   visit_records(bytes, [this](Opcode opcode, std::string_view content) { take_summary_record(opcode, content); });
-  // a summary may lack what a reader would need
+  // a valid summary may lack records that a reader needs
   return contents_.statistics.chunk_count == contents_.chunks.size() &&
          (contents_.statistics.message_count == 0 || !contents_.chunks.empty());
 } catch (const SetupError&) {
@@ -135,7 +136,7 @@ void McapReader::take_summary_record(Opcode opcode, std::string_view content) {
     case Opcode::attachment_index: return contents_.attachments.push_back(parse_record<AttachmentIndex>(content));
     case Opcode::metadata_index: return contents_.metadata.push_back(parse_record<MetadataIndex>(content));
     case Opcode::statistics: contents_.statistics = parse_record<Statistics>(content); return;
-    default: return;  // of a later version, says the specification
+    default: return;  // reserved for later versions by the specification
   }
 }
 
@@ -146,6 +147,7 @@ void McapReader::visit_messages(const ChunkIndex& chunk, const std::function<voi
     visit_records(records, [&](Opcode opcode, std::string_view content) {
       if (opcode == Opcode::message) messages.push_back(parse_record<Message>(content));
     });
+    // stable: messages of one instant keep the order in which they were written
     std::ranges::stable_sort(messages, {}, &Message::log_time);
     for (const Message& message : messages) {
       check_channel(message);

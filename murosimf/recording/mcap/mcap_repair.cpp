@@ -39,7 +39,7 @@ void copy(const McapReader& in, McapWriter& out) {
   }
 }
 
-/// Throws SetupError: what is of the other one would be lost.
+/// Throws SetupError if the data of another run would be lost.
 void check_one_run(const McapReader& in) {
   if (in.contents().other_run.empty()) return;
   throw SetupError(fmt::format("{}: {}; have the first one written to a file of its own (--out), nothing is changed",

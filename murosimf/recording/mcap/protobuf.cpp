@@ -1,5 +1,6 @@
 #include "murosimf/recording/mcap/protobuf.h"
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::recording {
@@ -54,6 +55,7 @@ std::uint64_t ProtobufReader::take_varint() {
 }
 
 std::uint64_t ProtobufReader::take_fixed(std::size_t size) {
+  MUROSIMF_ASSERT(size <= sizeof(std::uint64_t));
   if (size > left_.size()) throw SetupError("a message ends too early");
   std::uint64_t value = 0;
   for (std::size_t i = 0; i < size; ++i) {

@@ -12,7 +12,7 @@ struct TextKey {
   const char* name;
   ImGuiKey key;
 };
-/// Keys with which text is edited.
+/// Keys for editing text.
 constexpr std::array text_keys{TextKey{"Tab", ImGuiKey_Tab},
                                TextKey{"Left", ImGuiKey_LeftArrow},
                                TextKey{"Right", ImGuiKey_RightArrow},
@@ -94,7 +94,7 @@ void choose_style(float scale) {
 Gui::Gui(double scale) : letters_scale_(scale), scale_(scale) {
   IMGUI_CHECKVERSION();
   ImGui::CreateContext();
-  ImGui::GetIO().IniFilename = nullptr;  // nothing is written behind people's backs
+  ImGui::GetIO().IniFilename = nullptr;  // no files are written unasked
   ImGui::GetIO().LogFilename = nullptr;
   number_keys();
   choose_letters(static_cast<float>(usual_letters * scale));

@@ -1,4 +1,4 @@
-// Robots with their levels and laws; the tree of entities and objects with the properties of those that are opened.
+// Robots with their levels and laws; the tree of entities and objects with the properties of open ones.
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
@@ -114,7 +114,7 @@ void tree_tab(Panels& panels) {
   }
 }
 
-/// All numbers in one field, to be edited.
+/// All numbers in one editable field.
 void edit_value(Panels& panels, const ObjectPath& path, const PropertyValue& property) {
   PanelState& state = panels.state;
   const bool edited = state.edited == path && state.edited_property == property.name;
@@ -157,7 +157,7 @@ void edit_value(Panels& panels, const ObjectPath& path, const PropertyValue& pro
   }
 }
 
-/// What people look for before the rest.
+/// The most frequently used items, shown first.
 std::vector<const PropertyValue*> usual_first(const std::vector<PropertyValue>& properties) {
   constexpr std::array<std::string_view, 10> usual{"position",         "orientation",    "linear_velocity",
                                                    "angular_velocity", "joint_position", "joint_velocity",

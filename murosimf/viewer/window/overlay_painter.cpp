@@ -10,11 +10,11 @@
 namespace murosimf::viewer {
 namespace {
 
-constexpr double nearest_drawn = 0.02;  // [m] in front of the eye, where lines are cut
+constexpr double nearest_drawn = 0.02;  // [m] distance from the eye at which lines are clipped
 
 ImVec2 in_area(const Pixel& pixel, const Area& area) { return vec2(area.x + pixel.x, area.y + pixel.y); }
 
-/// Both ends of the part of a line that is in front of the eye; false if none is.
+/// Clips a line to the part in front of the eye; false if there is none.
 bool cut(const sensors::Perspective& view, Vec3d& a, Vec3d& b) {
   const double za = dot(view.axes.z, a - view.eye), zb = dot(view.axes.z, b - view.eye);
   if (za < nearest_drawn && zb < nearest_drawn) return false;
@@ -72,7 +72,7 @@ void paint(ImDrawList& list, const sensors::Perspective& view, const Area& area,
     paint_segment(list, view, area, mark.points.back(), mark.points.front(), mark, false);
 }
 
-/// `points`: those of the shape, in the window.
+/// `points`: of the shape, in the window.
 void paint_area(ImDrawList& list, const render::SeenShape& shape, const std::vector<ImVec2>& points, ImU32 color) {
   if (render::is_convex(shape.points)) {
     return list.AddConvexPolyFilled(points.data(), static_cast<int>(points.size()), color);
@@ -95,7 +95,7 @@ void paint_letters(ImDrawList& list, const ImVec2& middle, const std::string& le
   list.AddText(ImGui::GetFont(), scale * ImGui::GetFontSize(), corner, color, letters.c_str());
 }
 
-/// Draws into the area only.
+/// Clips to the area.
 class Clipped {
  public:
   explicit Clipped(const Area& area) : list(*ImGui::GetBackgroundDrawList()) {

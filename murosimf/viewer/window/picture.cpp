@@ -19,7 +19,7 @@ constexpr int coarse_shadows = 1024;  // [px]
 ScenePicture::ScenePicture(Viewer& viewer) : viewer_(viewer) { renew({}); }
 
 void ScenePicture::renew(const PictureQuality& quality) {
-  renderer_.reset();  // it may belong to a scene that is gone
+  renderer_.reset();  // it may belong to a scene that was replaced
   viewer_.session()
       .visit([&](scene::Scene& scene) {
         scene_file::LightSpec light = scene.spec().light;

@@ -1,4 +1,4 @@
-// What is selected: its properties, sensors and cameras; algorithms; what the picture shows.
+// The selection: its properties, sensors and cameras; algorithms; contents of the picture.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -49,7 +49,7 @@ void sensor_rows(Panels& panels, const SensorState& sensor) {
   }
 }
 
-/// Laser fans and other long rows as a curve over their numbers.
+/// Long rows like laser fans as a curve over their indices.
 void row_picture(const SensorState& sensor) {
   std::size_t first = 0;
   for (const sensors::Output& output : sensor.info->outputs) {
@@ -74,7 +74,7 @@ void tab(Panels& panels, const char* name, bool& open, const auto& draw) {
   ImGui::EndTabItem();
 }
 
-/// Groups of drawings, each to be switched.
+/// Groups of drawings, each with a switch.
 void drawing_boxes(Panels& panels) {
   Viewer& viewer = panels.viewer;
   if (!viewer.overlay.drawings) return;
