@@ -16,7 +16,7 @@ namespace api {
 
 struct RecorderInside {
   std::shared_ptr<SceneInside> scene;
-  recording::Recorder* recorder = nullptr;  // the scene keeps it, whose simulation calls it
+  recording::Recorder* recorder = nullptr;  // owned by the scene, since its simulation calls it
   bool finished = false;
 
   void finish() {
@@ -83,7 +83,7 @@ Recorder::Recorder(const Scene& scene, const std::string& file, double rate) {
 Recorder::~Recorder() {
   try {
     if (inside_) inside_->finish();
-  } catch (const std::exception&) {  // finish() tells of it
+  } catch (const std::exception&) {  // errors are reported by finish() only
   }
 }
 Recorder::Recorder(Recorder&&) noexcept = default;

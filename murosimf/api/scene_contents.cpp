@@ -20,7 +20,7 @@ const std::string& object_name(const Entity& entity, int object) {
   return entity.model().objects()[static_cast<std::size_t>(object)].name;
 }
 
-/// Whether the other one lists the point, too, and comes first.
+/// Whether the other entity lists the point as well, and comes first.
 bool was_listed(const World& world, const std::vector<Entity*>& moving, const collision::Touch& touch) {
   const bool moves = std::ranges::find(moving, touch.other) != moving.end();
   return moves && world.index_of(touch.other) < world.index_of(touch.entity);
@@ -55,7 +55,7 @@ sensors::Perspective perspective_of(const Viewpoint& from) {
   }
   const Vec3d forward = (1 / norm(toward)) * toward;
   Vec3d right = cross(forward, Vec3d{0, 0, 1});
-  if (norm(right) == 0) right = {1, 0, 0};  // straight down: x to the right
+  if (norm(right) == 0) right = {1, 0, 0};  // looking straight down: x to the right
   right = (1 / norm(right)) * right;
   const double side = std::tan(0.5 * from.field_of_view), up = side * from.height / from.width;
   return {.eye = vec(from.eye),
@@ -158,7 +158,7 @@ std::vector<Contact> Scene::contacts() const {
   const std::vector<Entity*>& moving = inside().scene.moving_entities();
   std::vector<Contact> contacts;
   for (const Entity* entity : moving) {
-    bool second_of_two = false;  // where it touches itself
+    bool second_of_two = false;  // contacts with itself are listed twice
     for (const collision::Touch& touch : collision::touches(world, *entity)) {
       if (api::was_listed(world, moving, touch)) continue;
       if (touch.other == entity && std::exchange(second_of_two, !second_of_two)) continue;

@@ -1,4 +1,4 @@
-// include/murosimf/scene.h: the run itself. What is in it stands in scene_contents.cpp.
+// include/murosimf/scene.h: the run itself. Its contents are in scene_contents.cpp.
 #include "murosimf/scene.h"
 
 #include <cmath>
@@ -59,7 +59,7 @@ Scene Scene::copy() const {
                                  from.entity(from.controllers.begin()->first).name()));
   }
   const std::vector<std::byte> state = told([&] { return from.scene.save(); });
-  from.begun = true;
+  from.begun = true;  // save() has initialized it
   Scene copied(api::another_scene(from, {}));
   copied.load(state);
   return copied;

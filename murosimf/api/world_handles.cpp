@@ -17,7 +17,7 @@ struct ViewInside {
 
 namespace {
 
-/// Number of an object. Throws UnknownName.
+/// Access to an object. Throws UnknownName.
 ObjectAccess object_of(Entity& entity, std::string_view name) {
   if (const auto found = entity.model().find_object(name)) return {entity, *found};
   throw_unknown(fmt::format("object of '{}'", entity.name()), name, entity.model().object_names());

@@ -89,8 +89,8 @@ void make_ground(const files::TomlTable& table, geometry::TriangleMesh mesh, Bod
 }
 
 void make_hull(const files::TomlTable& table, const std::filesystem::path& file, double scale,
-               MUROSIMF_ASSERT(scale > 0);
                const geometry::TriangleMesh& mesh, BodySpec& body) {
+  MUROSIMF_ASSERT(scale > 0);
   require(table.find("thickness") == nullptr, table, "thickness", "is nothing that a mesh that moves has");
   geometry::Hull hull = with_context(table.where("file"), [&] { return geometry::make_hull(mesh.vertices); });
   body.center = geometry::solid_mass(hull.hull).center;

@@ -63,6 +63,7 @@ json game_of(const league::GameTask* game) {
   for (const std::size_t team : {0, 1}) {
     teams.push_back({{"name", game->team_name(team)}, {"score", game->team(team).score}});
   }
+  // clamped: a referee of one's own may use other numbers
   const auto number = static_cast<std::size_t>(std::clamp<int>(state.state, 0, state_names.size() - 1));
   return {{"state", state_names[number]},
           {"half", state.first_half ? 1 : 2},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::web {
@@ -57,10 +58,14 @@ std::vector<FoxglovePacket> FoxglovePictures::take(const AddChannel& add) {
   if (!writer_) return {};
   for (std::size_t i = channels_.size(); i < sink_.channels.size(); ++i) {
     const auto& [topic, schema] = sink_.channels[i];
+    MUROSIMF_ASSERT(schema < sink_.schemas.size());
     channels_.push_back(add(topic, sink_.schemas[schema].first, sink_.schemas[schema].second));
   }
   std::vector<FoxglovePacket> packets = std::exchange(sink_.packets, {});
-  for (FoxglovePacket& packet : packets) packet.channel = channels_[packet.channel];
+  for (FoxglovePacket& packet : packets) {
+    MUROSIMF_ASSERT(packet.channel < channels_.size());
+    packet.channel = channels_[packet.channel];
+  }
   return packets;
 }
 

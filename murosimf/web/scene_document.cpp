@@ -7,6 +7,7 @@
 #include "murosimf/appearance/entity_appearance.h"
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/files/json_document.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/math/quaternion.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/render/render_scene.h"
@@ -60,7 +61,7 @@ std::string kind_of(const scene::SceneParts& parts, const Entity& entity) {
   return &entity == parts.field ? "field" : "body";
 }
 
-/// Writes text and numbers of a document.
+/// Collects text and numbers of a document.
 class Writer {
  public:
   explicit Writer(const scene::Scene& scene) : scene_(scene) {}
@@ -99,8 +100,9 @@ class Writer {
     entities_[&entity] = static_cast<int>(index);
   }
 
-  /// Of the link among those of its entity that are sent.
+  /// Index of the link among the sent ones of its entity; adds it if missing.
   int body_of(int row, int link) {
+    MUROSIMF_ASSERT(row >= 0 && static_cast<std::size_t>(row) < document_.moving.size());
     std::vector<int>& objects = document_.moving[static_cast<std::size_t>(row)].objects;
     const auto found = std::ranges::find(objects, link);
     if (found != objects.end()) return static_cast<int>(found - objects.begin());
@@ -110,6 +112,7 @@ class Writer {
 
   void add_part(const render::RenderScene& looks, const render::Drawable& drawable) {
     const Entity* owner = looks.owner(drawable);
+    MUROSIMF_ASSERT(owner != nullptr);
     const FixedObject at = owner->model().placement(drawable.object);
     const Transformd in_link = Transformd{at.offset, at.turn} * drawable.place;
     json part{{"entity", entities_[owner]},
@@ -155,6 +158,7 @@ class Writer {
     document_.bytes += text;
     document_.bytes += data_;
   }
+  MUROSIMF_ASSERT(document_.bytes.size() % 4 == 0);
 
   const scene::Scene& scene_;
   SceneDocument document_;
