@@ -22,7 +22,7 @@ void say_note(std::string_view text) noexcept;
 /// As it is, without a line break: what changes on a terminal.
 void show_on_terminal(std::string_view text) noexcept;
 
-/// From now on memory that is used up while nobody can catch it (a step, another thread) ends the program with one line and
+/// From now on memory that is used up where it cannot be caught (in a step, in another thread) ends the program with one line and
 /// the exit code `unexpected`.
 void report_uncaught_exceptions();
 

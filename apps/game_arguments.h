@@ -17,7 +17,7 @@ struct GameArguments {
 };
 
 void add_game(const Command& command, GameArguments& game);
-/// Null if nobody asks for one. Throws SetupError, with the option.
+/// Null if none is asked for. Throws SetupError, with the option.
 [[nodiscard]] std::unique_ptr<league::League> game_of(scene::Scene& scene, const GameArguments& arguments);
 
 }  // namespace murosimf::app

@@ -3,7 +3,7 @@
 /// SIGINT (Ctrl-C), SIGTERM (kill, timeout, a cluster's scheduler) and SIGHUP (the terminal went away) are one thing here.
 /// At first each ends the program at once. After end_gently() the first of them only asks: the command looks at
 /// interrupted() in its loops, ends them, writes its results, and returns exit_code(). The next one, unless it comes within
-/// a tenth of a second (`timeout` sends two), ends the program at once. At once means: as if nobody caught it, except that
+/// a tenth of a second (`timeout` sends two), ends the program at once. At once means: as if it were not caught, except that
 /// half-written files are removed and programs that it has started are ended (files/cleanup_guard.h).
 ///
 /// SIGXFSZ, which comes when a file reaches the limit of sizes (ulimit -f), is ignored: writing fails then as on a full disk.

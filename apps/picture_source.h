@@ -35,7 +35,7 @@ class PictureSource {
 /// drawn here.
 [[nodiscard]] std::unique_ptr<PictureSource> make_robot_camera(scene::Scene& scene, const RenderOptions& options);
 
-/// A place from where people look; after the scene is initialized. `run`: whose scene it is, which has what other programs drew then; null:
+/// A viewpoint outside of the robots; after the scene is initialized. `run`: whose scene it is, which has what other programs drew then; null:
 /// none, must outlive it. Throws SetupError.
 [[nodiscard]] std::unique_ptr<PictureSource> make_eye(scene::Scene& scene, const RenderOptions& options,
                                                       const recording::RecordedRun* run);

@@ -26,7 +26,7 @@ struct RecordOptions {
 
 void add_record(const Command& command, RecordOptions& options);
 
-/// How the run is begun, for who wants to repeat it.
+/// How the run is begun, so that it can be repeated.
 [[nodiscard]] recording::RunDescription description_of(const SceneArguments& arguments, const scene::Scene& scene,
                                                        const scene::SceneOptions& options);
 
@@ -51,7 +51,7 @@ void check(const RecordOptions& options, bool somebody_asks);
 [[nodiscard]] std::unique_ptr<recording::Recorder> make_recorder(scene::Scene& scene, const RecordOptions& options,
                                                                  const recording::RecordedRun& run);
 
-/// Says why nothing is recorded any more, if that is so: for who has not told it meanwhile, before finish().
+/// Prints why nothing is recorded any more, if that is so; to be called before finish() unless it was printed during the run.
 void say_trouble(const recording::Recorder& recorder);
 
 /// Writes what is left, and a layout for Foxglove beside the recording. Says what went wrong, once; whether nothing did.

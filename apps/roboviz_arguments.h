@@ -11,10 +11,10 @@
 
 namespace murosimf::app {
 
-/// `where`: [HOST:]PORT; empty: nobody draws.
+/// `where`: [HOST:]PORT; empty: no other program draws.
 void add_roboviz(const Command& command, std::string& where);
 
-/// Open from now on, which is said; null if nobody draws. Throws SetupError.
+/// Opens the port and prints where it is; null if no other program draws. Throws SetupError.
 [[nodiscard]] std::unique_ptr<drawing::RobovizServer> roboviz_server(const std::string& where);
 
 /// For reports; nothing if there is no door.

@@ -15,7 +15,7 @@ namespace murosimf::app {
 
 class RunAdvance {
  public:
-  /// `game`: null if nobody referees; `others`: null if no other program draws.
+  /// `game`: null without a referee; `others`: null if no other program draws.
   RunAdvance(scene::Scene& scene, const RunOptions& options, RunOutputs& outputs, const league::League* game,
              const drawing::DebugDrawSource* others, Duration end);
 

@@ -25,7 +25,7 @@ struct RunOptions {
   std::vector<std::string> log;    ///< what is recorded (logging/log_paths.h)
   std::string out;                 ///< CSV file for that
   double log_rate = 100;           ///< [Hz] of properties in it
-  std::string listen;              ///< [HOST:]PORT, empty: nobody can connect
+  std::string listen;              ///< [HOST:]PORT, empty: no connections
   std::string roboviz;             ///< [HOST:]PORT, empty: no other program draws
   RecordOptions record;
   std::string serial;                ///< folder for links to serial lines

@@ -39,7 +39,7 @@ class RunOutputs {
 
   /// The state of now, as the file of --save-state has it. Throws SetupError.
   [[nodiscard]] std::string state_of(scene::Scene& scene) const { return saver_.state_of(scene); }
-  /// Has it recorded, or no longer; null if nobody is to say so.
+  /// Has it recorded, or no longer; null: recording is not switched during the run.
   [[nodiscard]] std::function<void(bool)> record_switch() const;
 
   struct Written {

@@ -1,4 +1,4 @@
-/// steering.h - supervisors of a run, who may want another scene in its place: they stay, while runs follow each other.
+/// steering.h - supervisors of a run, which may replace its scene: they stay connected while runs follow each other.
 #pragma once
 
 #include <memory>

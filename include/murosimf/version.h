@@ -1,6 +1,6 @@
 /// version.h - which version of MuRoSimF this is, and what every header of the public interface has in common.
 ///
-/// The headers of this folder are all that a program sees of the library: values, and handles whose insides stay in the library. Their
+/// The headers of this folder are all that a program sees of the library: values, and handles to objects that stay in the library. Their
 /// names stand in an inline namespace (`v0`), so that programs write `murosimf::Scene`, and a program that was built against another
 /// interface does not link, instead of going wrong. Lengths are in meters, angles in radians, times in simulated seconds, forces in
 /// newtons; frames are right-handed, x forward, y left, z up.

@@ -30,33 +30,34 @@ ControllerTask::ControllerTask(Setup& setup, SceneInside& scene, std::shared_ptr
       velocity_(joints_.size()),
       target_(joints_.size()) {
   MUROSIMF_ASSERT(controller_ != nullptr);
+}
 
-  void ControllerTask::step(const Instant& instant) noexcept {
-    if (scene_.failed) return;  // the exception is rethrown at the end of the step
-    gather();
-    ControlCycle cycle{seconds(instant.now), seconds(instant.period), position_, velocity_, target_};
-    try {
-      if (!started_) controller_->start(cycle);
-      started_ = true;
-      controller_->step(cycle);
-    } catch (...) {
-      scene_.fail(std::current_exception());
-      return;
-    }
-    for (std::size_t i = 0; i < joints_.size(); ++i) targets_[static_cast<std::size_t>(joints_[i])] = target_[i];
+void ControllerTask::step(const Instant& instant) noexcept {
+  if (scene_.failed) return;  // the exception is rethrown at the end of the step
+  gather();
+  ControlCycle cycle{seconds(instant.now), seconds(instant.period), position_, velocity_, target_};
+  try {
+    if (!started_) controller_->start(cycle);
+    started_ = true;
+    controller_->step(cycle);
+  } catch (...) {
+    scene_.fail(std::current_exception());
+    return;
   }
+  for (std::size_t i = 0; i < joints_.size(); ++i) targets_[static_cast<std::size_t>(joints_[i])] = target_[i];
+}
 
-  void ControllerTask::state(StateArchive & archive) { archive(started_); }
+void ControllerTask::state(StateArchive& archive) { archive(started_); }
 
-  void ControllerTask::gather() noexcept {
-    MUROSIMF_ASSERT(position_.size() == joints_.size() && target_.size() == joints_.size());
-    for (std::size_t i = 0; i < joints_.size(); ++i) {
-      const auto row = static_cast<std::size_t>(joints_[i]);
-      position_[i] = q_[row];
-      velocity_[i] = qd_[row];
-      target_[i] = targets_[row];
-    }
+void ControllerTask::gather() noexcept {
+  MUROSIMF_ASSERT(position_.size() == joints_.size() && target_.size() == joints_.size());
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    const auto row = static_cast<std::size_t>(joints_[i]);
+    position_[i] = q_[row];
+    velocity_[i] = qd_[row];
+    target_[i] = targets_[row];
   }
+}
 
 }  // namespace api
 }  // namespace murosimf

@@ -35,6 +35,7 @@ class Posture {
   [[nodiscard]] std::size_t joints() const { return model_.joints().size(); }
   [[nodiscard]] const std::vector<multibody::LinkMotion<double>>& links() const { return links_; }
 
+  /// Velocities can be left out where only places are needed.
   void take(std::span<const double> q, std::span<const double> v = {}) {
     MUROSIMF_ASSERT(q.size() == joints() && (v.empty() || v.size() == joints()));
     spread(q, q_);

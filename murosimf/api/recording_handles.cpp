@@ -34,6 +34,7 @@ struct RecordingInside {
 
 namespace {
 
+/// Control software of the program is named as input from outside: the file alone cannot repeat it.
 recording::RunDescription description_of(const SceneInside& inside) {
   const SceneOptions& options = inside.origin.options;
   std::vector<std::string> outside;
@@ -65,6 +66,7 @@ inline namespace v0 {
 
 using api::told;
 
+/// A recorder that fails at its start leaves the scene as it was.
 Recorder::Recorder(const Scene& scene, const std::string& file, double rate) {
   api::SceneInside& inside = scene.inside();
   auto recorder = told([&] {

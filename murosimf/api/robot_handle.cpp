@@ -96,6 +96,7 @@ void Robot::set_joint_target(std::span<const double> targets) {
   api::put(scene_->entity(number_), scene_->joints(number_), properties::joint_target, targets);
 }
 
+/// Checked here: a NaN in a command would only show in the robot's fall.
 void Robot::set_command(double forward, double left, double turning) {
   api::check_finite({forward, left, turning}, fmt::format("command of '{}'", name()));
   scene_->begin();

@@ -26,6 +26,7 @@ bool was_listed(const World& world, const std::vector<Entity*>& moving, const co
   return moves && world.index_of(touch.other) < world.index_of(touch.entity);
 }
 
+/// A size that a shape does not use is ignored; those that it uses must be above 0.
 Shape shape_of(const NewBody& body) {
   const Vector3& size = body.size;
   const bool is_box = body.shape == NewBody::Shape::box;
@@ -103,6 +104,7 @@ Robot Scene::robot() const {
 
 EntityHandle Scene::entity(std::string_view name) const { return {inside_, inside().number_of(name)}; }
 
+/// The checks are those of scene files; this part only names what a program has given.
 Robot Scene::add(const NewRobot& robot) {
   api::check_finite(robot.position, fmt::format("position of '{}'", robot.name));
   scene_file::RobotSpec spec;
@@ -184,6 +186,7 @@ std::optional<RayHit> Scene::cast(const Vector3& origin, const Vector3& directio
                 api::vector_of(hit->point), api::vector_of(hit->normal)};
 }
 
+/// Queries see the scene as it is now, not as at the last step.
 std::optional<double> Scene::distance(std::string_view a, std::string_view b) const {
   const Entity& first = inside().entity(inside().number_of(a));
   const Entity& second = inside().entity(inside().number_of(b));
@@ -193,6 +196,7 @@ std::optional<double> Scene::distance(std::string_view a, std::string_view b) co
   });
 }
 
+/// The painter is made at the first picture: most programs want none.
 Image Scene::picture(const Viewpoint& from) const {
   const sensors::Perspective perspective = api::perspective_of(from);
   inside().begin();

@@ -43,6 +43,7 @@ std::shared_ptr<SceneInside> open(const std::filesystem::path& file, SceneOrigin
   return inside;
 }
 
+/// Without a range, a joint has infinite limits: programs can compare with them.
 JointInfo info_of(const Model& model, int object) {
   const Object& joint = model.objects()[static_cast<std::size_t>(object)];
   constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -83,6 +84,7 @@ void SceneInside::step() {
   check_failure();
 }
 
+/// Exceptions of controllers are thrown by steps that must not throw: they are kept, and thrown here.
 void SceneInside::check_failure() {
   if (!failed) return;
   const std::lock_guard lock(failing_);
@@ -130,6 +132,7 @@ std::shared_ptr<SceneInside> open_scene(const std::string& name, const SceneOpti
   });
 }
 
+/// Scenes read their files by name: the text gets a file, in a folder that lives as long as the scene.
 std::shared_ptr<SceneInside> open_text(const std::string& toml, const SceneOptions& options) {
   check_threads(options);
   auto folder = told([] { return std::make_shared<recording::ScratchFolder>(); });

@@ -29,6 +29,7 @@ std::unique_ptr<MotionLevel> make_kinematic_walking(Setup& setup, const LevelOpt
                                                     given.environment);
 }
 
+/// The level has its own set of options; those of the robot are added where they fit.
 std::unique_ptr<MotionLevel> make_simplified_dynamics(Setup& setup, const LevelOptions& given) {
   const LevelOptions options = with_own(reference_options(), given);
   return std::make_unique<motion::SimplifiedDynamics>(
@@ -101,6 +102,7 @@ std::vector<LevelType> built_in_levels() {
   };
 }
 
+/// The first one is the default of scenes; the numbers are the longest steps at which the law is stable.
 std::vector<ContactLawType> built_in_contacts() {
   return {
       ContactLawType{"implicit_stick",
@@ -161,6 +163,7 @@ std::unique_ptr<collision::BodyContactLaw> make_body_paper_multipoint(const Opti
   return std::make_unique<collision::BodyPaperLaw>(options);
 }
 
+/// The first one is the default of scenes.
 std::vector<BodyContactLawType> built_in_body_contacts() {
   return {
       BodyContactLawType{"island_gauss_seidel", "all contacts of touching entities settled together; the default",
@@ -181,6 +184,7 @@ std::vector<BodyContactLawType> built_in_body_contacts() {
 
 }  // namespace
 
+/// Compares whole words: one word may be part of another.
 bool has_word(std::string_view words, std::string_view word) {
   for (std::size_t begin = 0; begin < words.size();) {
     const std::size_t end = std::min(words.find(' ', begin), words.size());
@@ -218,6 +222,7 @@ LongestSteps accurate_steps(const ContactLawType& law, const OptionValues& given
   return {std::min(stable.without_servos, accurate.without_servos), std::min(stable.with_servos, accurate.with_servos)};
 }
 
+/// A level gets those of the robot's options that it knows: a robot keeps options of other levels for a change of its level.
 std::unique_ptr<MotionLevel> make_level(std::string_view name, Setup& setup, const LevelOptions& options) {
   const LevelType& type = levels().find(name);
   MUROSIMF_ASSERT(type.make != nullptr);

@@ -81,6 +81,7 @@ std::vector<OptionInfo> motions_options() {
   return options;
 }
 
+/// A file of steps is read here, so that the engine needs no files.
 void attach_motions(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
   locomotion::MotionEngineOptions engine = locomotion::motion_engine_options(robot.model(), options.own);
   if (const auto steps = options.own.find("steps"); steps != options.own.end()) {
@@ -189,6 +190,7 @@ void attach_tcp(Simulation& simulation, Entity& robot, const ControllerOptions& 
   });
 }
 
+/// The library is looked for beside the scene, then in the usual folders.
 void attach_library(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
   if (options.library.empty()) {
     throw SetupError("controller 'library' needs the name of a file: library = \"build/libwalk.so\"");
@@ -209,6 +211,7 @@ void attach_library(Simulation& simulation, Entity& robot, const ControllerOptio
                   {.software = file.string(), .budget = given.budget, .crashes = options.crashes}, options);
 }
 
+/// Without a file of the bus, joints get ids in their order.
 void attach_serial(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
   serial::SerialOptions given;
   serial_options().apply(options.own, given);
@@ -270,6 +273,7 @@ void attach_localize(Simulation& simulation, Entity& robot, const ControllerOpti
   simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz);
 }
 
+/// The course depends on the field and on the direction in which the team attacks.
 void attach_obstacle_course(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
   using soccer::ObstacleCourse;
   soccer::ObstacleCourseOptions course{.start = options.start,

@@ -12,6 +12,7 @@ constexpr double longest_length = 100;                          // [m]
 
 }  // namespace
 
+/// Bounds of all tables keep numbers within what the controllers are made for.
 const OptionTable<locomotion::AnkleStrategyOptions>& balance_options() {
   using Options = locomotion::AnkleStrategyOptions;
   static const OptionTable<Options> table{
@@ -40,6 +41,7 @@ const OptionTable<connect::TrajectoryOptions>& trajectory_options() {
   return table;
 }
 
+/// Longest waits are bounded, so that a wrong number in a file does not stop a run for hours.
 const OptionTable<connect::TcpOptions>& tcp_options() {
   using Options = connect::TcpOptions;
   static const OptionTable<Options> table{

@@ -42,6 +42,7 @@ void check_version(const files::SharedLibrary& library, const std::filesystem::p
        fmt::format("made for '{}', but this program is '{}'; build it anew", version ? version : "", plugin_version));
 }
 
+/// Other exceptions than SetupError would end the program without the name of the plug-in.
 void enter_what_is_in(const files::SharedLibrary& library, const std::filesystem::path& file) {
   auto* enter = function_in<decltype(murosimf_register)>(library, "murosimf_register", file);
   try {

@@ -95,6 +95,7 @@ ControllerLibrary::~ControllerLibrary() {
   }
 }
 
+/// A library is loaded once while any robot uses it; a file that was built anew is another library.
 std::shared_ptr<const ControllerLibrary> ControllerLibrary::load(const fs::path& file) {
   static std::mutex loading;
   static std::map<std::pair<fs::path, fs::file_time_type>, std::weak_ptr<const ControllerLibrary>> loaded;

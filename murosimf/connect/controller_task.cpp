@@ -161,6 +161,7 @@ void ControllerTask::refuse(const CallOutcome& outcome) {
   throw SoftwareCrash(outcome.text);
 }
 
+/// Each kind of change is told once: software that changes something does so in every call.
 void ControllerTask::note(ProcessChanges changes) {
   for (std::size_t i = 0; i < process_change_names.size(); ++i) {
     if (!changes.has(static_cast<ProcessChange>(i))) continue;
@@ -174,6 +175,7 @@ void ControllerTask::note(ProcessChanges changes) {
   }
 }
 
+/// Refused numbers are counted; the first refusal is kept, since the others mostly repeat it.
 void ControllerTask::take_over_commands() {
   const std::size_t refused = port_.accept(now_);
   count_link();
@@ -197,6 +199,7 @@ void ControllerTask::count_link() {
   if (commands) report_.link->commands = commands->counts();
 }
 
+/// Bounded: software may write a line in every cycle.
 void ControllerTask::say(const std::string& line) {
   if (report_.said.size() < SoftwareReport::most_messages) {
     report_.said.push_back({now_, line});

@@ -7,6 +7,7 @@
 
 namespace murosimf::connect {
 
+/// A lost row still counts as sent, and takes its turn in the random numbers of the link.
 void DelayedRows::send(Duration now, std::span<const double> numbers) {
   ++sent_;
   ++counts_.sent;

@@ -41,6 +41,7 @@ LibraryRobot::LibraryRobot(const Setup& setup, RobotPort& port, SayLine say, Opt
   robot_.draw = draw;
 }
 
+/// After creation: only then it is known which options the software asks for.
 void LibraryRobot::check_options(const std::string& owner) const {
   const std::vector<std::string_view> known(asked_.begin(), asked_.end());
   if (!wrong_option_.empty()) throw SetupError(fmt::format("{}: {}", owner, wrong_option_));
@@ -76,6 +77,7 @@ const char* LibraryRobot::label(const murosimf_robot* robot, const char* name, s
   return labels && i < labels->size() ? (*labels)[i].c_str() : nullptr;
 }
 
+/// The first wrong option is kept: software cannot be told by an exception.
 template <class T>
 const T* LibraryRobot::option(const char* name) {
   asked_.insert(name);
@@ -172,5 +174,4 @@ int LibraryRobot::receive(const murosimf_robot* robot, murosimf_message* message
   return 1;
 }
 
-MUROSIMF_ASSERT(bytes.size() <= room_);
 }  // namespace murosimf::connect

@@ -129,6 +129,7 @@ void LibrarySoftware::give_up(const CallOutcome& outcome) noexcept {
   instance_ = nullptr;
 }
 
+/// A library that has crashed may have damaged its memory: it is not called again.
 CallOutcome LibrarySoftware::start() {
   if (crashed_) return {CallOutcome::crashed, fmt::format("{} has crashed before; it cannot begin again", step_.name)};
   news_.clear();

@@ -18,6 +18,7 @@ void append(Hasher& hasher, const std::vector<TeamMessage>& messages) {
 
 }  // namespace
 
+/// A robot that does not read keeps the newest messages.
 void MessageBox::deliver(TeamMessage message) {
   MUROSIMF_ASSERT(inbox.size() <= most_unread);
   ++counts.arrived;

@@ -129,6 +129,7 @@ void MessageExchange::deliver_from_outside(Duration now) {
   }
 }
 
+/// Ways are created again on loading, since a state may have more of them than this run had so far.
 void MessageExchange::state(StateArchive& archive) {
   archive(on_their_way_);
   for (const OnItsWay& message : on_their_way_) {

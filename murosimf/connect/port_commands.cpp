@@ -62,6 +62,7 @@ std::optional<int> mover_of(std::string_view name) {
   return std::nullopt;
 }
 
+/// The walk moves these joints: targets for them would have no effect.
 std::vector<int> joints_of_legs(const Model& model) {
   std::vector<int> joints;
   for (const locomotion::Leg& leg : locomotion::find_legs(model)) {
@@ -92,6 +93,7 @@ bool PortCommands::uses_motions() const {
   return !watched_.empty() || has(motion_velocity) || has(motion_play) || has(motion_kick);
 }
 
+/// Only while the robot is set up: properties cannot be added later.
 void PortCommands::watch_motions(std::string_view signal) {
   if (!setup_) {
     throw SetupError(
@@ -256,6 +258,7 @@ void PortCommands::declare(Setup& setup) const {
   for (const Command& command : commands_) command.declare(setup);
 }
 
+/// Software that begins again begins with the same commands as at the start.
 void PortCommands::restart() noexcept {
   if (link_) link_->restart();
   for (Command& command : commands_) {
@@ -298,6 +301,7 @@ std::vector<double> PortCommands::numbers_set() const {
   return numbers;
 }
 
+/// Numbers of a recorded call, in the order in which the commands were requested.
 void PortCommands::set_numbers(std::span<const double> numbers) noexcept {
   for (Command& command : commands_) {
     if (numbers.size() < command.staged.size()) return;
@@ -306,6 +310,7 @@ void PortCommands::set_numbers(std::span<const double> numbers) noexcept {
   }
 }
 
+/// All commands in one row: they arrive together or not at all.
 void PortCommands::send(Duration now) {
   MUROSIMF_ASSERT(link_);
   sent_.clear();
@@ -333,12 +338,13 @@ void PortCommands::settle() noexcept {
 
 std::string PortCommands::refusal() const {
   if (!refused_.command) return {};
-  MUROSIMF_ASSERT(refused_.number < command.labels.size());
   const Command& command = *refused_.command;
+  MUROSIMF_ASSERT(refused_.number < command.labels.size());
   return fmt::format("{} of {} is {:.6g}, not in {:.6g} to {:.6g}", command.name, command.labels[refused_.number],
                      refused_.value, command.lowest[refused_.number], command.highest[refused_.number]);
 }
 
+/// Staged numbers of an unfinished call belong to no state: they begin as what was accepted.
 void PortCommands::state(StateArchive& archive) {
   for (Command& command : commands_) {
     archive.elements(std::span(command.accepted));

@@ -49,6 +49,7 @@ const murosimf_picture* PortPictures::find(std::string_view name) {
   return &known()->row->shown_head<const murosimf_picture>();
 }
 
+/// Only while the robot is set up: cameras draw only what was requested.
 void PortPictures::make(std::string_view name) {
   if (!setup_) {
     throw SetupError(

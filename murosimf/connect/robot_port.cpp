@@ -118,6 +118,7 @@ const murosimf_signal* RobotPort::signal(std::string_view name) {
   return &found->row->shown_head<const murosimf_signal>();
 }
 
+/// Rows on their way have the old length: they are dropped when another signal is requested.
 void RobotPort::renew_requests() noexcept {
   bool any = false;
   for (Signal& signal : signals_) {
@@ -157,6 +158,7 @@ const std::vector<std::string>* RobotPort::labels(std::string_view name) const {
   return signal != signals_.end() ? &signal->labels : commands_.labels(name);
 }
 
+/// Over a link, software sees what has arrived; without one, what is.
 void RobotPort::refresh(Duration now) noexcept {
   now_ = now;
   radio_.refresh(now);
@@ -189,6 +191,7 @@ void RobotPort::send_over_link(Duration now) {
   link_->send(now, sent_);
 }
 
+/// The row has the signals that were wanted when it was sent, which renew_requests() guarantees.
 void RobotPort::receive_over_link(Duration now) noexcept {
   const std::vector<double>* const arrived = link_->receive(now);
   if (!arrived) return;
@@ -200,9 +203,10 @@ void RobotPort::receive_over_link(Duration now) noexcept {
     for (double& value : signal.values) value = *number++;
     show(signal);
   }
+  MUROSIMF_ASSERT(number == arrived->end());
 }
-MUROSIMF_ASSERT(number == arrived->end());
 
+/// Over a link, software has seen nothing until the first row arrives.
 void RobotPort::restart() noexcept {
   commands_.restart();
   pad_.clear();

@@ -39,6 +39,7 @@ class TrajectoryReader {
  private:
   [[nodiscard]] const std::string& name_of(const Joint& joint) const { return model_->objects()[joint.object].name; }
 
+  /// Times must increase: samples are found by bisection.
   void read_row() {
     if (line_.size() != header_.cells) {
       cells_.fail(1, fmt::format("{} cells, where the first line has {}", line_.size(), header_.cells));
@@ -68,6 +69,7 @@ class TrajectoryReader {
     joint.values.push_back(value);
   }
 
+  /// Joints may have gaps: the one with most samples shows the spacing of the file.
   void measure_times() {
     MUROSIMF_ASSERT(!trajectory_.joints.empty());
     const auto& longest =

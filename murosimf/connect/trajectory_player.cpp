@@ -30,9 +30,10 @@ TrajectoryPlayer::TrajectoryPlayer(Setup& setup, JointTrajectory trajectory, con
       length_(trajectory_.last - begin_),
       period_(options.loop ? loop_period(trajectory_, begin_) : 0),
       time_(setup.write(properties::motion_time)[0]),
-      target_(setup.write(properties::joint_target)) {}
+      target_(setup.write(properties::joint_target)) {
+  MUROSIMF_ASSERT(length_ >= 0 && (period_ == 0 || period_ >= length_));
+}
 
-MUROSIMF_ASSERT(length_ >= 0 && (period_ == 0 || period_ >= length_));
 void TrajectoryPlayer::initialize() {
   time_ = -delay_;
   std::fill(target_.begin(), target_.end(), 0.0);

@@ -72,6 +72,7 @@ GameLog GameLog::parse(std::string_view text, const std::string& name) {
   return log;
 }
 
+/// Only the channels of the game: a recording has other input from outside, too.
 GameLog GameLog::of(const ExternalInputLog& notes) {
   GameLog log;
   for (const std::string& name : notes.names()) {
@@ -115,6 +116,7 @@ std::vector<std::string> NotedDatagrams::take(Duration now) {
   return taken;
 }
 
+/// In a run that is repeated, what was received comes from the memory, at the instants at which it was taken then.
 std::vector<std::string> RememberedDatagrams::take(Duration now) {
   if (!memory_->repeats()) {
     std::vector<std::string> taken = source_->take(now);

@@ -65,6 +65,7 @@ GameTask::Member GameTask::member(Setup setup, const Player& player) const {
   return member;
 }
 
+/// A run that begins anew waits for the first word of the referee again.
 void GameTask::initialize() {
   game_ = {};
   words_ = 0;
@@ -77,6 +78,7 @@ void GameTask::initialize() {
   }
 }
 
+/// A robot that enters has no penalty until the next word of the referee.
 void GameTask::entity_entered(const Entity& entity) {
   for (std::size_t i = 0; i < members_.size(); ++i) {
     if (members_[i].player.robot != &entity) continue;
@@ -178,6 +180,7 @@ void GameTask::show(Member& member, Duration now) const {
                 static_cast<double>(player.red_cards)};
 }
 
+/// Only changes count. Some penalties take the robot off the field, others leave it where it stands.
 void GameTask::judge(std::size_t number) {
   MUROSIMF_ASSERT(number < members_.size() && number < holds_.size());
   const Player& player = members_[number].player;
@@ -191,6 +194,7 @@ void GameTask::judge(std::size_t number) {
                         : fmt::format("game: {}: the penalty has ended", player.robot->name()));
 }
 
+/// Only what differs from the word before: referees repeat their state twice per second.
 void GameTask::publish_changes(const GameState& before) {
   if (words_ == 1 || game_.state != before.state) events_.push_back(fmt::format("game: {}", state_name(game_.state)));
   if (game_.secondary_state != before.secondary_state) {
@@ -206,6 +210,7 @@ void GameTask::publish_changes(const GameState& before) {
       fmt::format("game: {} {}, {} {}", options_.team_names[0], scores[0], options_.team_names[1], scores[1]));
 }
 
+/// Robots that are absent do not answer, as if they were switched off.
 void GameTask::answer() const {
   for (const Member& member : members_) {
     if (member.player.robot->idle()) continue;
@@ -214,6 +219,7 @@ void GameTask::answer() const {
   }
 }
 
+/// Units are those of the protocol.
 void GameTask::report() const {
   for (const Member& member : members_) {
     const std::size_t team = member.player.team;

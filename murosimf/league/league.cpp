@@ -65,6 +65,7 @@ class League::BetweenSteps final : public GameTask::Scene {
   void record(std::string event) override { scene_->simulation().record(std::move(event)); }
   void warn(std::string warning) override { scene_->parts().diagnostics.warn(std::move(warning)); }
 
+  /// Free places depend on where all others are at this moment.
   scene::Placement place(const Player& player) override {
     std::vector<Vec3d> others;
     for (const Entity* entity : scene_->moving_entities()) {
@@ -158,6 +159,7 @@ void League::referee_by(Referee& referee) {
   task_ = &simulation.attach<GameTask>("game", spec.rate, players_of(*scene_), referee, options);
 }
 
+/// Unknown teams are refused here: their messages would get lost without a sign.
 void League::forward(const TeamLink& link) {
   std::vector<std::string_view> teams;
   for (const scene_file::TeamSpec& team : scene_->spec().teams) teams.push_back(team.name);

@@ -35,6 +35,7 @@ std::uint8_t penalty_of(int number, int version) {
   return old_penalties[static_cast<std::size_t>(checked(number, old_penalties.size() - 1, "penalty"))];
 }
 
+/// Versions differ in which bytes a player has.
 PlayerState player(const PacketBytes& bytes, int version) {
   PlayerState player{.penalty = penalty_of(bytes.one(0), version), .seconds_left = bytes.one(1)};
   if (version == 19) {
@@ -66,6 +67,7 @@ void append_float(std::string& bytes, double value) {
 
 std::size_t soccer_bytes(int version) noexcept { return head_bytes + 2 * team_bytes(version); }
 
+/// The size is checked first: all offsets below follow from the version.
 GameState read_soccer_packet(std::string_view packet) {
   const PacketBytes bytes(packet);
   const int version = bytes.one(4);

@@ -84,6 +84,7 @@ std::uint16_t UdpPort::port() const {
   return ntohs(address.sin_port);
 }
 
+/// Bounded, so that a flood of datagrams does not stop the step.
 std::vector<std::string> UdpPort::take(Duration) {
   std::vector<std::string> taken;
   std::array<char, longest_datagram> bytes;

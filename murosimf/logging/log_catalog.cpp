@@ -87,6 +87,7 @@ std::vector<LoggedNumber> numbers_of_sensors(Entity& entity) {
   return numbers;
 }
 
+/// In the order of the model, then of the properties: columns of a log are in the same order in every run.
 std::vector<LoggedNumber> numbers_of_properties(Entity& entity) {
   std::vector<LoggedNumber> numbers;
   for (const std::string_view object : entity.model().object_names()) {

@@ -28,6 +28,7 @@ void append_number(std::string& text, double number) {
   }
 }
 
+/// Series have different rates: each row has the numbers of all that have a sample at its instant.
 std::optional<Duration> earliest(const std::vector<const LogSeries*>& series, const Places& places) {
   std::optional<Duration> first;
   for (std::size_t s = 0; s < series.size(); ++s) {
@@ -37,6 +38,7 @@ std::optional<Duration> earliest(const std::vector<const LogSeries*>& series, co
   return first;
 }
 
+/// Empty cells where the series has no sample at this instant.
 void append_cells(std::string& text, const LogSeries& series, Duration time, std::size_t& place) {
   const std::size_t width = series.names.size();
   MUROSIMF_ASSERT(series.values.size() == series.times.size() * width);

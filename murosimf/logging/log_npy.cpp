@@ -33,6 +33,7 @@ std::string python_text(std::string_view text) {
   return literal + "'";
 }
 
+/// Every instant once, although several series have samples at it.
 std::vector<Duration> instants(const std::vector<const LogSeries*>& series) {
   std::vector<Duration> times;
   for (const LogSeries* one : series) times.insert(times.end(), one->times.begin(), one->times.end());
@@ -52,6 +53,7 @@ std::string header_of(const std::vector<const LogSeries*>& series, std::size_t r
   return header + '\n';
 }
 
+/// NaN where the series has no sample at this instant: all rows of the array have the same size.
 void append_row(std::string& bytes, const LogSeries& series, Duration time, std::size_t& place) {
   const std::size_t width = series.names.size();
   MUROSIMF_ASSERT(series.values.size() == series.times.size() * width);

@@ -195,6 +195,7 @@ std::string LoggedNumber::name() const {
   return unit.empty() || unit == "-" ? text : fmt::format("{} [{}]", text, unit);
 }
 
+/// Patterns may overlap: every number is logged once.
 std::vector<LoggedNumber> find_logged(const World& world, const std::vector<std::string>& patterns) {
   std::vector<LoggedNumber> logged;
   std::set<std::tuple<const Entity*, std::string, int, std::string, std::size_t>> known;

@@ -50,6 +50,7 @@ std::string key_of(const files::CsvColumn& column) {
   return fmt::format("{}.{} {}", parts[0], parts[1], column.unit);
 }
 
+/// Columns of the same quantity share a panel.
 std::vector<Group> groups_of(const std::vector<const files::CsvColumn*>& columns) {
   std::vector<Group> groups;
   for (const files::CsvColumn* column : columns) {
@@ -116,6 +117,7 @@ Panel panel_of(const Group& group) {
   return panel;
 }
 
+/// A plot of hundreds of curves shows nothing.
 void check_sizes(const std::vector<Group>& groups) {
   constexpr const char* advice = "name those to draw, like 'murosimf plot FILE";
   if (groups.size() > most_panels) {

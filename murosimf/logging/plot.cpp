@@ -164,6 +164,7 @@ void write_panels(std::string& script, const Plot& plot, int height) {
 
 }  // namespace
 
+/// Panels without a curve are left out: gnuplot refuses an empty plot.
 std::string gnuplot_script(const Plot& all) {
   Plot plot = all;
   std::erase_if(plot.panels, [](const Panel& panel) { return !can_be_drawn(panel); });
@@ -191,6 +192,7 @@ void check_gnuplot() {
   throw SetupError("plots need the program gnuplot, which does not start here (Debian and Ubuntu: gnuplot-nox)");
 }
 
+/// The picture comes through gnuplot's output: a failed run leaves no part of a file.
 void write_plot(const std::filesystem::path& file, const Plot& plot) {
   check(plot);
   files::check_writable(file);

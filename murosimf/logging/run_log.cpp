@@ -57,6 +57,7 @@ void RunLog::attach_sensor_logs(const std::vector<LoggedNumber>& logged, double 
   }
 }
 
+/// Numbers of one property follow each other: they share one series, whose row is read at once.
 void RunLog::add_property(const LoggedNumber& number) {
   const bool next = properties_.empty() || properties_.back().entity != number.entity ||
                     properties_.back().object != number.object || properties_.back().property != number.property;

@@ -44,6 +44,7 @@ void attach_files(McapWriter& out, const AttachedFiles& files) {
   if (!files.folders.values.empty()) out.add(files.folders);
 }
 
+/// Attachments are copied as they are: their hashes are in the metadata.
 void copy_files(McapWriter& out, const McapReader& from) {
   for (const AttachmentIndex& one : from.contents().attachments) {
     if (one.name.starts_with(files_prefix)) out.attach(from.attachment(one));

@@ -53,6 +53,7 @@ struct ReadLink {
   Transformd pose;
 };
 
+/// A transform of two named frames.
 ReadLink read_link(ProtobufReader in) {
   ReadLink link;
   while (in.next()) {
@@ -80,6 +81,7 @@ std::string robot_of(const std::map<std::string, std::size_t>& links, const std:
   return wanted;
 }
 
+/// The frames of all messages: a link may be absent at the start.
 std::map<std::string, std::size_t> links_by_owner(const McapReader& file) {
   std::map<std::string, std::set<std::string, std::less<>>> links;
   visit_topics(file, {"/tf"}, [&](const std::string&, const Message& message, std::size_t) {
@@ -95,6 +97,7 @@ std::map<std::string, std::size_t> links_by_owner(const McapReader& file) {
   return counts;
 }
 
+/// The rate of the recording, if it has one: BVH has equal steps of time.
 Duration period_of(const McapReader& file) {
   for (const MetadataIndex& index : file.contents().metadata) {
     const Metadata all = file.metadata(index);
@@ -171,6 +174,7 @@ class Motion {
     return index;
   }
 
+  /// BVH has joints that turn only.
   void check_sliding(const McapReader& file, const std::string& robot) const {
     for (const Channel& channel : file.contents().channels) {
       if (channel.topic != "/joints") continue;
@@ -186,80 +190,81 @@ class Motion {
     throw SetupError(fmt::format("joint '{}' of '{}' slides; BVH has only joints that turn", joint, robot));
   }
 
-  /// [m] how far its place was from the mean.
   /// [m] Largest distance of its place from the mean.
-  const Vec3d mean = offset(joint);
-  return std::max(norm(joint.high - mean), norm(joint.low - mean));
-} [[nodiscard]] Vec3d offset(const Joint& joint) const {
-  if (&joint == joints_.data()) return {};
-  MUROSIMF_ASSERT(!frames_.empty());
-  return (1.0 / static_cast<double>(frames_.size())) * joint.sum;
-}
-
-void put_joint(std::string& text, std::size_t index, std::size_t depth) const {
-  const Joint& joint = joints_[index];
-  const std::string tab(2 * depth, ' '), inner(2 * depth + 2, ' ');
-  text += fmt::format("{}{} {}\n{}{{\n", tab, index == 0 ? "ROOT" : "JOINT", joint.name, tab);
-  put_offset(text, inner, offset(joint));
-  text += fmt::format("{}CHANNELS {}Zrotation Xrotation Yrotation\n", inner,
-                      index == 0 ? "6 Xposition Yposition Zposition " : "3 ");
-  for (const std::size_t child : joint.children) put_joint(text, child, depth + 1);
-  if (joint.children.empty()) {  // extends its parent's bone by half
-    const Vec3d way = 0.5 * offset(joint);
-    text += fmt::format("{}End Site\n{}{{\n", inner, inner);
-    put_offset(text, inner + "  ", norm(way) > 0 ? way : Vec3d{stub, 0, 0});
-    text += fmt::format("{}}}\n", inner);
+  [[nodiscard]] double moved(const Joint& joint) const {
+    const Vec3d mean = offset(joint);
+    return std::max(norm(joint.high - mean), norm(joint.low - mean));
   }
-  text += fmt::format("{}}}\n", tab);
-}
-
-static void put_offset(std::string& text, const std::string& tab, const Vec3d& offset) {
-  const Vec3d v = rounded(centimetres * in_bvh(offset), digits);
-  text += fmt::format("{}OFFSET {:.6f} {:.6f} {:.6f}\n", tab, v.x, v.y, v.z);
-}
-
-void put_motion(std::string& text, Duration period) const {
-  MUROSIMF_ASSERT(period > Duration{} && !frames_.empty());
-  const Duration begin = frames_.front().time;
-  if (seconds(frames_.back().time) - seconds(begin) > static_cast<double>(most_frames) * seconds(period))
-    throw SetupError(fmt::format("it lasts longer than {} frames, as many as become BVH", most_frames));
-  const auto number_of = [&](const MotionFrame& frame) {
-    return static_cast<std::size_t>((frame.time - begin + period / 2) / period);
-  };
-  const std::size_t count = number_of(frames_.back()) + 1;
-  text += fmt::format("MOTION\nFrames: {}\nFrame Time: {:.9f}\n", count, seconds(period));
-  std::vector<std::size_t> order;
-  put_order(order, 0);
-  std::string line;
-  std::size_t written = 0;
-  for (const MotionFrame& frame : frames_) {
-    for (const std::size_t number = number_of(frame); written < number; ++written) text += line;
-    line = line_of(frame, order);
+  [[nodiscard]] Vec3d offset(const Joint& joint) const {
+    if (&joint == joints_.data()) return {};
+    MUROSIMF_ASSERT(!frames_.empty());
+    return (1.0 / static_cast<double>(frames_.size())) * joint.sum;
   }
-  text += line;
-}
 
-/// Joints in the order of the hierarchy, which is that of the channels.
-void put_order(std::vector<std::size_t>& order, std::size_t index) const {
-  order.push_back(index);
-  for (const std::size_t child : joints_[index].children) put_order(order, child);
-}
-
-static std::string line_of(const MotionFrame& frame, const std::vector<std::size_t>& order) {
-  MUROSIMF_ASSERT(frame.angles.size() == order.size());
-  const Vec3d place = rounded(centimetres * in_bvh(frame.place), digits);
-  std::string line = fmt::format("{:.5f} {:.5f} {:.5f}", place.x, place.y, place.z);
-  for (const std::size_t joint : order) {
-    const Vec3d angles = rounded(degrees * frame.angles[joint], digits);
-    line += fmt::format(" {:.6f} {:.6f} {:.6f}", angles.x, angles.y, angles.z);
+  void put_joint(std::string& text, std::size_t index, std::size_t depth) const {
+    const Joint& joint = joints_[index];
+    const std::string tab(2 * depth, ' '), inner(2 * depth + 2, ' ');
+    text += fmt::format("{}{} {}\n{}{{\n", tab, index == 0 ? "ROOT" : "JOINT", joint.name, tab);
+    put_offset(text, inner, offset(joint));
+    text += fmt::format("{}CHANNELS {}Zrotation Xrotation Yrotation\n", inner,
+                        index == 0 ? "6 Xposition Yposition Zposition " : "3 ");
+    for (const std::size_t child : joint.children) put_joint(text, child, depth + 1);
+    if (joint.children.empty()) {  // extends its parent's bone by half
+      const Vec3d way = 0.5 * offset(joint);
+      text += fmt::format("{}End Site\n{}{{\n", inner, inner);
+      put_offset(text, inner + "  ", norm(way) > 0 ? way : Vec3d{stub, 0, 0});
+      text += fmt::format("{}}}\n", inner);
+    }
+    text += fmt::format("{}}}\n", tab);
   }
-  return line + "\n";
-}
 
-std::string prefix_;  // of frames
-std::vector<Joint> joints_;
-std::map<std::string, std::size_t, std::less<>> by_frame_;
-std::vector<MotionFrame> frames_;
+  static void put_offset(std::string& text, const std::string& tab, const Vec3d& offset) {
+    const Vec3d v = rounded(centimetres * in_bvh(offset), digits);
+    text += fmt::format("{}OFFSET {:.6f} {:.6f} {:.6f}\n", tab, v.x, v.y, v.z);
+  }
+
+  void put_motion(std::string& text, Duration period) const {
+    MUROSIMF_ASSERT(period > Duration{} && !frames_.empty());
+    const Duration begin = frames_.front().time;
+    if (seconds(frames_.back().time) - seconds(begin) > static_cast<double>(most_frames) * seconds(period))
+      throw SetupError(fmt::format("it lasts longer than {} frames, as many as become BVH", most_frames));
+    const auto number_of = [&](const MotionFrame& frame) {
+      return static_cast<std::size_t>((frame.time - begin + period / 2) / period);
+    };
+    const std::size_t count = number_of(frames_.back()) + 1;
+    text += fmt::format("MOTION\nFrames: {}\nFrame Time: {:.9f}\n", count, seconds(period));
+    std::vector<std::size_t> order;
+    put_order(order, 0);
+    std::string line;
+    std::size_t written = 0;
+    for (const MotionFrame& frame : frames_) {
+      for (const std::size_t number = number_of(frame); written < number; ++written) text += line;
+      line = line_of(frame, order);
+    }
+    text += line;
+  }
+
+  /// Joints in the order of the hierarchy, which is that of the channels.
+  void put_order(std::vector<std::size_t>& order, std::size_t index) const {
+    order.push_back(index);
+    for (const std::size_t child : joints_[index].children) put_order(order, child);
+  }
+
+  static std::string line_of(const MotionFrame& frame, const std::vector<std::size_t>& order) {
+    MUROSIMF_ASSERT(frame.angles.size() == order.size());
+    const Vec3d place = rounded(centimetres * in_bvh(frame.place), digits);
+    std::string line = fmt::format("{:.5f} {:.5f} {:.5f}", place.x, place.y, place.z);
+    for (const std::size_t joint : order) {
+      const Vec3d angles = rounded(degrees * frame.angles[joint], digits);
+      line += fmt::format(" {:.6f} {:.6f} {:.6f}", angles.x, angles.y, angles.z);
+    }
+    return line + "\n";
+  }
+
+  std::string prefix_;  // of frames
+  std::vector<Joint> joints_;
+  std::map<std::string, std::size_t, std::less<>> by_frame_;
+  std::vector<MotionFrame> frames_;
 };
 
 }  // namespace

@@ -28,6 +28,7 @@ json curves(const std::vector<std::string>& robots) {
 
 }  // namespace
 
+/// The panels that are useful for any recording, filled with its topics.
 std::string foxglove_layout(const std::vector<std::string>& robots) {
   json layout;
   layout["configById"]["3D!bodies"] = {{"followTf", "world"},

@@ -50,6 +50,7 @@ void FrameReader::refuse_index() const {
   throw SetupError(file_.file().string() + ": its index of times is wrong; 'murosimf repair' mends it");
 }
 
+/// The last chunks are kept: neighboring frames are mostly in the same one.
 const FrameReader::Chunk& FrameReader::read(std::size_t index) {
   MUROSIMF_ASSERT(index < chunks_.size());
   const auto known = std::ranges::find(kept_, index, &Chunk::index);
@@ -105,6 +106,7 @@ const RecordedFrame& FrameReader::at(Duration time) {
   refuse_index();
 }
 
+/// The first message after the time: in this chunk or the next one that has any.
 std::optional<Duration> FrameReader::after(Duration time) {
   if (time >= end_) return std::nullopt;
   const auto ends = [&](std::size_t chunk) {
@@ -139,6 +141,7 @@ void FrameReader::take_transforms(std::string_view data) {
   }
 }
 
+/// Joints are found by name: other programs may write them in another order.
 void FrameReader::take_joints(std::string_view data, bool targets) {
   for (ProtobufReader all(data); all.next();) {
     if (all.field() != 2) continue;
@@ -156,6 +159,7 @@ void FrameReader::take_joints(std::string_view data, bool targets) {
   }
 }
 
+/// Bodies of contacts are not needed for pictures.
 void FrameReader::take_contacts(std::string_view data) {
   for (ProtobufReader all(data); all.next();) {
     if (all.field() != 2) continue;

@@ -46,6 +46,7 @@ void put_transform(ProtobufWriter& out, const std::string& time, std::string_vie
   });
 }
 
+/// A joint without torque has no such field: readers distinguish it from 0.
 void put_joint(ProtobufWriter& out, const std::string& name, const JointNumbers& joint) {
   out.message(2, [&](ProtobufWriter& in) {
     in.text(1, name);
@@ -117,6 +118,7 @@ void put_state(std::string& bytes, Duration time, std::uint64_t hash, std::span<
   if (!state.empty()) out.bytes(3, {reinterpret_cast<const char*>(state.data()), state.size()});
 }
 
+/// Each sensor has a schema of its own, with the names of its outputs as fields.
 MessageSchema sensor_schema(const RecordedSensor& sensor) {
   MessageSchema schema{.name = fmt::format("murosimf.sensors.{}_{}", identifier(sensor.entity),
                                            identifier(sensor.reading->info->name)),
@@ -210,6 +212,7 @@ void FrameWriter::write(const RecordedFrame& frame) {
   if (contacts_) write_contacts(frame);
 }
 
+/// Hashes alone in each frame; whole states are much larger, and less frequent.
 void FrameWriter::write_state(const RecordedFrame& frame) {
   if (!frame.hash) return;
   bytes_.clear();
@@ -221,6 +224,7 @@ void FrameWriter::write_state(const RecordedFrame& frame) {
   file_.write(late_channel(states_, "/state", "murosimf.State"), frame.time, bytes_);
 }
 
+/// Absent entities have no transforms, so that viewers do not show them.
 void FrameWriter::write_transforms(const RecordedFrame& frame) {
   MUROSIMF_ASSERT(frame.present.size() == entities_.size());
   std::string time;
@@ -246,6 +250,7 @@ void FrameWriter::write_transforms(const RecordedFrame& frame) {
   file_.write(*transforms_, frame.time, bytes_);
 }
 
+/// Measured numbers or targets, in messages of the same form.
 void FrameWriter::write_joints(const RecordedFrame& frame, bool targets) {
   MUROSIMF_ASSERT(frame.present.size() == entities_.size());
   bytes_.clear();
@@ -278,6 +283,7 @@ void FrameWriter::write_contacts(const RecordedFrame& frame) {
   file_.write(*forces_, frame.time, force_arrows(frame.time, frame.contacts));
 }
 
+/// With the instant of the sample, which lies before the one at which it arrives.
 void FrameWriter::write_sample(const SensorSample& sample) {
   MUROSIMF_ASSERT(sample.sensor < sensors_.size() && sample.sensor < samples_.size());
   bytes_.clear();

@@ -55,6 +55,7 @@ void put_line(ProtobufWriter& out, const DrawnShape& shape, const std::vector<Ve
   });
 }
 
+/// A ball of any kind is a sphere of the viewer.
 void put_ball(ProtobufWriter& out, const DrawnShape& shape, const Vec3d& center, double width) {
   out.message(drawn_spheres, [&](ProtobufWriter& in) {
     put_pose(in, 1, {center, {}}, pose_step);
@@ -63,6 +64,7 @@ void put_ball(ProtobufWriter& out, const DrawnShape& shape, const Vec3d& center,
   });
 }
 
+/// Viewers draw triangles only.
 void put_area(ProtobufWriter& out, const DrawnShape& shape) {
   std::vector<std::uint32_t> corners_of_triangles;
   for (const auto& triangle : render::polygon_triangles(shape.points)) {
@@ -110,6 +112,7 @@ void put_shape(ProtobufWriter& out, const DrawnShape& shape) {
   }
 }
 
+/// The exact shape, beside the viewer's primitives, from which it could not be read again.
 std::string to_json(const DrawnShape& shape) {
   json points = json::array();
   for (const Vec3d& point : shape.points) points.push_back({point.x, point.y, point.z});
@@ -236,6 +239,7 @@ void DrawingWriter::write(const RecordedFrame& frame) {
   }
 }
 
+/// All that was drawn before is deleted first: a message has the whole sheet.
 std::string drawing_message(Duration time, const FrameDrawings& drawn) {
   std::string bytes;
   ProtobufWriter out(bytes);

@@ -7,6 +7,7 @@
 
 namespace murosimf::recording {
 
+/// Numbers of entities are those of this world: they differ after another scene was loaded.
 void OthersWatch::meet(const World& world, const std::vector<RecordedEntity>& entities) {
   teams_ = drawing::teams_of(world);
   names_.assign(teams_.size(), {});
@@ -55,6 +56,7 @@ RecordedExternalDrawings::RecordedExternalDrawings(const World& world) {
   }
 }
 
+/// Each topic has the whole sheet: it replaces the one before.
 bool RecordedExternalDrawings::take(const std::map<DrawingTopic, std::vector<DrawnGroup>>& news) {
   bool any = false;
   for (const auto& [topic, groups] : news) {

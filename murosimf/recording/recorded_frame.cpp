@@ -14,6 +14,7 @@ double number_at(const Column<double>* column, int object) {
   return column ? column->values[static_cast<std::size_t>(object)] : std::numeric_limits<double>::quiet_NaN();
 }
 
+/// Columns are found once: frames are taken in each step.
 RecordedEntity recorded(const Entity& entity) {
   RecordedEntity result{.entity = &entity, .name = entity.name(), .links = {}, .joints = {}, .columns = {}};
   const Model& model = entity.model();
@@ -30,6 +31,7 @@ RecordedEntity recorded(const Entity& entity) {
 
 }  // namespace
 
+/// Everything that has a pose.
 std::vector<RecordedEntity> recorded_entities(const World& world) {
   std::vector<RecordedEntity> result;
   for (const auto& entity : world.entities()) {

@@ -54,6 +54,7 @@ struct LookUp {
   std::string name, kind, extension, folder;
 };
 
+/// The inverse of the key's text: parts are separated by line ends.
 LookUp parse_key(const std::string& key) {
   LookUp look_up;
   std::string* const fields[] = {&look_up.name, &look_up.kind, &look_up.extension, &look_up.folder};
@@ -135,6 +136,7 @@ void RecordedPaths::add(const fs::path& folder, const std::string& name) {
   std::ranges::stable_sort(roots_, std::greater{}, [](const auto& root) { return root.first.size(); });
 }
 
+/// The first root that contains the file: roots are ordered from the innermost one.
 std::string RecordedPaths::reduced(const fs::path& file) const {
   const fs::path path = whole(file);
   for (const auto& [folder, name] : roots_) {
@@ -151,6 +153,7 @@ std::string RecordedPaths::in_text(const std::string& text) const {
   return home().empty() ? changed : with_name(changed, home().string(), "~");
 }
 
+/// Paths within a command line may be quoted or part of an option.
 std::string RecordedPaths::in_command_line(const std::string& line) const {
   const std::string text = in_text(line);
   const auto ends = [](char c) { return std::string_view(" '\"=:,;[]()").find(c) != std::string_view::npos; };

@@ -109,6 +109,7 @@ std::string stamp(Duration time) {
 
 }  // namespace
 
+/// Cameras are drawn only if something reads them: the recording does.
 void want_pictures(World& world) {
   for (const auto& entity : world.entities()) {
     for (const sensors::CameraFrame* frame : sensors::frames_of(*entity)) {
@@ -117,6 +118,7 @@ void want_pictures(World& world) {
   }
 }
 
+/// Cameras are placed relative to the link that carries them.
 std::vector<RecordedCamera> recorded_cameras(const std::vector<RecordedEntity>& entities) {
   std::vector<RecordedCamera> cameras;
   for (const RecordedEntity& one : entities) {

@@ -12,6 +12,7 @@
 namespace murosimf::recording {
 namespace {
 
+/// Recordings without a description can be looked at, but not repeated.
 RunDescription description_of(const McapReader& file) {
   return with_context(file.file().string(), [&] {
     const std::string json = attached_text(file, "run.json");
@@ -43,6 +44,7 @@ RecordedRun::RecordedRun(const std::filesystem::path& file)
   end_ = Duration(static_cast<Duration::rep>(file_.contents().statistics.end_time));
 }
 
+/// Everything that could make the repeated run another one is refused here.
 std::shared_ptr<scene::Scene> RecordedRun::build(const RepeatOptions& options) const {
   const RunDescription& run = description_;
   return with_context(file_.file().string(), [&] {
@@ -91,6 +93,7 @@ std::unique_ptr<scene::Scene> RecordedRun::build_to_show(const RepeatOptions& op
   });
 }
 
+/// Software outside of the program is repeated from what it sent, which must be in the recording.
 void RecordedRun::check_repeatable(const scene::Scene& scene) const {
   for (const scene_file::RobotSpec& robot : scene.spec().robots) {
     if (robot.controller != "tcp" && robot.controller != "serial") continue;
@@ -105,6 +108,7 @@ void RecordedRun::initialize(scene::Scene& scene) const {
   scene.simulation().initialize();
 }
 
+/// From the last state before the time; the rest of the way is stepped.
 void RecordedRun::begin(scene::Scene& scene, Duration time, bool states) const {
   initialize(scene);
   const Duration start = description_.start;

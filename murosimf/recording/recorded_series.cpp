@@ -52,6 +52,7 @@ class Gathering {
     return known->second = &series_.back().series;
   }
 
+  /// A pattern without a number is an error, since it is most likely misspelled.
   [[nodiscard]] std::vector<LogSeries> take() {
     for (std::size_t i = 0; i < patterns_.size(); ++i) {
       if (!found_[i]) throw SetupError(unknown_name("number", patterns_[i], {names_.begin(), names_.end()}));
@@ -142,6 +143,7 @@ class MessageNumbers {
     }
   }
 
+  /// The name comes before the numbers, as the writer writes it.
   void take_joint(ProtobufReader in, Duration time, const Channel& channel, bool target) {
     const Joint* joint = nullptr;
     while (in.next()) {
@@ -226,6 +228,7 @@ bool is_recording(const std::filesystem::path& file) {
   return begin == mcap_magic;
 }
 
+/// Chunk by chunk: recordings may be larger than the memory.
 std::vector<LogSeries> series_of(const McapReader& recording, const std::vector<std::string>& patterns) {
   MessageNumbers numbers(recording.contents(), patterns);
   for (const ChunkIndex& chunk : recording.contents().chunks) {
@@ -234,6 +237,7 @@ std::vector<LogSeries> series_of(const McapReader& recording, const std::vector<
   return with_context(recording.file().string(), [&] { return numbers.all(); });
 }
 
+/// Series have times of their own: each becomes a column with gaps.
 files::CsvTable table_of(const std::vector<LogSeries>& series) {
   files::CsvTable table{.time = "time [s]", .columns = {}};
   for (const LogSeries& one : series) {

@@ -58,6 +58,7 @@ RecordedSource::RecordedSource(std::shared_ptr<const recording::RecordedRun> run
 
 RecordedSource::~RecordedSource() = default;
 
+/// Lines are few: all of them are read at the start.
 void RecordedSource::read_lines() {
   recording::visit_topics(run_->file(), {"/events", "/warnings"},
                           [&](const std::string& topic, const recording::Message& message, std::size_t) {
@@ -122,6 +123,7 @@ void RecordedSource::change(const std::vector<std::string>& changes) {
       fmt::format("{}: this is a recording; 'murosimf branch' goes on from it with changes", fmt::join(changes, "; ")));
 }
 
+/// A recording is one branch that cannot be left.
 std::vector<session::BranchView> RecordedSource::branches() const {
   return {{.number = 0,
            .parent = {},

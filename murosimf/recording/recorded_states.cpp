@@ -50,6 +50,7 @@ TextMap described(const McapReader& file, const std::string& name) {
   return found == all.end() ? TextMap{} : file.metadata(*found).values;
 }
 
+/// The states themselves stay in the file: only where they are is kept.
 RecordedStates::RecordedStates(const McapReader& file) : file_(&file) {
   std::map<Duration, RecordedState> states;
   visit_topics(file, {"/state_hash", "/state", "/commands"},
@@ -76,6 +77,7 @@ const RecordedState* RecordedStates::last_until(Duration time) const {
   return last;
 }
 
+/// Read when it is needed: a state may have many megabytes.
 std::string RecordedStates::bytes_of(const RecordedState& state) const {
   MUROSIMF_ASSERT(state.chunk.has_value());
   std::string bytes;

@@ -29,6 +29,7 @@ RecordingThread::Batch RecordingThread::spent() {
   return std::exchange(spent_, {});
 }
 
+/// Everything that was given is written before the thread ends.
 void RecordingThread::finish() {
   {
     const std::lock_guard lock(mutex_);
@@ -60,6 +61,7 @@ void RecordingThread::run() {
   }
 }
 
+/// An error ends the recording, not the simulation; its reason is kept.
 void RecordingThread::write(const Batch& batch) {
   try {
     write_(batch);

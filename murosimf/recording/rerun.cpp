@@ -98,6 +98,7 @@ class Repetition {
 
 }  // namespace
 
+/// Without hashes there is nothing to compare with.
 RerunResult rerun(const RecordedRun& run, const RerunOptions& options) {
   const RecordedStates& reference = options.reference ? *options.reference : run.states();
   if (reference.all().empty()) {

@@ -10,6 +10,7 @@ namespace {
 
 std::string s(Duration time) { return fmt::format("{:.6g} s", seconds(time)); }
 
+/// How exact the instant is depends on how often hashes were recorded.
 std::string when(const Divergence& difference) {
   if (!difference.same) return fmt::format("differs at {}, the first instant that was compared", s(difference.differs));
   if (difference.is_one_step()) {

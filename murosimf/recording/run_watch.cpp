@@ -38,6 +38,7 @@ std::vector<std::string> RunWatch::look() {
   return happened;
 }
 
+/// Behind the line, between the posts and below the bar.
 bool RunWatch::ball_in_goal() const {
   const Entity* ball = scene_.parts().ball;
   if (!ball || !ball->present() || !scene_.spec().ball) return false;

@@ -31,6 +31,7 @@ void put_solid(ProtobufWriter& out, SceneField field, const Transformd& place, c
   });
 }
 
+/// Corners in each triangle: viewers need no indices then.
 void put_triangles(ProtobufWriter& out, const Transformd& place, const render::RenderMesh& mesh, const Color& color) {
   out.message(triangles, [&](ProtobufWriter& in) {
     put_pose(in, 1, place);
@@ -150,6 +151,7 @@ std::string SceneLooks::message(Duration time, const std::vector<char>& present)
   return bytes;
 }
 
+/// One entity of the message: it replaces the arrows of the frame before.
 std::string force_arrows(Duration time, const std::vector<ContactMark>& contacts) {
   std::string bytes;
   ProtobufWriter(bytes).message(2, [&](ProtobufWriter& entity) {

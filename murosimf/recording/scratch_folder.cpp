@@ -36,6 +36,7 @@ bool is_old_and_ours(int folder) {
   return ::fstat(folder, &about) == 0 && about.st_uid == ::geteuid() && about.st_mtime + young < std::time(nullptr);
 }
 
+/// Folders of processes that were killed; those in use are locked.
 void remove_left_ones(const fs::path& where) {
   std::error_code ignored;
   for (fs::directory_iterator all(where, ignored), end; !ignored && all != end; all.increment(ignored)) {
@@ -51,6 +52,7 @@ void remove_left_ones(const fs::path& where) {
 
 }  // namespace
 
+/// The name is new: no other process can have prepared the folder.
 ScratchFolder::ScratchFolder() {
   std::error_code error;
   const fs::path where = fs::temp_directory_path(error);

@@ -30,6 +30,7 @@ class Differences {
 
   std::optional<StateDifference> result;
 
+  /// The first difference is enough: all others mostly follow from it.
  private:
   void compare(const Entity& entity, const ColumnBase& first, const ColumnBase& second) {
     const std::string property(first.info().name);

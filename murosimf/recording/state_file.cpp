@@ -36,6 +36,7 @@ Attachment text_attachment(const std::string& name, const std::string& text, Dur
           .data = text};
 }
 
+/// Through a file, since the writer needs one; its folder goes with it.
 std::string state_bytes(scene::Scene& scene, const StateFileOptions& options) {
   const Duration now = scene.simulation().now();
   const ScratchFolder folder;
@@ -65,6 +66,7 @@ void load_state_bytes(scene::Scene& scene, const std::string& bytes, const std::
   load_state(scene, folder.path() / name);
 }
 
+/// Older files do not say it.
 std::optional<bool> was_pushable(const std::filesystem::path& file) {
   if (!is_recording(file)) return std::nullopt;
   const McapReader reader(file);
@@ -74,6 +76,7 @@ std::optional<bool> was_pushable(const std::filesystem::path& file) {
   return parse_run_description(attached_text(reader, "run.json")).pushable;
 }
 
+/// Plain states of older versions have no container.
 void load_state(scene::Scene& scene, const std::filesystem::path& file) {
   if (!is_recording(file)) {
     const std::string bytes = files::read_input_file(file, files::most_state_bytes);

@@ -21,6 +21,7 @@ UnpackedFiles::UnpackedFiles(const McapReader& file) {
   with_context(file.file().string(), [&] { unpack(file); });
 }
 
+/// Names are checked against the folder: a recording must not write outside of it.
 void UnpackedFiles::unpack(const McapReader& file) {
   const TextMap list = described(file, "files");
   std::set<std::string> written;

@@ -33,6 +33,7 @@ void Assets::put(const std::filesystem::path& file, const robot_formats::ReaderO
   robots_[key_of(file, options)] = std::make_shared<const RobotKind>(std::move(kind));
 }
 
+/// Made under the lock: scenes that are built at the same time must share one model.
 ModelPtr Assets::model(const std::string& key, const std::function<ModelPtr()>& make) {
   MUROSIMF_ASSERT(make != nullptr);
   const std::lock_guard lock(mutex_);

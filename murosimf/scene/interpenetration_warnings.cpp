@@ -45,6 +45,7 @@ std::vector<Interpenetration> all_of(const World& world) {
 
 }  // namespace
 
+/// A few lines: in a heap, all bodies may be concerned.
 std::vector<std::string> interpenetration_warnings(const World& world) {
   const std::vector<Interpenetration> all = all_of(world);
   std::vector<std::string> lines;

@@ -98,6 +98,7 @@ ModelPtr ModelSource::changed_for(const std::string& entity, const ModelPtr& mod
   return known;
 }
 
+/// An unknown material would silently have the usual friction.
 void check_materials(const Model& model, const MaterialTable& materials) {
   for (const int body : model.bodies()) {
     const Shapes* shapes = model.find(properties::shapes, body);

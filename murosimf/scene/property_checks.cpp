@@ -271,6 +271,7 @@ std::string check_command(const scene_file::RobotSpec& robot, const Model& model
       command.x, command.y, command.z, robot.controller, most.x, most.y, most.z);
 }
 
+/// As users write it: without an object where none is needed.
 std::string setting_path(const scene_file::PropertySetting& setting, const Entity& entity) {
   if (setting.object.empty() && scene_file::is_of_joints(setting.property)) {
     return fmt::format("{}.{}", entity.name(), setting.property);

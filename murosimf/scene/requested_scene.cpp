@@ -39,6 +39,7 @@ bool is_scene(const fs::path& file) {
   }
 }
 
+/// Requests come over a network: errors must not tell the contents of files.
 [[noreturn]] void refuse(const std::string& whole, bool quotes_override) {
   if (quotes_override) throw SetupError(files::one_line(whole));
   const std::string places = places_in(whole);

@@ -97,6 +97,7 @@ json control_object(const ControlReport& report) {
           {"not_kept", software.not_kept}};
 }
 
+/// Columns for robots with messages only.
 std::string message_text(const std::vector<ControlReport>& control) {
   std::string text;
   for (const auto& [robot, software] : control) {

@@ -75,6 +75,7 @@ void Scene::reset(std::optional<std::uint64_t> seed) { scene::reset(parts_, seed
 std::vector<std::byte> Scene::save() { return save_state(parts_); }
 void Scene::load(std::span<const std::byte> bytes) { load_state(parts_, bytes); }
 
+/// With all digits: the repeated command must come in the same step.
 std::vector<std::string> events_of_commands(const std::vector<Command>& commands) {
   std::vector<std::string> events;
   for (const Command& command : commands) {

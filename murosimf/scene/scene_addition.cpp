@@ -30,6 +30,7 @@ class Lengths {
   }
   void done() { done_ = true; }
 
+  /// Undoes an addition that failed half-way: lists are as long as before.
  private:
   void shorten() {
     MUROSIMF_ASSERT(parts_.robots.size() >= robots_ && parts_.moving_entities.size() >= moving_);
@@ -100,6 +101,7 @@ Entity& add(SceneParts& parts, scene_file::RobotSpec robot) {
   return entity;
 }
 
+/// An addition that fails is undone by `lengths`.
 Entity& add(SceneParts& parts, scene_file::BodySpec body) {
   if (body.is_static)
     throw SetupError(fmt::format("'{}' is static: it is part of the field from the start", body.name));

@@ -64,6 +64,7 @@ void refuse_library_of_file(const SceneParts& parts, const scene_file::RobotSpec
 
 }  // namespace
 
+/// A run that is only shown takes positions from a recording: no software is started.
 void attach_controller(SceneParts& parts, const scene_file::RobotSpec& robot, Entity& entity) {
   const bool from_outside = robot.controller == "library" || robot.controller == "serial" || robot.controller == "tcp";
   if (parts.only_shown && from_outside) return;
@@ -83,10 +84,10 @@ void attach_messages(SceneParts& parts, const Entity& entity) {
 void attach_ground_contact(SceneParts& parts, Entity& entity, const std::string& level, const std::string& law,
                            const OptionValues& options) {
   if (find_entry(catalog::levels(), "level", level).traits.dynamic) entity.contact = law;
-  parts.ground_contacts.push_back(&parts.simulation->attach<collision::GroundContact>(
-      "ground_contact", entity, parts.spec.rate, parts.field,
-      MUROSIMF_ASSERT(parts.ground_contacts.size() < parts.moving_entities.size());
-      catalog::make_contact_law(law, options), parts.spec.materials));
+  parts.ground_contacts.push_back(
+      &parts.simulation->attach<collision::GroundContact>("ground_contact", entity, parts.spec.rate, parts.field,
+                                                          catalog::make_contact_law(law, options),
+                                                          parts.spec.materials));
 }
 
 void attach_air(SceneParts& parts, Entity& entity) {
@@ -101,9 +102,9 @@ catalog::LevelOptions level_options(const SceneParts& parts, const scene_file::R
 }
 
 void attach_level(SceneParts& parts, Entity& entity, const catalog::LevelOptions& options) {
-  parts.simulation->attach(
-      entity.level, entity, parts.spec.rate, MUROSIMF_ASSERT(parts.spec.rate > 0);
-      [&](Setup& setup) { return catalog::make_level(entity.level, setup, options); });
+  MUROSIMF_ASSERT(parts.spec.rate > 0);
+  parts.simulation->attach(entity.level, entity, parts.spec.rate,
+                           [&](Setup& setup) { return catalog::make_level(entity.level, setup, options); });
 }
 
 void attach_level_of(SceneParts& parts, const scene_file::RobotSpec& robot, Entity& entity) {

@@ -20,6 +20,7 @@ class Before {
         diagnostics_(parts.diagnostics),
         times_set_(parts.times_set) {}
 
+  /// All changes of a batch are made, or none: the state from before is loaded again.
   void restore() {
     load_state(*parts_, state_);
     parts_->simulation->agenda_was(std::move(agenda_));

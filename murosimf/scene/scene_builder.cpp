@@ -66,6 +66,7 @@ void attach_contact(SceneParts& parts) {
                                                                                   spec.body_contact_options));
 }
 
+/// The order of attaching is the order within a step: it must not depend on the file's order of sections.
 void attach_motion(SceneParts& parts) {
   if (parts.ball) attach_level(parts, *parts.ball, {});
   for (std::size_t i = 0; i < parts.robots.size(); ++i) {
@@ -76,6 +77,7 @@ void attach_motion(SceneParts& parts) {
   }
 }
 
+/// Observers come last: they see the result of the step.
 void attach_observers(SceneParts& parts, bool paths) {
   for (Entity* entity : parts.moving_entities) attach_odometer(parts, *entity);
   for (std::size_t i = 0; i < parts.robots.size(); ++i) {

@@ -42,6 +42,7 @@ CameraRenderer::CameraRenderer(SceneParts& parts) : parts_(parts) {}
 
 CameraRenderer::~CameraRenderer() = default;
 
+/// Made at the first picture: without a graphics driver, scenes without pictures must run.
 sensors::ViewSource* CameraRenderer::view_source() {
   if (cannot_draw_) return nullptr;
   if (renderer_) return this;

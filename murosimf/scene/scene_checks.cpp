@@ -35,6 +35,7 @@ void add_materials(const Model& model, std::set<std::string>& names) {
   }
 }
 
+/// Names of bodies are checked against the model, which the reader of the file does not have.
 void check_no_contact(Diagnostics& diagnostics, const scene_file::RobotSpec& robot, const Model& model) {
   const auto given = robot.given.find("no_contact");
   if (given == robot.given.end()) return;
@@ -77,6 +78,7 @@ struct ContactUse {
   bool servos = false;
 };
 
+/// A law has a longest stable step: beyond, bodies may vibrate or fly apart.
 void warn_about_steps(SceneParts& parts, const std::string& entity, const ContactUse& use) {
   MUROSIMF_ASSERT(use.step > 0);
   const catalog::ContactLawType& law = find_entry(catalog::contacts(), "contact law", use.contact);
@@ -126,6 +128,7 @@ std::vector<bool> driven_joints(const Model& model) {
   return result;
 }
 
+/// Without a servo a joint is limp at levels with servos, which is rarely intended.
 void warn_about_missing_servos(SceneParts& parts, const scene_file::RobotSpec& robot) {
   const Model& model = parts.simulation->world().entity(robot.name).model();
   const auto joints = model.joints();
@@ -148,6 +151,7 @@ std::string other_gravity(const scene_file::RobotSpec& robot, double gravity) {
                      gravity);
 }
 
+/// Robots of the same kind get one line.
 void note_other_gravity(SceneParts& parts) {
   std::vector<SharedDiagnostic> diagnostics;
   for (const scene_file::RobotSpec& robot : parts.spec.robots) {

@@ -30,6 +30,7 @@ ModelPtr field_of(const scene_file::FieldSpec& field, const std::vector<Chain>& 
                       make);
 }
 
+/// Static bodies are part of the field: contacts with them need no second entity.
 void add_field(SceneParts& parts, const ModelSource& models) {
   std::vector<Chain> standing;
   for (const scene_file::BodySpec& body : parts.spec.bodies) {
@@ -53,6 +54,7 @@ void add_ball(SceneParts& parts, ModelSource& models) {
   parts.moving_entities.push_back(parts.ball);
 }
 
+/// Levels step by whole multiples of the scene's step: other rates cannot be kept.
 int step_multiple_of(const scene_file::SceneSpec& spec, const scene_file::RobotSpec& robot) {
   if (robot.rate == 0) return 1;
   const double steps = spec.rate / robot.rate;
@@ -115,6 +117,7 @@ void enlist(SceneParts& parts, const scene_file::BodySpec& body, Entity& entity)
   parts.moving_entities.push_back(&entity);
 }
 
+/// The order of the entities is that of their numbers: field, ball, robots, bodies.
 void add_entities(SceneParts& parts, ModelSource& models) {
   add_field(parts, models);
   if (parts.spec.ball) add_ball(parts, models);

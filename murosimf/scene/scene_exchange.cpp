@@ -106,6 +106,7 @@ void check_kick(const Entity& robot) {
   }
 }
 
+/// A new number marks a new request: the same kick may be requested twice.
 void kick(SceneParts& parts, const std::string& robot, locomotion::KickRequest request) {
   Entity& entity = parts.simulation->world().entity(robot);
   check_kick(entity);
@@ -191,6 +192,7 @@ std::vector<Algorithms> algorithms_in_force(const SceneParts& parts) {
   return all;
 }
 
+/// Only what differs is exchanged: an exchange resets the memory of an algorithm.
 void put_in_force(SceneParts& parts, Entity& entity, const Algorithms& algorithms) {
   const Algorithms present = algorithms_of(parts, entity);
   if (algorithms.contact != present.contact) {
@@ -214,6 +216,7 @@ void put_in_force(SceneParts& parts, Entity& entity, const Algorithms& algorithm
   robot = std::move(changed);
 }
 
+/// All entities are checked before the first one is changed.
 void check_change(const SceneParts& parts, const scene_file::SceneEvent& change) {
   if (!change.section.empty()) return check_section_change(parts, change);
   if (change.push) {
@@ -235,6 +238,7 @@ void check_change(const SceneParts& parts, const scene_file::SceneEvent& change)
   }
 }
 
+/// The first error is reported after all others have had their change.
 void apply_change(SceneParts& parts, const scene_file::SceneEvent& change) {
   if (!change.section.empty()) return apply_section_change(parts, change);
   std::exception_ptr first;

@@ -99,6 +99,7 @@ void check_push(const SceneParts& parts, const scene_file::PushSpec& push, const
   (void)pushed_object(entity->model(), push);
 }
 
+/// The level decides whether a push has any effect: it may have changed since the start.
 void push(SceneParts& parts, const scene_file::PushSpec& push, const std::string& name) {
   check_push(parts, push, name);
   const Entity& entity = parts.simulation->world().entity(name);

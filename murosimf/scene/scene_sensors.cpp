@@ -23,6 +23,7 @@ void about(const std::string& robot, const F& f) {
   }
 }
 
+/// Rates that do not divide the steps are refused by the sensor itself.
 bool fits(const sensors::SensorSpec& spec, double step_rate) {
   try {
     sensors::check_rate(spec, step_rate);
@@ -70,6 +71,7 @@ std::string sensor_diagnostics(const SceneParts& parts, const scene_file::RobotS
 
 }  // namespace
 
+/// One for all sensors: it keeps the volumes of the scene up to date in each step.
 sensors::WorldQueries& shared_queries(SceneParts& parts) {
   if (!parts.queries) {
     parts.queries =

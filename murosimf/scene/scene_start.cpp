@@ -72,6 +72,7 @@ void place_at_start(const SceneParts& parts, Entity& entity) {
   scatter_posture(parts, key, entity);
 }
 
+/// Posture and velocity belong to the start as well as the place.
 void start_moving(const SceneParts& parts, Entity& entity) {
   const auto robot = std::ranges::find(parts.spec.robots, entity.name(), &scene_file::RobotSpec::name);
   if (robot != parts.spec.robots.end()) take_targets(find_keyframe(entity.model(), robot->keyframe), entity);

@@ -74,6 +74,7 @@ void load(SceneParts& parts, std::span<const std::byte> bytes) {
 
 }  // namespace
 
+/// Algorithms come first: loading must exchange them before their states are read.
 std::vector<std::byte> save_state(SceneParts& parts) {
   std::vector<std::byte> bytes(begin_of_content);
   StateArchive archive(bytes);

@@ -62,6 +62,7 @@ Vec3d direction(double azimuth, double elevation) {
   return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth), std::sin(elevation)};
 }
 
+/// Without a width, all of the field is in the picture.
 sensors::Perspective overview(const Scene& scene, int width, int height) {
   const scene_file::ViewSpec& spec = scene.spec().view;
   const Vec3d toward = direction(spec.azimuth, spec.elevation);

@@ -67,6 +67,7 @@ void change_light(SceneParts& parts, const scene_file::SceneEvent& event) {
   ++parts.changes_to_see;
 }
 
+/// A new size or mass is another model; a new color only concerns pictures.
 void change_ball(SceneParts& parts, const scene_file::SceneEvent& event) {
   MUROSIMF_ASSERT(parts.ball != nullptr && parts.spec.ball.has_value());
   const scene_file::BallSpec next = changed(*parts.spec.ball, event);
@@ -100,6 +101,7 @@ ChangingSections sections_in_force(const SceneParts& parts) {
   return {parts.spec.light, ball, ball.color};
 }
 
+/// Only what differs: an exchange of the ball's model begins its algorithms anew.
 void put_in_force(SceneParts& parts, const ChangingSections& sections) {
   const ChangingSections present = sections_in_force(parts);
   const bool other_ball = sections.ball != present.ball, other_color = sections.ball_color != present.ball_color;

@@ -39,8 +39,8 @@ struct Standing {
       r.push_back(pose.position);
       R.push_back(pose.orientation);
     }
+    MUROSIMF_ASSERT(!r.empty() && r.size() == R.size());
   }
-  MUROSIMF_ASSERT(!r.empty() && r.size() == R.size());
 
   const Entity* entity;
   EntityKind* kind;
@@ -50,6 +50,7 @@ struct Standing {
   bool moves = true;
 };
 
+/// Entities of the same kind share their shapes.
 collision::Compound& compound_where(Standing& standing) {
   if (standing.compound) return *standing.compound;
   auto& shared = standing.kind->compound;

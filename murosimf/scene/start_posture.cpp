@@ -32,6 +32,7 @@ double start_position(const Model& model, const Keyframe* keyframe, int joint) {
   return start ? *start : 0;
 }
 
+/// Targets as well as positions: servos would leave the posture in the first step.
 void take_posture(const Keyframe* keyframe, Entity& robot) {
   if (!robot.find(properties::joint_target)) return;
   auto& targets = robot.column(properties::joint_target).values;

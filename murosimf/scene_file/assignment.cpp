@@ -117,6 +117,7 @@ void check_key(const Assignment& assignment, std::string_view key, const std::ve
   throw SetupError(fmt::format("{}: {}", assignment.where, unknown_name("setting", key, known)));
 }
 
+/// A table names its parts, so that their order does not matter.
 std::vector<double> named_force(const toml::table& table) {
   std::vector<double> numbers(6, 0.0);
   for (const auto& [key, node] : table) {

@@ -80,6 +80,7 @@ void add_speed(const std::string& name, double radius, double speed, Demands& de
   demands.add(std::max(share_of_radius * radius / speed, shortest_fast), fmt::format("{} at {:.3g} m/s", name, speed));
 }
 
+/// Small and fast bodies need short steps, or they pass through others.
 void add_body(const SceneSpec& scene, const BodySpec& body, Demands& demands) {
   add_thing(body.name, body.contact, demands);
   const auto* sphere = body.shape ? std::get_if<Sphere>(&*body.shape) : nullptr;
@@ -99,6 +100,7 @@ double longest_stiff_step(const SceneSpec& scene, const std::string& contact, co
   return std::sqrt(explicit_resolution * mass_at_point / stiffness);
 }
 
+/// The shortest step that any part of the scene demands, with the reason for it.
 AutomaticRate automatic_rate(const SceneSpec& scene) {
   Demands demands;
   for (const RobotSpec& robot : scene.robots) add_robot(robot, scene.events, demands);

@@ -104,6 +104,7 @@ void make_hull(const files::TomlTable& table, const std::filesystem::path& file,
 
 }  // namespace
 
+/// Limits are generous; they find sizes in mm.
 void read_height_field(const files::TomlTable& table, const std::filesystem::path& folder, BodySpec& body) {
   require(body.is_static, table, "shape", "\"heightfield\" is ground: it needs static = true");
   Vec3d size;
@@ -124,6 +125,7 @@ void read_height_field(const files::TomlTable& table, const std::filesystem::pat
   body.relief = with_context(table.where("shape"), [&] { return collision::make_relief(field); });
 }
 
+/// Scaled and checked before use: files in mm are the usual mistake.
 void read_mesh(const files::TomlTable& table, const std::filesystem::path& folder, BodySpec& body) {
   require(table.find("file") != nullptr, table, "file", "of the mesh is missing: STL, OBJ or DAE");
   const auto file = find_file(table, folder);

@@ -103,6 +103,7 @@ const std::vector<std::string_view>& ball_keys() {
 
 }  // namespace
 
+/// A push has more parts than one value, so it is read apart from other changes.
 SceneEvent read_event(toml::table& scene, double time, const std::string& text, const std::string& where) {
   check_time(time, where);
   const Assignment change = split_assignment(text, where);
@@ -156,6 +157,7 @@ SceneEvent read_event(toml::table& scene, double time, const std::string& text, 
 
 namespace {
 
+/// One text or a list of texts.
 void read_changes(const files::TomlTable& table, std::string_view key, EventTable& event) {
   const toml::node& set = *table.find(key);
   const auto take = [&](const toml::node& text) {
@@ -179,6 +181,7 @@ void read_table(toml::table& scene, const toml::table& node, std::vector<SceneEv
     events.push_back(read_event(scene, event.time, change, table.where("set")));
 }
 
+/// TIME:CHANGE, as on the command line.
 SceneEvent read_option(toml::table& scene, const std::string& option) {
   const std::string where = fmt::format("--at '{}'", option);
   double time = 0;

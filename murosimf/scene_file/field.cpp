@@ -28,6 +28,7 @@ Stroke half_line(const FieldSize& size) {
   return {{{0, y, 0}, {0, -y, 0}}, size.line_width};
 }
 
+/// A polygon with a closed end: the last corner is the first one.
 Stroke center_circle(const FieldSize& size) {
   Stroke circle{{}, size.line_width};
   for (int i = 0; i <= circle_sides; ++i) {
@@ -65,6 +66,7 @@ Stroke bar(const FieldSize& size, double x, const Vec3d& direction) {
   return {{middle - half, middle + half}, size.line_width};
 }
 
+/// Fields of some years have no penalty area: a depth of 0 leaves it out.
 void add_side(std::vector<Stroke>& strokes, const FieldSize& size, double side) {
   if (size.goal_area_depth > 0) strokes.push_back(area(size, side, size.goal_area_depth, size.goal_area_width));
   if (size.penalty_area_depth > 0) {

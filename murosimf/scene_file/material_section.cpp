@@ -64,6 +64,7 @@ void change_ground(const FieldSpec& field, MaterialTable& materials) {
   }
 }
 
+/// The order within a pair does not matter: both orders are the same pair.
 void check_pair(const GivenPair& pair, const std::vector<GivenPair>& earlier) {
   if (pair.a.empty() || pair.b.empty()) throw SetupError(pair.where + ": 'pair' has an empty name");
   for (const GivenPair& other : earlier) {

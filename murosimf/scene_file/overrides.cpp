@@ -92,6 +92,7 @@ std::vector<std::string> moving_names(const std::vector<toml::table*>& bodies, c
   return names;
 }
 
+/// The nearest known name is part of the error, at the level of the path at which it is unknown.
 [[noreturn]] void refuse_unknown(const toml::table& scene, const Assignment& o) {
   const std::vector<std::string> names = entity_names(scene);
   std::vector<std::string_view> candidates(names.begin(), names.end());

@@ -31,6 +31,7 @@ void take_target(toml::table& scene, const std::vector<std::string>& path, PushS
   push.object = fmt::format("{}", fmt::join(path.begin() + static_cast<std::ptrdiff_t>(used), path.end(), "."));
 }
 
+/// Values come from files, options and programs: all are checked in the same place.
 void check_push(const PushSpec& push) {
   const auto finite = [](const Vec3d& v) { return std::isfinite(v.x + v.y + v.z); };
   if (!finite(push.force) || !finite(push.moment)) throw SetupError("force and moment must be finite numbers");

@@ -166,6 +166,7 @@ bool may_control(std::string_view name) {
   return is_word(name) && std::ranges::find(built_in, name, &catalog::ControllerType::name) == built_in.end();
 }
 
+/// Texts could name files: only those that the key needs are accepted.
 void check_text(Value kind, const std::string& text, const std::filesystem::path& folder) {
   switch (kind) {
     case Value::number: throw SetupError("takes numbers, true or false here, no texts");
@@ -180,6 +181,7 @@ void check_text(Value kind, const std::string& text, const std::filesystem::path
   }
 }
 
+/// Numbers are harmless; everything else depends on the key.
 void check_value(const Assignment& assignment, Value kind, const std::filesystem::path& folder) {
   const toml::table parsed = assignment.parsed();
   const toml::node& value = *parsed.get("value");

@@ -105,6 +105,7 @@ void read_default_options(const RobotOptions& options, const toml::table& node, 
   take(node, options_of(options, robot), robot.*options.values);
 }
 
+/// A default that no robot uses is most likely misspelled.
 void check_default_options(const RobotOptions& options, const toml::table& node, const std::vector<RobotSpec>& robots) {
   std::vector<std::string> known;
   for (const RobotSpec& robot : robots) {

@@ -173,6 +173,7 @@ const Section<RobotSpec>& robot_section() {
   return section;
 }
 
+/// The first team is blue and the second one red unless they say otherwise.
 void read_teams(const files::TomlTable& scene, SceneSpec& spec) {
   for (const toml::table* node : scene.tables("teams")) {
     const files::TomlTable table(*node, team_section().names());

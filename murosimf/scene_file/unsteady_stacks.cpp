@@ -32,6 +32,7 @@ bool is_flat(const Shape& shape) {
          std::holds_alternative<Convex>(shape);
 }
 
+/// Only what rests on a flat face and begins at rest can stand in a stack.
 std::optional<Block> block_of(const BodySpec& body) {
   if (!body.shape || body.is_static || !body.present || !is_flat(*body.shape)) return {};
   if (body.roll != 0 || body.pitch != 0 || norm(body.velocity) + norm(body.angular_velocity) > 0) return {};
@@ -130,6 +131,7 @@ std::string line_of(const Column& column, double lambda) {
 
 }  // namespace
 
+/// Only implicit laws have this limit.
 std::vector<std::string> unsteady_stacks(const SceneSpec& spec) {
   if (spec.gravity.z >= 0 || !catalog::make_body_contact_law(spec.body_contact)->implicit()) return {};
   std::vector<Block> blocks;

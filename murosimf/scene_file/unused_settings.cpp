@@ -117,6 +117,7 @@ bool any_has(const auto& entries, std::string_view option) {
                              [&](const auto* entry) { return find_option(entry->options, option) != nullptr; });
 }
 
+/// Also the laws that events set: an option may be for one of them.
 std::vector<const catalog::ContactLawType*> laws_of(const SceneSpec& spec, const RobotSpec& robot) {
   std::vector<const catalog::ContactLawType*> found{&catalog::contacts().find(robot.contact)};
   for (const SceneEvent& event : spec.events) {
@@ -138,6 +139,7 @@ void add_options(const RobotSpec& robot, const std::string& key, const OptionVal
   }
 }
 
+/// Only if no robot would use it at any level: then the key is a mistake.
 void add_start(const SceneSpec& spec, std::vector<std::string>& lines) {
   const auto no_robot = [&](const auto& uses) { return std::ranges::none_of(spec.robots, uses); };
   if (spec.jitter_tilt != 0 &&
@@ -167,6 +169,7 @@ void add_air(const SceneSpec& spec, std::vector<std::string>& lines) {
 
 }  // namespace
 
+/// The levels that a robot has from this time on, in any order of events.
 std::vector<const catalog::LevelType*> levels_from(const SceneSpec& spec, const RobotSpec& robot, double time) {
   std::vector<const catalog::LevelType*> found{&first_level(robot)};
   for (const SceneEvent& event : spec.events) {

@@ -75,6 +75,7 @@ class LayoutReader {
     return name == "zero" ? &zero_ : nullptr;
   }
 
+  /// Rows are checked cell by cell: an error names its column.
   ServoPlace read_row() {
     if (row_.size() != columns_) {
       cells_.fail(1, fmt::format("{} cells, where the first line has {}", row_.size(), columns_));
@@ -150,6 +151,7 @@ class LayoutReader {
 
 }  // namespace
 
+/// Ids in the order of the joints from 1 on, as most robots have them.
 std::vector<ServoPlace> usual_layout(const Model& model, Protocol protocol) {
   const std::size_t joints = model.joints().size();
   if (joints >= first_no_id) {

@@ -79,6 +79,7 @@ bool PseudoTerminal::is_open() const noexcept {
 
 void PseudoTerminal::receive(std::vector<std::uint8_t>& bytes) noexcept { drain_->take(bytes, rate_); }
 
+/// Never blocks: a client that does not read loses bytes, as on a real line.
 std::size_t PseudoTerminal::send(std::span<const std::uint8_t> bytes) noexcept {
   MUROSIMF_ASSERT(file_ >= 0);
   std::size_t sent = 0;

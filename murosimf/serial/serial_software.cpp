@@ -79,6 +79,7 @@ void SerialSoftware::add_joint(const Model& model, const ServoPlace& place) {
   joints_.push_back(joint);
 }
 
+/// Without a name, an IMU is on the bus only if the robot has one of the usual name.
 void SerialSoftware::find_imu(const Setup& setup, connect::RobotPort& port) {
   const std::string name = options_.imu.empty() ? "imu" : options_.imu;
   const sensors::Reading* reading = sensors::find_reading(setup.entity(), name);
@@ -241,6 +242,7 @@ SerialSoftware::Heard SerialSoftware::heard_at(Duration now) {
   return repeated_ ? repeat(now) : listen(seconds(now));
 }
 
+/// What clients sent is written down, so that the run can be repeated without them.
 void SerialSoftware::write_down(const Heard& heard) {
   const auto write = [&](ExternalInput::Kind kind, const std::string& bytes = {}) {
     pen_.write(kind, bytes);
@@ -272,6 +274,7 @@ void SerialSoftware::send() {
   say_("the client of the serial line does not read: bytes are lost");
 }
 
+/// Told once for each client: a controller that reconnects often must not fill the log.
 void SerialSoftware::look_after(bool client) {
   client_ = client;
   const std::string place = terminal_ ? link_place_.string() : "the serial line";

@@ -26,6 +26,7 @@ TerminalDrain::TerminalDrain(int terminal) : terminal_(terminal), stop_(eventfd(
   thread_ = quiet_thread([this] { keep_reading(); });
 }
 
+/// The event wakes the thread from its wait.
 TerminalDrain::~TerminalDrain() {
   const std::uint64_t one = 1;
   while (write(stop_, &one, sizeof one) < 0 && errno == EINTR) {

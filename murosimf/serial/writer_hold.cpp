@@ -48,6 +48,7 @@ void go_first() {
 
 }  // namespace
 
+/// One for all terminals of the process: its threads occupy every processor.
 std::shared_ptr<WriterHold> WriterHold::shared() {
   static std::mutex mutex;
   static std::weak_ptr<WriterHold> existing;
@@ -104,6 +105,7 @@ void WriterHold::remove(const TerminalDrain& drain) {
   }
 }
 
+/// A watch wakes this thread as soon as a client writes; it runs before the client on the same processor.
 void WriterHold::look_after(Processor& processor) const {
   stay_on(processor.number);
   go_first();

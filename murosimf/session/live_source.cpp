@@ -51,7 +51,7 @@ void LiveSource::step() {
 
 void LiveSource::note_commands() {
   const std::vector<Command>& all = simulation_.commands();
-  MUROSIMF_ASSERT(all.size() > noted_);
+  MUROSIMF_ASSERT(all.size() >= noted_);
   if (all.size() == noted_) return;
   timeline_.note(std::span(all).subspan(noted_));
   noted_ = all.size();
@@ -130,6 +130,7 @@ void LiveSource::repeat(const Timeline::Way& way, Duration time, const std::func
   while (simulation_.now() < time && !given_up()) step();
 }
 
+/// The loaded state begins a new branch: it does not follow from what was stepped before.
 void LiveSource::load(const std::function<void(scene::Scene&)>& load) {
   if (!options_.no_way_back.empty()) throw SetupError("no state of somewhere else: " + options_.no_way_back);
   load(scene_);

@@ -8,6 +8,7 @@
 
 namespace murosimf::session {
 
+/// Names the participants whose memory is outside of the state: from there on a run cannot be the same.
 std::string own_state(const World& world, const ExternalInputHistory* memory) {
   std::vector<std::string> robots, subjects;
   for (const auto& entity : world.entities()) {

@@ -14,6 +14,7 @@ constexpr Duration between_reports = std::chrono::milliseconds(100);
 
 }  // namespace
 
+/// Calls run in the thread of the run, between two steps; after its end they fail at once, since no step would come any more.
 std::future<void> Session::Inside::ask(std::function<void()> call) {
   Job job{std::move(call), {}};
   std::future<void> done = job.done.get_future();
@@ -28,6 +29,7 @@ std::future<void> Session::Inside::ask(std::function<void()> call) {
   return done;
 }
 
+/// Until the end, whether the simulation advances or is paused; requests of other threads come between two steps.
 void Session::Inside::run(const std::function<void(Duration)>& progress) {
   restart_clock();
   auto next_report = std::chrono::steady_clock::now();
@@ -53,6 +55,7 @@ bool Session::Inside::stands() const {
   return requests.paused ? requests.steps == 0 : simulation.now() >= requests.end;
 }
 
+/// A session that stays waits at its end for a jump back in time.
 bool Session::Inside::ends() {
   if (simulation.stopped()) return true;
   const std::lock_guard lock(mutex);
@@ -125,6 +128,7 @@ void Session::Inside::attend() {
   }
 }
 
+/// Under the mutex: other threads read the status at any time.
 void Session::Inside::publish(bool paused) {
   const Lateness& late = clock.lateness();
   const std::lock_guard lock(mutex);
@@ -146,6 +150,7 @@ void Session::Inside::publish(bool paused) {
   if (paused || other) branches = source->branches();
 }
 
+/// After a jump in time, the clock must not try to catch up.
 void Session::Inside::has_jumped() {
   {
     const std::lock_guard lock(mutex);

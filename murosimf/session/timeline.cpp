@@ -80,6 +80,7 @@ void Timeline::note(std::span<const Command> commands) {
   here().commands.insert(here().commands.end(), commands.begin(), commands.end());
 }
 
+/// What came from outside is kept with the branch, so that its steps can be repeated.
 void Timeline::note(std::vector<RememberedInput> notes) {
   if (notes.empty()) return;
   settle();
@@ -165,6 +166,7 @@ void Timeline::collect(int number, Duration begin, Duration end, Way& way) const
   for (; note != branch.notes.end() && note->note.time < end; ++note) way.notes.push_back(*note);
 }
 
+/// A branch begins with the commands of its parent, up to where it left it.
 std::vector<Command> Timeline::commands_until(int number, Duration end) const {
   const Branch& branch = at(number);
   std::vector<Command> commands;
@@ -207,6 +209,7 @@ Duration Timeline::first() const {
   return first;
 }
 
+/// Numbers stay the same when branches are forgotten: views refer to them.
 std::vector<BranchView> Timeline::branches() const {
   std::vector<BranchView> views;
   for (std::size_t i = 0; i < branches_.size(); ++i) {

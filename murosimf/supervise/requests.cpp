@@ -110,6 +110,7 @@ void Requests::publish_scene(wire::ToSupervisor& answer) {
   write_status(*welcome.mutable_status());
 }
 
+/// The lease keeps the session from being exchanged while the request is answered.
 void Requests::answer(const FromSupervisor& request, wire::ToSupervisor& answer) {
   answer.Clear();
   int present = 0;
@@ -123,6 +124,7 @@ void Requests::answer(const FromSupervisor& request, wire::ToSupervisor& answer)
   welcome(answer, present + 1);
 }
 
+/// The present run ends then; the next one has the wanted scene.
 void Requests::exchange(const FromSupervisor& request) {
   if (!options_->exchange) throw SetupError("this run keeps its scene");
   const wire::SceneRequest& asked = request.load_scene();
@@ -231,6 +233,7 @@ void Requests::describe(wire::ToSupervisor& answer) {
   });
 }
 
+/// A part of the events at a time: an answer has a largest size.
 void Requests::publish_events(std::uint64_t first, wire::ToSupervisor& answer) {
   wire::Events& told = *answer.mutable_events();
   visit([&](scene::Scene& scene) {
@@ -245,6 +248,7 @@ void Requests::publish_events(std::uint64_t first, wire::ToSupervisor& answer) {
   });
 }
 
+/// A visit first: the branches are then those after the last finished step.
 void Requests::publish_branches(wire::ToSupervisor& answer) {
   visit([](scene::Scene&) {});
   for (const session::BranchView& branch : session_->branches()) {
@@ -275,6 +279,7 @@ void Requests::load(const FromSupervisor& request) {
       .get();
 }
 
+/// The same bytes as `--save-state` would write.
 void Requests::save(wire::ToSupervisor& answer) {
   wire::SavedState& state = *answer.mutable_state();
   visit([&](scene::Scene& scene) {

@@ -30,6 +30,7 @@ int SessionSlot::number() const {
   return number_;
 }
 
+/// Waits for a session that is at least as new: between two runs there is none.
 session::Session* SessionSlot::take(int from) {
   std::unique_lock lock(mutex_);
   const auto is_there = [&] { return session_ && number_ >= from; };

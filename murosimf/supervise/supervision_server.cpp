@@ -30,6 +30,7 @@ constexpr std::size_t longest_request = 65536;  // [byte]
 constexpr std::size_t longest_name = 100;
 constexpr std::size_t most_lines = 100;  // about refused clients
 
+/// From the system's source of randomness: a token must not be guessable from the time of the start.
 std::string drawn_token() {
   std::array<unsigned char, 16> bytes{};
   if (::getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
@@ -117,6 +118,7 @@ bool Supervisor::has_gone() const {
   return ::poll(&asked, 1, 0) > 0 && (asked.revents & (POLLRDHUP | POLLHUP | POLLERR)) != 0;
 }
 
+/// An error of one supervisor ends its connection only.
 void Supervisor::serve() noexcept {
   try {
     talk();
@@ -158,6 +160,7 @@ void Supervisor::drop(const std::string& reason) noexcept {
   if (say_) say_(fmt::format("{} was dropped: it {}", name_, reason));
 }
 
+/// An error of a request is an answer; an error of the protocol ends the connection.
 void Supervisor::answer(std::string_view bytes) {
   wire::FromSupervisor request;
   wire::ToSupervisor message;
@@ -216,6 +219,7 @@ Server::~Server() {
   reception_.reset();
 }
 
+/// The version is compared before the token: an old client gets a reason that helps.
 void Server::admit(wire::Caller& caller, std::string_view bytes) {
   wire::FromSupervisor message;
   parse(bytes, message);

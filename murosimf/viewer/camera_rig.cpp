@@ -41,6 +41,7 @@ void CameraRig::advance(const RigView& scene, double wall) {
   *attention_ += (1 - std::exp(-wall / tv_delay)) * (at - *attention_);
 }
 
+/// Without a robot to look from or at, the free camera takes the place of the mode.
 sensors::Perspective CameraRig::view(const RigView& scene, int width, int height) const {
   if (mode_ == Mode::robot && is_there(scene.frame, scene.selected)) return through_camera(scene, width, height);
   if (mode_ == Mode::tv) {

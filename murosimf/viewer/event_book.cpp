@@ -40,8 +40,8 @@ void EventBook::take(const Inspection& seen, int branch, bool jumped) {
   }
   falls_.clear();
   for (const EntityState& entity : seen.entities) falls_.push_back(entity.falls);
+  MUROSIMF_ASSERT(falls_.size() == seen.entities.size());
 }
-MUROSIMF_ASSERT(falls_.size() == seen.entities.size());
 
 void EventBook::goal(double time, int branch, std::string text) {
   add({time, branch, TimeMark::Kind::goal, std::move(text)});

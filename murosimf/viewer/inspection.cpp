@@ -66,6 +66,7 @@ CameraState state_of(const sensors::CameraFrame& frame, bool with_picture) {
   return state;
 }
 
+/// Only levels with torques have loads.
 void add_loads(const scene::SceneParts& parts, const World& world, std::vector<JointLoad>& loads) {
   for (std::size_t i = 0; i < world.entities().size(); ++i) {
     const Entity& entity = *world.entities()[i];
@@ -92,6 +93,7 @@ std::size_t copy_from(std::size_t known, const std::vector<T>& all, std::vector<
 
 }  // namespace
 
+/// Only what was requested is read: the thread of the run waits meanwhile.
 Inspection inspect(const scene::Scene& scene, const InspectionRequest& request) {
   const Simulation& simulation = scene.simulation();
   const scene::SceneParts& parts = scene.parts();
@@ -118,6 +120,7 @@ Inspection inspect(const scene::Scene& scene, const InspectionRequest& request) 
   return seen;
 }
 
+/// Everything about entities that does not change between two scenes.
 std::vector<EntityOutline> outline_of(const scene::Scene& scene) {
   const scene::SceneParts& parts = scene.parts();
   std::vector<EntityOutline> all;

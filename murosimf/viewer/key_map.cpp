@@ -53,6 +53,7 @@ std::vector<std::string_view> key_names() {
   return names;
 }
 
+/// Modifiers come first, in any order: "Ctrl+Shift+A".
 KeyChord read_chord(std::string_view text) {
   KeyChord chord;
   std::string_view rest = text;
@@ -109,6 +110,7 @@ std::optional<Action> KeyMap::action_of(const KeyChord& chord) const {
   return found == keys_.end() ? std::nullopt : std::optional(found->second);
 }
 
+/// All chords of an action, for the help.
 std::string KeyMap::keys_of(Action action) const {
   std::string text;
   for (const auto& [chord, meant] : keys_) {

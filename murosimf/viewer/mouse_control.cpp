@@ -45,6 +45,7 @@ std::optional<Vec3d> MouseControl::dragged_to(const Pixel& pixel, const sensors:
   return on_plane(view, pixel, grabbed_, normal_);
 }
 
+/// A small tremble of the hand is still a click.
 void MouseControl::move(const Pixel& pixel, const sensors::Perspective& view) {
   if (kind_ == Kind::none) return;
   const double right = pixel.x - last_.x, down = pixel.y - last_.y;
@@ -63,6 +64,7 @@ void MouseControl::move(const Pixel& pixel, const sensors::Perspective& view) {
   if (kind_ == Kind::place) viewer_.move(path_.entity, start_ + (to_ - grabbed_));
 }
 
+/// The drag ends where the button is released, also if no move was reported before.
 void MouseControl::release(const Pixel& pixel, const sensors::Perspective& view, const Pick& pick) {
   move(pixel, view);
   const auto pulled = pull();
@@ -79,6 +81,7 @@ void MouseControl::release(const Pixel& pixel, const sensors::Perspective& view,
   }
 }
 
+/// The place becomes the center of rotation, also on the ground.
 void MouseControl::double_click(Button button, const Held& held, const Pixel& pixel, const Pick& pick) {
   const auto hit = pick(pixel);
   if (!hit) return;

@@ -63,6 +63,7 @@ std::optional<Vec3d> on_plane(const sensors::Perspective& view, const Pixel& pix
   return ray.from + way * ray.direction;
 }
 
+/// Straight up or down there is no azimuth: then the usual one is taken.
 void OrbitCamera::take_over(const sensors::Perspective& view) {
   const Vec3d forward = view.axes.z;
   elevation = std::asin(std::clamp(-forward.z, -1.0, 1.0));

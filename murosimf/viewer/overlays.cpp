@@ -75,6 +75,7 @@ void add_boxes(const Posed& entity, Overlays& into) {
   }
 }
 
+/// The foot of the plumb line shows whether the center of mass is above the soles.
 void add_center_of_mass(const Posed& entity, Overlays& into) {
   const auto center = center_of_mass(*entity.outline.model, entity.r, entity.R);
   if (!center) return;
@@ -140,6 +141,7 @@ void add_name(const Posed& entity, const std::string& level, const OverlayOption
   into.labels.push_back({above(entity), text, with_level ? color_of_level(level) : Color{1, 1, 1}});
 }
 
+/// Slightly above the ground, so that the marks are not hidden by it.
 std::vector<Vec3d> ground_contacts(const PoseFrame& frame, std::size_t entity) {
   std::vector<Vec3d> points;
   for (const ContactMark& mark : frame.contacts) {
@@ -148,6 +150,7 @@ std::vector<Vec3d> ground_contacts(const PoseFrame& frame, std::size_t entity) {
   return points;
 }
 
+/// Small forces would be arrows without a visible direction.
 void add_contacts(const PoseFrame& frame, const OverlayOptions& options, Overlays& into) {
   for (const ContactMark& mark : frame.contacts) {
     if (options.contacts) {
@@ -169,6 +172,7 @@ void add_zero_moment_point(const PoseFrame& frame, std::size_t entity, Overlays&
   into.marks.push_back({.points = {*point}, .color = moment_color, .width = 8});
 }
 
+/// Frames and inspections come at different instants: an entity may be gone by now.
 void add_loads(const PoseFrame& frame, const Inspection& seen, Overlays& into) {
   for (const JointLoad& load : seen.loads) {
     const auto entity = static_cast<std::size_t>(load.path.entity);
@@ -231,6 +235,7 @@ Color color_of_load(double share) {
   return {std::min(1.0, 2 * s), std::min(1.0, 2 - 2 * s), 0.1};
 }
 
+/// Nothing for models without mass.
 std::optional<Vec3d> center_of_mass(const Model& model, std::span<const Vec3d> r, std::span<const Mat3d> R) {
   MUROSIMF_ASSERT(r.size() == R.size());
   double mass = 0;

@@ -7,6 +7,7 @@
 
 namespace murosimf::viewer {
 
+/// A value of an earlier instant replaces what was after it: the run has jumped back.
 void Curve::add(double time, double value) {
   const auto later = std::ranges::lower_bound(times_, time);
   values_.resize(static_cast<std::size_t>(later - times_.begin()));
@@ -29,6 +30,7 @@ void Curve::thin_out() {
   values_.resize(kept);
 }
 
+/// Values that are not finite have no place in a range.
 Curve::Range Curve::range(double begin) const {
   Range range{INFINITY, -INFINITY};
   for (auto i = static_cast<std::size_t>(std::ranges::lower_bound(times_, begin) - times_.begin()); i < values_.size();

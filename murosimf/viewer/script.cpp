@@ -72,6 +72,7 @@ bool is_number(const std::string& text) {
   return !text.empty() && text.find_first_not_of("0123456789.-") == std::string::npos;
 }
 
+/// Words are checked when the script is read, not when the step is reached.
 ScriptStep read_step(const std::string& line) {
   std::istringstream words(line);
   std::string word;
@@ -107,6 +108,7 @@ ScriptStep read_step(const std::string& line) {
 
 }  // namespace
 
+/// Errors name the line of the script.
 std::vector<ScriptStep> parse_script(std::string_view text, const std::string& name) {
   std::vector<ScriptStep> steps;
   std::istringstream lines{std::string(text)};

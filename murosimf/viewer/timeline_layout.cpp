@@ -53,6 +53,7 @@ int TimelineLayout::row_at(int branch, double time) const {
   return 0;
 }
 
+/// The bar that is nearest: branches are short, and hard to hit.
 TimelineLayout::Place TimelineLayout::place_at(double x, int row) const {
   const double time = std::clamp(x / width_, 0.0, 1.0) * end_;
   MUROSIMF_ASSERT(rows_ >= 1);

@@ -101,6 +101,7 @@ struct CameraSubscriptions::Visit {
     renew_renderer(scene);
   }
 
+  /// Appearance and light can change during the run: the renderer is made anew then.
   void renew_renderer(scene::Scene& scene) {
     if (renderer && changes == scene.parts().changes_to_see) return;
     changes = scene.parts().changes_to_see;
@@ -148,6 +149,7 @@ struct CameraSubscriptions::Inside {
   std::thread thread;
 };
 
+/// In the drawing thread: graphics contexts belong to one thread.
 void CameraSubscriptions::Inside::load_driver() {
   if (driver) return;
   try {
@@ -199,6 +201,7 @@ bool CameraSubscriptions::Inside::is_due(const Found& found) {
   return now->frame.time / period != number || session.status().paused;
 }
 
+/// At most as often as the camera itself, whatever the number of pages.
 void CameraSubscriptions::Inside::draw(const Found& found) {
   const sensors::CameraInfo& info = *found.info;
   const auto entity = static_cast<std::size_t>(found.entity);
@@ -289,6 +292,7 @@ void CameraSubscriptions::Inside::work() {
 
 CameraSubscriptions::CameraSubscriptions(session::Session& session) : inside_(std::make_unique<Inside>(session)) {}
 
+/// The drawing thread ends before anything that it uses.
 CameraSubscriptions::~CameraSubscriptions() {
   {
     const std::lock_guard lock(inside_->mutex);
@@ -298,6 +302,7 @@ CameraSubscriptions::~CameraSubscriptions() {
   if (inside_->thread.joinable()) inside_->thread.join();
 }
 
+/// New cameras are drawn at once, also while the run is paused.
 void CameraSubscriptions::want(const std::set<std::string>& cameras) {
   const std::lock_guard lock(inside_->mutex);
   if (cameras == inside_->wanted) return;

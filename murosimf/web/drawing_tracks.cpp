@@ -36,6 +36,7 @@ std::int64_t DrawingTracks::look_of(const DrawnShape& shape) {
   return known->second;
 }
 
+/// A version for each change only: most drawings stay the same for many frames.
 void DrawingTracks::add(Track& track, std::size_t frame, Numbers looks, Numbers points) {
   if (track.looks == looks && track.points == points) return;
   MUROSIMF_ASSERT(track.versions.empty() || track.versions.back().frame <= frame);

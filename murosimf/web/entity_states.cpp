@@ -43,6 +43,7 @@ json beliefs_of(const World& world) {
   return all;
 }
 
+/// The newest lines only: pages keep the older ones.
 json lines_of(const Simulation& simulation) {
   json lines = json::array();
   const auto& warnings = simulation.warnings();

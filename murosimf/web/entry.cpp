@@ -49,6 +49,7 @@ bool may_enter(const AccessRules& rules, const Visitor& visitor) {
   return rules.loopback && is_loopback(visitor.host) && is_own(visitor);
 }
 
+/// From the system's source of randomness: a token must not be guessable.
 std::string new_token() {
   std::array<unsigned char, 16> bytes{};
   if (::getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {

@@ -90,6 +90,7 @@ FoxgloveConversation::~FoxgloveConversation() {
   live_.leave();
 }
 
+/// The number of open requests is bounded: each one occupies the thread of the run.
 void FoxgloveConversation::receive(std::string_view message, bool binary) {
   if (jobs_.size() >= most_requests) throw ClientError("too many requests at once");
   try {
@@ -129,6 +130,7 @@ void FoxgloveConversation::receive_text(const json& order) {
   }
 }
 
+/// Unknown channels are an error of the client, which is told but not disconnected.
 void FoxgloveConversation::subscribe(const json& order) {
   for (const json& one : order.at("subscriptions")) {
     const auto id = one.at("id").get<std::uint32_t>();
@@ -242,6 +244,7 @@ void FoxgloveConversation::introduce() {
   introduced_ = true;
 }
 
+/// Channels can be added during the run; each is announced once.
 void FoxgloveConversation::announce_channels() {
   json channels = json::array();
   for (; announced_ < live_.channels().size(); ++announced_) {

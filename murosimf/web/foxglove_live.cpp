@@ -127,6 +127,7 @@ std::string FoxgloveLive::trouble_of(std::uint16_t channel) const {
   return seen ? seen->trouble : "";
 }
 
+/// Pictures are compressed in a thread of their own: a picture that is not finished skips this one.
 void FoxgloveLive::take_pictures() {
   if (!pictures_ || !pictures_->is_free()) return;
   const auto add = [&](const std::string& topic, const std::string& name, const std::string& schema) {

@@ -43,6 +43,7 @@ FoxglovePictures::FoxglovePictures(Infos infos, std::vector<recording::RecordedC
   work_ = std::async(std::launch::async, [this] { writer_.emplace(sink_, frames_, cameras_); });
 }
 
+/// An error of the thread is kept as a text, so that it is told to the clients.
 bool FoxglovePictures::is_free() {
   if (!work_.valid()) return true;
   if (work_.wait_for(0s) != std::future_status::ready) return false;

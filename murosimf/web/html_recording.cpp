@@ -30,6 +30,7 @@ Duration period_of(double rate) {
 
 }  // namespace
 
+/// Bytes of equal significance follow each other: they compress much better.
 std::string as_planes(const std::vector<std::string>& frames) {
   MUROSIMF_ASSERT(std::ranges::all_of(frames, [&](const auto& one) { return one.size() == frames.front().size(); }));
   const std::size_t words = frames.empty() ? 0 : frames.front().size() / 2;
@@ -86,6 +87,7 @@ void HtmlRecording::take_frame() {
   take_drawings();
 }
 
+/// Drawings are taken only when one of the counters has changed.
 void HtmlRecording::take_drawings() {
   const World& world = scene_.simulation().world();
   const auto others = options_.others ? options_.others->shown() : nullptr;
@@ -116,6 +118,7 @@ std::string HtmlRecording::packed() const {
   return gzip(bytes);
 }
 
+/// The last instant belongs to the recording, even between two frames.
 void HtmlRecording::finish() {
   scene_.simulation().initialize();
   if (times_.empty() || times_.back() < scene_.simulation().now()) take_frame();

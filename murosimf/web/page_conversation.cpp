@@ -23,6 +23,7 @@ constexpr std::size_t most_paths = 64;    // per client
 constexpr std::size_t most_orders = 256;  // pending per client
 constexpr double longest_time = 3e9;      // [s]
 
+/// Errors of the JSON library would tell a page nothing about the key.
 template <class T>
 T get(const json& order, const char* key) {
   try {
@@ -43,6 +44,7 @@ double finite(const json& order, const char* key) {
 
 PageConversation::~PageConversation() { live_.leave(*this); }
 
+/// Binary messages have no meaning here.
 void PageConversation::receive(std::string_view message, bool binary) {
   if (binary) throw ClientError("orders are text");
   const json order = json::parse(message, nullptr, false);
@@ -154,6 +156,7 @@ void PageConversation::show_poses() {
   ++unseen_;
 }
 
+/// A new document comes first: all later messages refer to it.
 void PageConversation::look() {
   const bool is_new = document_ != live_.documents();
   if (is_new) {
@@ -182,6 +185,7 @@ void PageConversation::look() {
   if (seen != news.pictures.end()) outbox.show(picture, seen->second);
 }
 
+/// Numbers that several pages watch are read once.
 void PageConversation::add(Requests& requests) const {
   ++requests.clients;
   requests.contacts = requests.contacts || contacts_;

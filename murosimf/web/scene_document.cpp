@@ -86,6 +86,7 @@ class Writer {
     return std::move(document_);
   }
 
+  /// The order of the entities is that of the poses.
  private:
   void add_entity(const Entity& entity, std::size_t index) {
     json one{{"name", entity.name()},
@@ -151,14 +152,15 @@ class Writer {
     }
   }
 
+  /// Padded to four bytes: the page reads the numbers behind the text in place.
   void assemble() {
     std::string text = json_line(text_);
     text.resize((text.size() + 3) / 4 * 4, ' ');
     put_u32(document_.bytes, static_cast<std::uint32_t>(text.size()));
     document_.bytes += text;
+    MUROSIMF_ASSERT(document_.bytes.size() % 4 == 0);
     document_.bytes += data_;
   }
-  MUROSIMF_ASSERT(document_.bytes.size() % 4 == 0);
 
   const scene::Scene& scene_;
   SceneDocument document_;

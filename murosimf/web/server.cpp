@@ -172,6 +172,7 @@ int Server::Inside::on_event(lws* wsi, lws_callback_reasons reason, void* user, 
   }
 }
 
+/// Rules of entry are checked before a conversation is made.
 int Server::Inside::handle(lws* wsi, lws_callback_reasons reason, Client* client, std::string_view bytes) {
   switch (reason) {
     case LWS_CALLBACK_HTTP: return get(wsi, *client, bytes);
@@ -188,6 +189,7 @@ int Server::Inside::handle(lws* wsi, lws_callback_reasons reason, Client* client
   }
 }
 
+/// Only known paths are answered: the server has no access to files.
 int Server::Inside::get(lws* wsi, Client& client, std::string_view path) {
   const auto refuse = [&](unsigned status, const char* why) {
     return lws_return_http_status(wsi, status, why) != 0 || lws_http_transaction_completed(wsi) != 0 ? -1 : 0;
@@ -217,6 +219,7 @@ int Server::Inside::get(lws* wsi, Client& client, std::string_view path) {
   return refuse(HTTP_STATUS_NOT_FOUND, "There is only one page here: /\n");
 }
 
+/// The library needs room in front of the bytes for its header.
 int Server::Inside::send_page(lws* wsi, Client& client) {
   if (!client.answer) return -1;
   const std::string_view bytes = client.answer->bytes;
@@ -241,6 +244,7 @@ int Server::Inside::open(lws* wsi, Client& client) {
   return 0;
 }
 
+/// Messages come in fragments; a message that is too long ends the connection.
 int Server::Inside::receive(lws* wsi, Client& client, std::string_view bytes) {
   MUROSIMF_ASSERT(client.conversation != nullptr && client.incoming != nullptr);
   if (lws_is_first_fragment(wsi) != 0) client.incoming->clear();

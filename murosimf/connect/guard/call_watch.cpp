@@ -36,6 +36,7 @@ CallWatch::CallWatch() {
   std::thread([this] { look(); }).detach();
 }
 
+/// Places are used again and never freed: the watching thread may be reading one.
 CallWatch::Place& CallWatch::take() {
   const std::lock_guard lock(mutex_);
   const auto free = std::ranges::find_if(places_, [](const auto& place) { return !place->taken; });

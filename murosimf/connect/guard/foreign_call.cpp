@@ -97,6 +97,7 @@ void announce(const std::string& name, const std::string& what, const CallEnd& w
   alarm(longest_end);  // the process may be too damaged to end by itself
 }
 
+/// In memory that is there before any crash: the handler of a signal must not allocate.
 void note_suspect(const std::string& name) {
   static std::mutex noting;
   const std::lock_guard lock(noting);
@@ -106,6 +107,7 @@ void note_suspect(const std::string& name) {
   std::ranges::copy(more, suspects.begin() + static_cast<std::ptrdiff_t>(known.size()));
 }
 
+/// Only functions that are safe in handlers of signals.
 void announce_suspects(int signal) noexcept {
   if (suspects.front() == 0) return;
   write_text("murosimf: the program crashed (");

@@ -23,6 +23,7 @@ struct ThreadGuard {
   CallWatch::Place& place;
 };
 
+/// Exceptions must not pass frames of software that was built by another compiler.
 CallOutcome without_exceptions(const GuardedCall& guard, const std::function<void()>& call) {
   try {
     call();

@@ -59,6 +59,7 @@ const char* kept_name() noexcept {
 
 CallState::CallState() noexcept : c_locale_(kept_name()), thread_locale_(::uselocale(nullptr)) {}
 
+/// Modes of floating-point numbers would change all results of the simulation from here on.
 ProcessChanges CallState::put_back() const noexcept {
   ProcessChanges changes;
   if (const FloatingPointModes now = FloatingPointModes::now(); now != modes_) {
@@ -92,6 +93,7 @@ void CallState::put_back_locale(ProcessChanges& changes) const noexcept {
   std::setlocale(LC_ALL, c_locale_);
 }
 
+/// Device and number identify the file also after its descriptor was closed and given to another.
 ProcessState::Held ProcessState::hold(int descriptor) {
   Held held;
   struct stat status {};
@@ -142,6 +144,7 @@ bool ProcessState::put_back_directory() const noexcept {
   return true;
 }
 
+/// A handler of software would catch the program's own crashes.
 bool ProcessState::put_back_handlers() const noexcept {
   bool changed = false;
   for (std::size_t i = 0; i < handlers_.size(); ++i) {
@@ -181,6 +184,7 @@ bool ProcessState::put_back_timers() const noexcept {
   return changed;
 }
 
+/// Only variables on which the library's results depend.
 bool ProcessState::put_back_environment() const noexcept {
   bool changed = false;
   for (std::size_t i = 0; i < variables.size(); ++i) {

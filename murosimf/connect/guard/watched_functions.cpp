@@ -93,6 +93,7 @@ using murosimf::connect::next;
 // NOLINTBEGIN(bugprone-reserved-identifier): they are those of the C library
 MUROSIMF_ENDS(quick_exit)
 
+/// An end of the process inside a call is the end of the software, not of the simulation.
 extern "C" void exit(int code) noexcept {
   if (murosimf::connect::is_child_of_software()) ::_exit(code);
   end_software(CallEnd::exit, "exit", code);

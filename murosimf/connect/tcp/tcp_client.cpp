@@ -31,6 +31,7 @@ void parse(std::string_view bytes, wire::FromClient& message) {
   }
 }
 
+/// The version is compared first: other versions may have other messages.
 void read_hello(TcpClient& client, std::string_view bytes) {
   wire::FromClient message;
   parse(bytes, message);

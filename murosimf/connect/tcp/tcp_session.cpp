@@ -69,6 +69,7 @@ void TcpSession::set_up(wire::WallTime end) {
   while (!ready_) take(line_->receive_until(end));
 }
 
+/// The client begins anew: pictures are sent again although their numbers may be known.
 void TcpSession::publish_start() {
   wire::Cycle& cycle = *outgoing_->mutable_cycle();
   cycle.Clear();
@@ -120,6 +121,7 @@ void TcpSession::publish_messages(wire::Cycle& cycle) {
   }
 }
 
+/// Only pictures that are new since the last message: they are by far the largest part of it.
 void TcpSession::publish_pictures(wire::Cycle& cycle) {
   cycle.clear_pictures();
   for (std::size_t i = 0; i < pictures_.size(); ++i) {
@@ -153,6 +155,7 @@ void TcpSession::receive_pending(wire::WallTime now) {
   }
 }
 
+/// A client that sends without end would occupy the thread of the run.
 void TcpSession::check_rate(wire::WallTime now) {
   if (now - second_ > std::chrono::seconds(1)) {
     second_ = now;
@@ -227,6 +230,7 @@ void TcpSession::describe_command(const std::string& name, wire::Description& de
   for (const std::string& label : *port_->labels(name)) described.add_labels(label);
 }
 
+/// Bounded, so that a message of all pictures fits the largest one.
 void TcpSession::describe_picture(const std::string& name, wire::Description& described) {
   const murosimf_picture* const shown = port_->picture(name);
   const std::size_t bytes = std::size_t{most_pixel_bytes} * shown->width * shown->height;

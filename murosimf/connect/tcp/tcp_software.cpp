@@ -55,6 +55,7 @@ wire::WallTime TcpSoftware::end_of_waiting() const {
   return std::chrono::steady_clock::now() + from_seconds(options_.limit);
 }
 
+/// The robot keeps its last commands, and another client may take its place.
 void TcpSoftware::drop(const std::string& reason) noexcept {
   pen_.write(ExternalInput::left, reason);
   if (session_) session_->say_refused(reason);
@@ -89,6 +90,7 @@ CallOutcome TcpSoftware::start() {
   return {};
 }
 
+/// After a jump in time, the client first learns of it: its samples are of another past.
 CallOutcome TcpSoftware::step(Duration now) noexcept {
   at(now);
   if (std::exchange(jumped_, false)) guarded([&] { catch_up(now); });

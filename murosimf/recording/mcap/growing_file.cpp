@@ -49,6 +49,7 @@ int rename_to_free(const fs::path& from, const fs::path& to) {
 
 }  // namespace
 
+/// A regular file is written beside its place and replaces it at the end; devices and pipes are written directly.
 GrowingFile::GrowingFile(const fs::path& file) : file_(file), place_(file) {
   files::check_writable(file);
   if (place_.is_replaced()) {
@@ -66,6 +67,7 @@ GrowingFile::~GrowingFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
 }
 
+/// The place may be a descriptor of this process, like /dev/stdout.
 void GrowingFile::open_directly() {
   descriptor_ = place_.descriptor() >= 0 ? ::fcntl(place_.descriptor(), F_DUPFD_CLOEXEC, 0)
                                          : ::open(place_.path().c_str(), O_WRONLY | O_CLOEXEC);
@@ -128,6 +130,7 @@ void GrowingFile::take_name() {
   at_ = failure == 0 ? place_.path() : part_;
 }
 
+/// Before the file begins, its bytes stay in memory: a run that fails at its start leaves no file.
 void GrowingFile::append(std::string_view bytes) {
   if (failed_) refuse(EIO);
   if (begun_) {
@@ -162,6 +165,7 @@ void GrowingFile::sync() {
   if (begun_ && ::fdatasync(descriptor_) != 0 && errno != EINVAL) refuse(errno);  // EINVAL: a device without a buffer
 }
 
+/// The place is checked again: another program may have begun to write it meanwhile.
 void GrowingFile::finish() {
   begin();
   sync();
@@ -182,6 +186,7 @@ void GrowingFile::refuse(const std::string& reason) const {
   throw SetupError(fmt::format("cannot write '{}': {}", file_.string(), reason));
 }
 
+/// Why there is no whole file: it is still being written, or a part is left of a run that was killed.
 std::string part_diagnostic(const fs::path& file) {
   const fs::path place = files::OutputPlace(file).path(), part = part_beside(place);
   for (const fs::path& one : {place, part}) {

@@ -46,6 +46,7 @@ bool McapReader::is_again(const std::vector<Index>& known, const std::string& fo
   return true;
 }
 
+/// Two channels of the same number are a sign of two files in one.
 bool McapReader::is_other_channel(std::string_view content, std::uint64_t offset) {
   const auto channel = parse_record<Channel>(content);
   const auto known = std::ranges::find(contents_.channels, channel.id, &Channel::id);
@@ -64,6 +65,7 @@ bool McapReader::is_before_last(const Chunk& chunk, std::uint64_t offset) {
   return true;
 }
 
+/// For files without an end: record by record from the start, as far as they are whole.
 void McapReader::look_through() {
   std::uint64_t offset = mcap_magic.size();
   while (offset < size_) {
@@ -157,6 +159,7 @@ bool McapReader::take_chunk(std::uint64_t offset, std::uint64_t length) {
   return true;
 }
 
+/// Schemas and channels may stand in chunks only.
 void McapReader::take_chunk_record(Opcode opcode, std::string_view content) {
   Statistics& sums = contents_.statistics;
   if (opcode == Opcode::schema || opcode == Opcode::channel) {

@@ -6,6 +6,7 @@
 namespace murosimf::recording {
 namespace {
 
+/// Size in bytes first, then pairs.
 TextMap read_text_map(ByteReader& reader) {
   TextMap map;
   ByteReader entries(reader.raw(reader.number<std::uint32_t>()));

@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::uint64_t footer_bytes = record_head + 20;
 
+/// Bounded before memory is set aside: the size comes from the file.
 std::string unpack(const Chunk& chunk) {
   if (chunk.uncompressed_size > most_chunk_bytes) {
     throw SetupError(fmt::format("the chunk is too large: at most {} MB are read", most_chunk_bytes / 1'000'000));
@@ -79,6 +80,7 @@ std::string McapReader::bytes_at(std::uint64_t offset, std::uint64_t length) con
   return bytes;
 }
 
+/// The length is compared with the rest of the file before anything is read.
 McapReader::Record McapReader::record_at(std::uint64_t offset) const {
   const std::string bytes = bytes_at(offset, record_head);
   ByteReader head(bytes);
@@ -99,6 +101,7 @@ auto McapReader::at(std::uint64_t offset, const Call& call) const {
   return with_context(fmt::format("{}: byte {}", file_.string(), offset), call);
 }
 
+/// Magic bytes and header: other files are refused with a reason.
 void McapReader::check_header() {
   if (size_ < mcap_magic.size() || bytes_at(0, mcap_magic.size()) != mcap_magic) {
     throw SetupError("this is no MCAP file: it does not begin as one");

@@ -70,6 +70,7 @@ std::uint16_t McapWriter::add_channel(const std::string& topic, const std::strin
   return id;
 }
 
+/// A chunk ends when it is long or late: readers find instants by chunks.
 void McapWriter::write(std::uint16_t channel, Duration time, std::string_view data) {
   MUROSIMF_ASSERT(channel >= 1 && channel <= channels_.size());
   const auto log_time = static_cast<std::uint64_t>(std::max(time, Duration{}).count());
@@ -90,6 +91,7 @@ void McapWriter::write(std::uint16_t channel, Duration time, std::string_view da
   ++statistics_.channel_message_counts[channel];
 }
 
+/// The CRC is that of the uncompressed records, so that it covers the compression, too.
 void McapWriter::flush() {
   if (records_.empty()) return;
   MUROSIMF_ASSERT(start_time_ <= end_time_);
@@ -142,6 +144,7 @@ void McapWriter::attach(const Attachment& attachment) {
   ++statistics_.attachment_count;
 }
 
+/// Metadata is not part of chunks: what was collected is written first, so that the order stays.
 void McapWriter::add(const Metadata& metadata) {
   flush();
   const std::uint64_t offset = file_.size();

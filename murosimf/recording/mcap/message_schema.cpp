@@ -64,6 +64,7 @@ EnumSchema take_enum(Tokens& tokens) {
   return schema;
 }
 
+/// "repeated" and "optional" stand before the type.
 FieldSchema take_field(Tokens& tokens, std::string first) {
   FieldSchema field;
   field.repeated = first == "repeated";
@@ -144,13 +145,13 @@ void append_message(ProtobufWriter& out, const MessageSchema& message) {
   }
 }
 
-/// The messages of which it consists, each once.
 /// The messages that it contains, each once.
-std::set<std::string> parts;
-for (const FieldSchema& field : message.fields) {
-  if (is_message(field) && field.type != message.name) parts.insert(field.type);
-}
-return parts;
+std::set<std::string> parts_of(const MessageSchema& message) {
+  std::set<std::string> parts;
+  for (const FieldSchema& field : message.fields) {
+    if (is_message(field) && field.type != message.name) parts.insert(field.type);
+  }
+  return parts;
 }
 
 /// FileDescriptorProto; files follow those that they depend on.
@@ -170,6 +171,7 @@ void append_file(ProtobufWriter& out, const MessageSchema& message, const FindSc
 
 }  // namespace
 
+/// Errors of the text are errors of this program: they name the message.
 MessageSchema message_schema(std::string name, std::string_view fields) {
   return with_context(name, [&] {
     MessageSchema schema{.name = name, .enums = {}, .fields = {}};

@@ -22,6 +22,7 @@ std::string compress(std::string_view bytes) {
   return packed;
 }
 
+/// The size is known from the chunk: another one is damage.
 std::string decompress(std::string_view method, std::string_view bytes, std::uint64_t size) {
   if (method.empty() && bytes.size() == size) return std::string(bytes);
   if (method != "zstd") {

@@ -139,6 +139,7 @@ void Bus::write(Protocol protocol, std::uint8_t id, std::size_t address, ByteVie
   }
 }
 
+/// Incomplete packets are ignored, as devices do: a sync write has no answer that could refuse it.
 void Bus::sync_write(const Packet& packet) {
   const ByteView at = packet.parameters;
   const bool old = packet.protocol == Protocol::v1;
@@ -150,6 +151,7 @@ void Bus::sync_write(const Packet& packet) {
   }
 }
 
+/// Devices take what is complete; the rest of a packet that is too short is ignored.
 void Bus::bulk_write(const Packet& packet) {
   const ByteView at = packet.parameters;
   std::size_t i = 0;

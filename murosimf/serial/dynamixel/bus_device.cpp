@@ -55,6 +55,7 @@ std::size_t BusDevice::resolved(std::size_t address) const {
   return address;
 }
 
+/// Indirect addresses show bytes of other registers: they are replaced after the plain read.
 Refusal BusDevice::read_bytes(std::size_t address, std::size_t size, Bytes& data) const {
   const Refusal refusal = registers_.read(address, size, data);
   if (refusal != Refusal::none || registers_.table().indirect.empty()) return refusal;
@@ -116,6 +117,7 @@ Refusal BusDevice::write(const Packet& packet) {
   return write(number_at(packet, 0), ByteView(packet.parameters).subspan(size));
 }
 
+/// A registered instruction is executed once.
 Refusal BusDevice::act() {
   if (standing_by_.empty()) return Refusal::instruction;
   const Packet packet = standing_by_.front();
@@ -139,6 +141,7 @@ Refusal BusDevice::reset(const Packet& packet) {
   return Refusal::none;
 }
 
+/// RAM has its defaults again; EEPROM keeps its values. The device is deaf while it starts.
 void BusDevice::restart() {
   registers_.restore_ram();
   registers_.set(Item::registered, 0);

@@ -27,6 +27,7 @@ void BusLine::push(ByteView bytes, double now) {
   }
 }
 
+/// Half duplex: an answer begins when the line is free of the answers before.
 void BusLine::execute(const Arrival& arrival) {
   ++instructions_;
   double begin = std::max(arrival.due, answered_);

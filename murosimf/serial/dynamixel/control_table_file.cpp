@@ -239,6 +239,7 @@ void read_fields(const TomlTable& file, ControlTable& made) {
   }
 }
 
+/// Fields must not overlap: a write to one would change another.
 void check_whole(const TomlTable& file, const ControlTable& table) {
   const auto fail = [&](const std::string& what) { throw SetupError(file.where() + ": " + what); };
   std::size_t end = 0;
@@ -266,6 +267,7 @@ void check_whole(const TomlTable& file, const ControlTable& table) {
   if (baud && !(table.baud_rate(baud->initial) > 0)) fail("the baud rate from the factory is not in baud_rates");
 }
 
+/// Tables build upon others; the depth is bounded, since files could name each other.
 ControlTable read_upon(const std::filesystem::path& file, int depth) {
   const toml::table root = files::parse_toml_file(file);
   const TomlTable given(root, {"base", "without", "protocol", "feetech", "operating_modes", "baud_rates", "baud_clock",

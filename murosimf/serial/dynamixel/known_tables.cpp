@@ -60,6 +60,7 @@ class KnownTables {
 
 }  // namespace
 
+/// Each file is read once; buses of several threads may ask at the same time.
 const ControlTable* find_servo_table(std::string_view name, const fs::path& beside) {
   static std::mutex mutex;
   static KnownTables tables;

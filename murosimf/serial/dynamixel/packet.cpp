@@ -21,6 +21,7 @@ Bytes to_bytes_v1(const Packet& packet) {
   return bytes;
 }
 
+/// The length is written last: stuffed bytes count.
 Bytes to_bytes_v2(const Packet& packet) {
   Bytes bytes{0xFF, 0xFF, 0xFD, 0x00, packet.id, 0, 0};
   const std::size_t begin = bytes.size();

@@ -20,6 +20,7 @@ Bytes unstuffed(ByteView stuffed) {
 
 }  // namespace
 
+/// Where no packet begins, one byte is skipped: the next one may begin a packet.
 std::optional<Packet> PacketParser::next() {
   Packet packet;
   while (place_ < bytes_.size()) {
@@ -48,6 +49,7 @@ PacketParser::Found PacketParser::look(ByteView bytes, Packet& packet) {
   return bytes[2] == 0xFD && bytes[3] == 0x00 ? look_v2(bytes, packet) : look_v1(bytes, packet);
 }
 
+/// A wrong checksum does not skip the whole length, which may be wrong itself.
 PacketParser::Found PacketParser::look_v1(ByteView bytes, Packet& packet) {
   const std::size_t length = bytes[3], size = length + 4;
   if (bytes[2] == 0xFF || length < 2) return Found::nothing;
@@ -62,6 +64,7 @@ PacketParser::Found PacketParser::look_v1(ByteView bytes, Packet& packet) {
   return Found::packet;
 }
 
+/// A length beyond the largest packet is noise: waiting for its end would block the line.
 PacketParser::Found PacketParser::look_v2(ByteView bytes, Packet& packet) {
   if (bytes.size() < 7) return Found::more_needed;
   const std::size_t length = word(bytes, 5), size = length + 7;

@@ -84,6 +84,7 @@ Refusal Registers::read(std::size_t address, std::size_t size, Bytes& data) cons
   return Refusal::none;
 }
 
+/// All changes are planned before the first is made: a refused write changes nothing.
 Refusal Registers::plan(std::size_t address, ByteView data, bool eeprom_locked, std::vector<Change>& changes) const {
   if (data.empty()) return Refusal::length;
   const std::size_t end = address + data.size();

@@ -43,6 +43,7 @@ ServoDevice::Mode ServoDevice::mode() const {
   return several_turns ? Mode::extended : Mode::position;
 }
 
+/// The protocols and vendors differ in sign and range of the offset.
 std::int32_t ServoDevice::offset() const {
   constexpr std::int32_t most_in_one_turn = 1024;
   const std::int32_t offset = registers().get(Item::position_offset);
@@ -171,6 +172,7 @@ void ServoDevice::written(const Field& field) {
   }
 }
 
+/// Turns are counted anew from the present position, and the goal is there: the servo does not jump.
 void ServoDevice::restarted() {
   errors_ = 0;
   overloaded_ = false;
@@ -180,6 +182,7 @@ void ServoDevice::restarted() {
   was_on_ = torque();
 }
 
+/// The manual asks for these bytes, so that turns are not cleared by accident.
 Refusal ServoDevice::clear(ByteView parameters) {
   constexpr std::uint8_t all_turns[] = {0x01, 0x44, 0x58, 0x4C, 0x22};
   if (!std::ranges::equal(parameters, all_turns)) return Refusal::range;

@@ -94,6 +94,7 @@ Pixel in_pixels(GLFWwindow* window, double x, double y) {
   return {x * pixels_x / std::max(1, width), y * pixels_y / std::max(1, height)};
 }
 
+/// All callbacks put their input into one queue, in the order in which it came.
 void listen(GLFWwindow* window) {
   glfwSetKeyCallback(window, take_key);
   glfwSetCharCallback(window, [](GLFWwindow* of, unsigned int letter) { inputs_of(of).push_back(TextInput{letter}); });
@@ -183,6 +184,7 @@ double GlfwWindow::scale() const {
   return std::clamp(static_cast<double>(x), 1.0, 4.0);
 }
 
+/// Place and size are kept for the way back.
 void GlfwWindow::set_full_screen(bool full) {
   GLFWmonitor* monitor = glfwGetWindowMonitor(handles_->window);
   if (full == (monitor != nullptr)) return;

@@ -58,6 +58,7 @@ void number_keys() {
 #endif
 }
 
+/// The first font that is installed; ImGui's own has no letters besides ASCII.
 void choose_letters(float size) {
   ImGuiIO& io = ImGui::GetIO();
   for (const char* file :
@@ -122,6 +123,7 @@ void Gui::feed(const Input& input) {
   if (const auto* wheel = std::get_if<WheelInput>(&input)) wheel_ += wheel->clicks;
 }
 
+/// The state of the mouse once in each frame; steps of the wheel add up since the frame before.
 void Gui::feed_pointer() {
   ImGuiIO& io = ImGui::GetIO();
   const ImVec2 place = vec2(mouse_);
@@ -137,6 +139,7 @@ void Gui::feed_pointer() {
 #endif
 }
 
+/// At least 0.1 ms: ImGui refuses a frame that takes no time.
 void Gui::begin(int width, int height, double wall) {
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = vec2(width, height);

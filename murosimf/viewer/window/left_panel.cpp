@@ -45,6 +45,7 @@ std::string state_text(const EntityState& state) {
   return line;
 }
 
+/// Outline and inspection may be of different instants: only entities of both are shown.
 void robots_tab(Panels& panels) {
   Viewer& viewer = panels.viewer;
   const std::size_t count = std::min(viewer.outline().size(), viewer.seen().entities.size());
@@ -94,6 +95,7 @@ void object_row(Panels& panels, const ObjectPath& path, const std::string& name)
   ImGui::TreePop();
 }
 
+/// With a filter, the tree is open where something matches.
 void tree_tab(Panels& panels) {
   Viewer& viewer = panels.viewer;
   ImGui::SetNextItemWidth(-1);
@@ -172,6 +174,7 @@ std::vector<const PropertyValue*> usual_first(const std::vector<PropertyValue>& 
 
 }  // namespace
 
+/// Values come with the next inspection after the selection.
 void properties_of(Panels& panels, const ObjectPath& path) {
   Viewer& viewer = panels.viewer;
   const auto values = std::ranges::find(viewer.seen().objects, path, &ObjectValues::path);

@@ -23,6 +23,7 @@ bool cut(const sensors::Perspective& view, Vec3d& a, Vec3d& b) {
   return true;
 }
 
+/// A head on a very short arrow would hide it.
 void paint_head(ImDrawList& list, const ImVec2& from, const ImVec2& to, ImU32 color, double width) {
   const double x = to.x - from.x, y = to.y - from.y, length = std::hypot(x, y);
   if (length < 3) return;
@@ -44,6 +45,7 @@ void paint_segment(ImDrawList& list, const sensors::Perspective& view, const Are
   if (head) paint_head(list, p, q, color, width);
 }
 
+/// An area that reaches behind the eye is left out: its corners have no pixels.
 void paint_filled(ImDrawList& list, const sensors::Perspective& view, const Area& area, const Mark& mark) {
   std::vector<ImVec2> corners;
   for (const Vec3d& point : mark.points) {
@@ -138,6 +140,7 @@ void paint_drawings(const std::vector<render::SeenShape>& shapes, const Area& ar
   }
 }
 
+/// The arrow is drawn in the world, the force as text beside its end.
 void paint_pull(const MouseControl::Pull& pull, const sensors::Perspective& view, const Area& area) {
   const Clipped clipped(area);
   const Mark arrow{.points = {pull.from, pull.to}, .color = {1, 0.35, 0.1}, .width = 4, .arrow = true};
@@ -150,6 +153,7 @@ void paint_pull(const MouseControl::Pull& pull, const sensors::Perspective& view
   }
 }
 
+/// A ring on the ground, which other bodies hardly hide.
 void paint_selection(const Viewer& viewer, const sensors::Perspective& view, const Area& area) {
   if (!viewer.selected()) return;
   const Clipped clipped(area);

@@ -32,6 +32,7 @@ void camera_view(const CameraState& camera, const imaging::ColorImage& picture, 
        faint);
 }
 
+/// The outputs of a sensor follow each other in one row of numbers.
 void sensor_rows(Panels& panels, const SensorState& sensor) {
   std::size_t first = 0;
   for (const sensors::Output& output : sensor.info->outputs) {
@@ -64,6 +65,7 @@ void row_picture(const SensorState& sensor) {
   }
 }
 
+/// Whether the tab is open is remembered: scripts and tests ask for it.
 void tab(Panels& panels, const char* name, bool& open, const auto& draw) {
   open = ImGui::BeginTabItem(name);
   panels.gui.remember(name);
@@ -91,6 +93,7 @@ void drawing_boxes(Panels& panels) {
 
 }  // namespace
 
+/// Joints can be moved while the run is paused only: the controller would move them back.
 void joints_tab(Panels& panels) {
   Viewer& viewer = panels.viewer;
   const std::vector<MovableJoint> joints = viewer.joints();

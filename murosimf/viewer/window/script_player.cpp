@@ -23,6 +23,7 @@ Pixel in_window(const Pixel& pixel, const Area& area) { return {area.x + pixel.x
 
 }  // namespace
 
+/// Steps become inputs of several frames, as those of a hand.
 std::vector<Input> ScriptPlayer::next(const Stage& stage) {
   while (frames_.empty() && at_ < steps_.size()) {
     const ScriptStep& step = steps_[at_];
@@ -104,6 +105,7 @@ Pixel ScriptPlayer::where(const ScriptStep& step, const Stage& stage) const {
   return in_window(*pixel, stage.area);
 }
 
+/// Items may appear some frames later: they are waited for, but not without end.
 bool ScriptPlayer::press_item(const ScriptStep& step, const Stage& stage) {
   if (const auto place = stage.gui.place_of(step.text)) {
     click(*place, 1);
@@ -121,6 +123,7 @@ void ScriptPlayer::key(const KeyChord& chord) {
   frames(1);
 }
 
+/// The pointer rests for a frame before and after the click: ImGui needs both.
 void ScriptPlayer::click(const Pixel& pixel, int times) {
   frame({MoveInput{pixel}});
   frames(1);

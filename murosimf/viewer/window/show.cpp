@@ -89,6 +89,7 @@ class Show {
     return player_ && player_->ended();
   }
 
+  /// While nothing moves, the window waits for input and leaves the processor alone.
   void make_picture() {
     const bool calm = viewer_.status().paused && !player_ && !viewer_.busy() && queue_.empty();
     queue_.add(window_.inputs(calm ? calm_wait : 0));
@@ -131,6 +132,7 @@ class Show {
         judged_ / drawing_));
   }
 
+  /// The parts keep their proportions; a small window gets smaller letters.
   void arrange() {
     const auto [width, height] = window_.size();
     width_ = std::max(width, 200);
@@ -150,6 +152,7 @@ class Show {
 
   [[nodiscard]] Pixel in_scene(const Pixel& pixel) const { return {pixel.x - scene_.x, pixel.y - scene_.y}; }
 
+  /// The panels take the input first; the scene gets what they leave.
   void take(const Input& input) {
     gui_.feed(input);
     if (const auto* key = std::get_if<KeyInput>(&input)) take_key(*key);
@@ -161,6 +164,7 @@ class Show {
     if (const auto* wheel = std::get_if<WheelInput>(&input); wheel && !gui_.wants_mouse()) mouse_.wheel(wheel->clicks);
   }
 
+  /// Keys belong to text fields while one of them is active.
   void take_key(const KeyInput& key) {
     held_ = {key.chord.ctrl, key.chord.shift, key.chord.alt};
     KeyChord alone{.key = key.chord.key};
@@ -189,6 +193,7 @@ class Show {
     mouse_.press(button, held_, at, view_, pick_);
   }
 
+  /// The way depends on the time since the last picture, not on the number of pictures.
   void fly(double wall) {
     const double way = (held_.shift ? 4 : 1) * flying * wall;
     for (const auto& [key, action] : flown_) {
@@ -205,6 +210,7 @@ class Show {
     viewer_.pointed_at = over ? on_plane(view_, in_scene(pointer_), {}, {0, 0, 1}) : std::nullopt;
   }
 
+  /// Drawn again only if something has changed: pictures are the most expensive part of the window.
   void draw_scene() {
     Drawn now{.frame = viewer_.frame(),
               .tick = viewer_.frame() ? viewer_.frame()->tick : -1,
@@ -269,6 +275,7 @@ class Show {
     gui_.end();
   }
 
+  /// After the window is drawn: pictures show it as the user sees it.
   void take_screenshots() {
     if (player_) {
       if (const auto file = player_->wanted_screenshot()) write(*file);

@@ -37,6 +37,7 @@ void scrub(Panels& panels, const TimelineLayout& layout, const Area& area) {
   panels.viewer.seek(std::min(time, place.time), place.branch);
 }
 
+/// Branches begin at their parent's bar, so that it is seen where they left it.
 void draw_bars(const TimelineLayout& layout, const Area& area) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   for (const BranchBar& bar : layout.bars()) {
