@@ -11,7 +11,7 @@
 namespace murosimf::app {
 
 struct GameArguments {
-  std::string game_controller;          ///< where it is listened to
+  std::string game_controller;          ///< address at which it is received
   std::vector<std::string> team_links;  ///< TEAM=LISTEN,SEND
   std::string log, repeat;              ///< files
 };

@@ -1,4 +1,4 @@
-/// picture_source.h - where the pictures of `murosimf render` come from: a place by name, or a camera that a robot carries.
+/// picture_source.h - sources of the pictures of `murosimf render`: a viewpoint by name, or a camera of a robot.
 #pragma once
 
 #include <memory>

@@ -32,10 +32,10 @@ void add_record(const Command& command, RecordOptions& options);
 
 /// "murosimf 0.1.0 (136ba27)"
 [[nodiscard]] std::string this_program();
-/// As it could be typed again; empty where the system does not tell.
+/// The command line as it could be typed again; empty where the system has no record of it.
 [[nodiscard]] std::string command_line();
 
-/// Whether it is for others to say when it is recorded.
+/// Whether recording is switched on and off during the run.
 [[nodiscard]] bool is_asked_for(const RecordOptions& options);
 
 /// `somebody_asks`: whether others can. Throws SetupError as files::claim_output.
@@ -54,7 +54,7 @@ void check(const RecordOptions& options, bool somebody_asks);
 /// Prints why nothing is recorded any more, if that is so; to be called before finish() unless it was printed during the run.
 void say_trouble(const recording::Recorder& recorder);
 
-/// Writes what is left, and a layout for Foxglove beside the recording. Says what went wrong, once; whether nothing did.
+/// Writes what is left, and a layout for Foxglove beside the recording. Prints an error once; returns whether there was none.
 [[nodiscard]] bool finish(recording::Recorder& recorder, const scene::RunReport& report, const RecordOptions& options);
 
 }  // namespace murosimf::app

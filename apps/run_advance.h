@@ -1,4 +1,4 @@
-/// run_advance.h - has a scene run to its end, shows how far it has come, and takes pictures on the way.
+/// run_advance.h - runs a scene to its end, shows the progress, and takes pictures on the way.
 #pragma once
 
 #include <chrono>

@@ -1,4 +1,4 @@
-/// standard_output.h - where results go: standard output, and a JSON file.
+/// standard_output.h - results on standard output and in a JSON file.
 #pragma once
 
 #include <string>

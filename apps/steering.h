@@ -21,7 +21,7 @@ class Steering {
 
   /// Whether another run follows.
   [[nodiscard]] bool goes_on() const { return next_.has_value(); }
-  /// How it is run; not again.
+  /// Options of the next run; can be called once.
   [[nodiscard]] RunOptions take_next();
 
  private:
