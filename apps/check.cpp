@@ -83,7 +83,7 @@ int report_unreadable(const CheckOptions& options, const SetupError& error) {
   return 1;
 }
 
-/// A TOML file that is there already has somebody's work in it.
+/// A TOML file that exists may have been edited by hand: it is not overwritten.
 void check_roles(const std::filesystem::path& file, const robot::RobotFile& robot) {
   std::error_code none;
   if (std::filesystem::exists(std::filesystem::path(robot.description.file).replace_extension(".toml"), none)) {

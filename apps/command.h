@@ -1,4 +1,4 @@
-/// command.h - a command of the program says its options here, without the parser behind (CLI11 takes seconds to compile).
+/// command.h - options of the program's commands, independent of the parser (CLI11 takes seconds to compile).
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ struct Offer {
 };
 using Offers = std::map<const CLI::Option*, Offer>;
 
-/// An option that has been added; what is said of it is said to the parser. Copies are the same option.
+/// An option that was added; its members pass properties on to the parser. Copies are the same option.
 class Option {
  public:
   Option(CLI::Option& option, Offers& offers) : option_(&option), offers_(&offers) {}
@@ -41,7 +41,7 @@ class Option {
   Option needs(Option other) const;
   Option excludes(Option other) const;
 
-  /// The value may be left out, and is this then.
+  /// The value may be left out; this is its default then.
   Option value_if_alone(const std::string& value) const;
 
   /// Shells complete it with what `murosimf list KIND` prints.

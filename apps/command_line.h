@@ -26,7 +26,7 @@
 
 namespace murosimf::app {
 
-/// What is said of an option.
+/// The texts of an option.
 struct OptionText {
   std::string name;  ///< "--threads"; of a positional argument: "scene"
   std::string meaning;
@@ -59,7 +59,7 @@ class CommandLine {
   /// Files of `--plugin FILE` in front of the command; these may add commands, so they are loaded before anything is read.
   [[nodiscard]] static std::vector<std::string> leading_plugins(int argc, const char* const* argv);
 
-  /// Runs what the user asks for and returns the exit code. Says errors in the command line; throws what a command throws.
+  /// Runs the command of the user and returns the exit code. Prints errors in the command line; throws what a command throws.
   int run(int argc, char** argv);
 
   [[nodiscard]] std::vector<CommandText> commands() const;

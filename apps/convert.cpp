@@ -96,7 +96,7 @@ std::string copy_table_files(const fs::path& folder, const robot::RobotConversio
   return text;
 }
 
-/// A TOML file that is there already has somebody's work in it, and names files of its own.
+/// A TOML file that exists may have been edited by hand, and names files of its own: it is not overwritten.
 std::string write_table(const fs::path& file, const robot::RobotConversion& robot) {
   std::error_code error;
   if (fs::exists(file, error)) return fmt::format("{}: was there, kept as it is\n", file.string());

@@ -11,13 +11,13 @@
 namespace murosimf::app {
 
 struct GameArguments {
-  std::string game_controller;          ///< where it is listened to
+  std::string game_controller;          ///< address at which it is received
   std::vector<std::string> team_links;  ///< TEAM=LISTEN,SEND
   std::string log, repeat;              ///< files
 };
 
 void add_game(const Command& command, GameArguments& game);
-/// Null if nobody asks for one. Throws SetupError, with the option.
+/// Null if none is asked for. Throws SetupError, with the option.
 [[nodiscard]] std::unique_ptr<league::League> game_of(scene::Scene& scene, const GameArguments& arguments);
 
 }  // namespace murosimf::app

@@ -1,14 +1,14 @@
-/// interruption.h - Ctrl-C and its like end a long command early, without losing what it has.
+/// interruption.h - Ctrl-C and its like end a long command early, without losing its results.
 ///
-/// SIGINT (Ctrl-C), SIGTERM (kill, timeout, a cluster's scheduler) and SIGHUP (the terminal went away) are one thing here.
-/// At first each ends the program at once. After end_gently() the first of them only asks: the command looks at
+/// SIGINT (Ctrl-C), SIGTERM (kill, timeout, a cluster's scheduler) and SIGHUP (the terminal went away) are treated alike.
+/// At first each ends the program at once. After end_gently() the first of them is only a request: the command checks
 /// interrupted() in its loops, ends them, writes its results, and returns exit_code(). The next one, unless it comes within
-/// a tenth of a second (`timeout` sends two), ends the program at once. At once means: as if nobody caught it, except that
+/// a tenth of a second (`timeout` sends two), ends the program at once. At once means: as if it were not caught, except that
 /// half-written files are removed and programs that it has started are ended (files/cleanup_guard.h).
 ///
 /// SIGXFSZ, which comes when a file reaches the limit of sizes (ulimit -f), is ignored: writing fails then as on a full disk.
 ///
-/// The library knows nothing of signals; its loops have a `stop` that is asked (Simulation::stop_if).
+/// The library does not handle signals; its loops have a `stop` function (Simulation::stop_if).
 #pragma once
 
 #include <string>
@@ -17,7 +17,7 @@ namespace murosimf::app {
 
 /// To be called once, first of all. A SIGHUP that is ignored (nohup) stays ignored.
 void catch_signals();
-/// For commands that ask interrupted().
+/// For commands that check interrupted().
 void end_gently();
 
 [[nodiscard]] bool interrupted();

@@ -1,4 +1,4 @@
-/// option_lists.h - options of what stands in the registries, as `murosimf list options` prints them.
+/// option_lists.h - options of everything in the registries, as `murosimf list options` prints them.
 #pragma once
 
 #include <string>

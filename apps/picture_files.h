@@ -1,4 +1,4 @@
-/// picture_files.h - a picture or a video of a scene that goes on meanwhile.
+/// picture_files.h - a picture or a video of a running scene.
 #pragma once
 
 #include "apps/picture_source.h"

@@ -15,7 +15,7 @@ class PictureSequence {
   /// written to, or if `every` is no time.
   PictureSequence(std::filesystem::path folder, double every);
 
-  /// Of whom: to be called once, when the scene's simulation is initialized. Throws SetupError if nobody can draw here.
+  /// To be called once, when the scene's simulation is initialized. Throws SetupError if pictures cannot be drawn here.
   void show(scene::Scene& scene);
 
   /// Simulated time of the next picture.

@@ -163,7 +163,7 @@ class RobotCamera final : public PictureSource {
   }
 
  private:
-  /// What changes the camera, for who reads messages.
+  /// What changes the camera, for the reader of messages.
   [[nodiscard]] std::string setting(std::string_view change) const {
     const auto dot = path_.find('.');
     return fmt::format("--set '{}.sensors{}.{}'", path_.substr(0, dot), path_.substr(dot), change);

@@ -1,4 +1,4 @@
-/// picture_source.h - where the pictures of `murosimf render` come from: a place by name, or a camera that a robot carries.
+/// picture_source.h - sources of the pictures of `murosimf render`: a viewpoint by name, or a camera of a robot.
 #pragma once
 
 #include <memory>
@@ -35,7 +35,7 @@ class PictureSource {
 /// drawn here.
 [[nodiscard]] std::unique_ptr<PictureSource> make_robot_camera(scene::Scene& scene, const RenderOptions& options);
 
-/// A place from where people look; after the scene is initialized. `run`: whose scene it is, which has what other programs drew then; null:
+/// A viewpoint outside of the robots; after the scene is initialized. `run`: whose scene it is, which has what other programs drew then; null:
 /// none, must outlive it. Throws SetupError.
 [[nodiscard]] std::unique_ptr<PictureSource> make_eye(scene::Scene& scene, const RenderOptions& options,
                                                       const recording::RecordedRun* run);

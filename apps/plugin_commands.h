@@ -10,7 +10,7 @@
 
 namespace murosimf::app {
 
-/// Adds them all. Throws SetupError: a name that is none or taken, options that no command line can say.
+/// Adds them all. Throws SetupError: a name that is none or taken, options that cannot be part of a command line.
 void add_plugin_commands(CommandLine& line, const Registry<catalog::CommandType>& commands);
 
 }  // namespace murosimf::app

@@ -15,7 +15,7 @@ struct InstructionSet {
 /// Of this program on this processor.
 [[nodiscard]] std::span<const InstructionSet> instruction_sets() noexcept;
 
-/// The name of the first that is used and not there; null if there is none.
+/// The name of the first set that the program uses and the processor lacks; null if there is none.
 [[nodiscard]] const char* missing_instructions(std::span<const InstructionSet> sets) noexcept;
 
 }  // namespace murosimf::app

@@ -1,4 +1,4 @@
-/// progress.h - how far a long command is, and how long it will still take: one line on the terminal that changes, or a line a minute in a
+/// progress.h - progress of a long command and its remaining time: one line on the terminal that changes, or a line a minute in a
 /// log.
 ///
 ///     [############............................] 9.0 of 30.0 s, 12.3 times real time, 12 s left
@@ -13,14 +13,14 @@ namespace murosimf::app {
 class Progress {
  public:
   Progress();
-  /// Takes the line away.
+  /// Removes the line.
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// `share` of the work is done, 0 to 1. At most ten lines a second are drawn, so it may be called as often as one likes.
+  /// `share` of the work is done, 0 to 1. At most ten lines a second are drawn, however often it is called.
   void show(double share, const std::string& words);
-  /// Takes the line away until it is next shown.
+  /// Removes the line until it is next shown.
   void hide();
 
  private:

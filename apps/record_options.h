@@ -26,16 +26,16 @@ struct RecordOptions {
 
 void add_record(const Command& command, RecordOptions& options);
 
-/// How the run is begun, for who wants to repeat it.
+/// How the run is begun, so that it can be repeated.
 [[nodiscard]] recording::RunDescription description_of(const SceneArguments& arguments, const scene::Scene& scene,
                                                        const scene::SceneOptions& options);
 
 /// "murosimf 0.1.0 (136ba27)"
 [[nodiscard]] std::string this_program();
-/// As it could be typed again; empty where the system does not tell.
+/// The command line as it could be typed again; empty where the system has no record of it.
 [[nodiscard]] std::string command_line();
 
-/// Whether it is for others to say when it is recorded.
+/// Whether recording is switched on and off during the run.
 [[nodiscard]] bool is_asked_for(const RecordOptions& options);
 
 /// `somebody_asks`: whether others can. Throws SetupError as files::claim_output.
@@ -51,10 +51,10 @@ void check(const RecordOptions& options, bool somebody_asks);
 [[nodiscard]] std::unique_ptr<recording::Recorder> make_recorder(scene::Scene& scene, const RecordOptions& options,
                                                                  const recording::RecordedRun& run);
 
-/// Says why nothing is recorded any more, if that is so: for who has not told it meanwhile, before finish().
+/// Prints why nothing is recorded any more, if that is so; to be called before finish() unless it was printed during the run.
 void say_trouble(const recording::Recorder& recorder);
 
-/// Writes what is left, and a layout for Foxglove beside the recording. Says what went wrong, once; whether nothing did.
+/// Writes what is left, and a layout for Foxglove beside the recording. Prints an error once; returns whether there was none.
 [[nodiscard]] bool finish(recording::Recorder& recorder, const scene::RunReport& report, const RecordOptions& options);
 
 }  // namespace murosimf::app

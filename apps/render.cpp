@@ -104,7 +104,7 @@ void check(const RenderOptions& options) {
   if (has_labels(options)) files::claim_output("--layer labels", label_file(options));
 }
 
-/// What is there, for who has interrupted it.
+/// Tells the user, after an interruption, up to where the output is complete.
 void say_stopped(const RenderOptions& options, const Simulation& simulation, bool written) {
   const std::string file = options.video.empty() ? options.out : options.video;
   say_error(fmt::format("stopped by {} at {:.3f} s; {}", signal_name(), seconds(simulation.now()),
@@ -141,7 +141,7 @@ std::shared_ptr<scene::Scene> build(const recording::RecordedRun& run, const Ren
 /// Another light, or cameras that were off, are in none of the recorded states: the run is repeated from its start then.
 void begin(const recording::RecordedRun& run, scene::Scene& scene, const RenderOptions& options) {
   const bool as_then = options.light.empty() && (options.camera.empty() || run.description().cameras);
-  // pictures that nobody wanted then are not in the states either, those of a camera from then on are
+  // states have no pictures of cameras that were not used then; from then on these are drawn
   const Duration time = time_of("--time", options.time) - (options.camera.empty() ? 0 : 1) * std::chrono::seconds(1);
   if (time_of("--time", options.time) > run.end()) {
     throw SetupError(fmt::format("--time {}: the recording ends at {} s", options.time, seconds(run.end())));

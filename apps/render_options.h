@@ -1,4 +1,4 @@
-/// render_options.h - what `murosimf render` is told.
+/// render_options.h - options of `murosimf render`.
 #pragma once
 
 #include <optional>
@@ -18,7 +18,7 @@ struct RenderOptions {
   std::string layer = "color";        ///< or depth, labels, depth_shown, labels_shown
   std::string light;                  ///< instead of the scene's
   bool stance = false;                ///< standing feet of kinematic walkers are yellow
-  bool no_shadows = false;            ///< in pictures for people; cameras have what the scene says
+  bool no_shadows = false;            ///< in pictures of viewpoints; those of cameras are as in the scene
   std::vector<std::string> drawings;  ///< groups, "blue1/ball", "roboviz/ball"; "all"; none
   std::string out;                    ///< PNG file
   std::string video;                  ///< video file

@@ -1,4 +1,4 @@
-/// results.h - what a command leaves behind: each result is written, whatever has become of the others.
+/// results.h - results of a command: each is written, also when others fail.
 #pragma once
 
 #include <string>
@@ -9,12 +9,12 @@
 namespace murosimf::app {
 
 /// A PNG file that an option names: "--out", for files::claim_output. Throws SetupError, also if its name ends as that of another
-/// kind of picture: programs would take it for one.
+/// kind of picture: programs would read it as one.
 void claim_picture(const std::string& option, const std::string& file);
 
 class Results {
  public:
-  /// Says why it could not be written, if it throws SetupError.
+  /// Prints why it could not be written, if it throws SetupError.
   template <class Write>
   void write(const Write& write) {
     try {

@@ -1,4 +1,4 @@
-/// roboviz_arguments.h - the option --roboviz: where programs draw that know RoboViz.
+/// roboviz_arguments.h - the option --roboviz: a port for programs that draw with the protocol of RoboViz.
 #pragma once
 
 #include <memory>
@@ -11,13 +11,13 @@
 
 namespace murosimf::app {
 
-/// `where`: [HOST:]PORT; empty: nobody draws.
+/// `where`: [HOST:]PORT; empty: no other program draws.
 void add_roboviz(const Command& command, std::string& where);
 
-/// Open from now on, which is said; null if nobody draws. Throws SetupError.
+/// Opens the port and prints where it is; null if no other program draws. Throws SetupError.
 [[nodiscard]] std::unique_ptr<drawing::RobovizServer> roboviz_server(const std::string& where);
 
-/// For reports; nothing if there is no door.
+/// For reports; nothing if there is no port.
 [[nodiscard]] std::optional<scene::DrawingPackets> packets_of(const drawing::RobovizServer* door);
 
 }  // namespace murosimf::app

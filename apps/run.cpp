@@ -26,8 +26,8 @@ std::string why_stopped(const RunAdvance& advance) {
 
 void go_on_from(scene::Scene& scene, const std::string& file) {
   recording::load_state(scene, file);
-  const std::string who = session::own_state(scene.simulation().world(), scene.parts().outside.memory.get());
-  if (!who.empty()) scene.parts().diagnostics.note(fmt::format("{}: nothing of it is in {}", who, file));
+  const std::string owners = session::own_state(scene.simulation().world(), scene.parts().outside.memory.get());
+  if (!owners.empty()) scene.parts().diagnostics.note(fmt::format("{}: nothing of it is in {}", owners, file));
 }
 
 int run_scene(const RunOptions& options, Steering& steering) {

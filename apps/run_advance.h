@@ -1,4 +1,4 @@
-/// run_advance.h - has a scene run to its end, shows how far it has come, and takes pictures on the way.
+/// run_advance.h - runs a scene to its end, shows the progress, and takes pictures on the way.
 #pragma once
 
 #include <chrono>
@@ -15,7 +15,7 @@ namespace murosimf::app {
 
 class RunAdvance {
  public:
-  /// `game`: null if nobody referees; `others`: null if no other program draws.
+  /// `game`: null without a referee; `others`: null if no other program draws.
   RunAdvance(scene::Scene& scene, const RunOptions& options, RunOutputs& outputs, const league::League* game,
              const drawing::DebugDrawSource* others, Duration end);
 

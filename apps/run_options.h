@@ -1,4 +1,4 @@
-/// run_options.h - what can be said to `murosimf run`.
+/// run_options.h - options of `murosimf run`.
 #pragma once
 
 #include <optional>
@@ -25,7 +25,7 @@ struct RunOptions {
   std::vector<std::string> log;    ///< what is recorded (logging/log_paths.h)
   std::string out;                 ///< CSV file for that
   double log_rate = 100;           ///< [Hz] of properties in it
-  std::string listen;              ///< [HOST:]PORT, empty: nobody can connect
+  std::string listen;              ///< [HOST:]PORT, empty: no connections
   std::string roboviz;             ///< [HOST:]PORT, empty: no other program draws
   RecordOptions record;
   std::string serial;                ///< folder for links to serial lines
@@ -39,7 +39,7 @@ struct RunOptions {
 
 void define_run(const Command& command, RunOptions& options);
 
-/// What can be found out before anything is computed. Throws SetupError.
+/// All checks that are possible before anything is computed. Throws SetupError.
 void check(const RunOptions& options);
 
 /// Serial lines need a place where programs find them, and a place needs lines. Throws SetupError.
@@ -51,7 +51,7 @@ void check_serial(const scene_file::SceneSpec& spec, const std::string& folder);
 /// Simulated seconds per wall second; nothing: as fast as possible. Throws SetupError.
 [[nodiscard]] std::optional<double> speed_of(const RunOptions& options);
 
-/// With a server that listens if one is asked for, which is said. Throws SetupError.
+/// With a server if one is asked for; its address is printed. Throws SetupError.
 [[nodiscard]] scene::SceneOptions scene_options_of(const RunOptions& options);
 
 }  // namespace murosimf::app

@@ -1,4 +1,4 @@
-/// run_outputs.h - what a run leaves behind: logs, recordings, states, pictures, reports.
+/// run_outputs.h - outputs of a run: logs, recordings, states, pictures, reports.
 #pragma once
 
 #include <functional>
@@ -34,12 +34,12 @@ class RunOutputs {
 
   /// Null if none are taken.
   [[nodiscard]] PictureSequence* pictures() { return pictures_ ? &*pictures_ : nullptr; }
-  /// Why nothing is recorded any more; empty: all is well, or nothing was to be.
+  /// Why nothing is recorded any more; empty: it is, or nothing was to be recorded.
   [[nodiscard]] std::string trouble() const { return recorder_ ? recorder_->trouble() : ""; }
 
   /// The state of now, as the file of --save-state has it. Throws SetupError.
   [[nodiscard]] std::string state_of(scene::Scene& scene) const { return saver_.state_of(scene); }
-  /// Has it recorded, or no longer; null if nobody is to say so.
+  /// Has it recorded, or no longer; null: recording is not switched during the run.
   [[nodiscard]] std::function<void(bool)> record_switch() const;
 
   struct Written {
@@ -47,7 +47,7 @@ class RunOutputs {
     bool states = true;     ///< also those of times that the run should have come to
     bool files = true;      ///< all others
   };
-  /// All of it. What cannot be written is said; the rest is written all the same.
+  /// Writes all of it. Errors are printed; the rest is written all the same.
   [[nodiscard]] Written write(const scene::RunReport& report);
 
  private:

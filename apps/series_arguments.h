@@ -1,4 +1,4 @@
-/// series_arguments.h - the options of commands that run a scene many times: what all runs share, and how many go at a time.
+/// series_arguments.h - the options of commands that run a scene many times: what all runs share, and how many run at a time.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-/// standard_output.h - where results go: standard output, and a JSON file.
+/// standard_output.h - results on standard output and in a JSON file.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace murosimf::app {
 
-/// Throws SetupError if standard output is closed or full; not after SIGHUP, when nobody is there to read it.
+/// Throws SetupError if standard output is closed or full; not after SIGHUP, when its reader is gone.
 void write_standard_output(const std::string& text);
 
 /// The option --json.

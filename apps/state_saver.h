@@ -19,7 +19,7 @@ class StateSaver {
   void begin(scene::Scene& scene, const files::FilesRead& files, const recording::RunDescription& run);
   /// A state of now, as such a file. Throws SetupError.
   [[nodiscard]] std::string state_of(scene::Scene& scene) const { return recording::state_bytes(scene, options_); }
-  /// Says which states there are not, or cannot be written; whether there are all.
+  /// Prints which states are missing or cannot be written; returns whether all are there.
   [[nodiscard]] bool finish();
 
  private:

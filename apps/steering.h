@@ -1,4 +1,4 @@
-/// steering.h - supervisors of a run, who may want another scene in its place: they stay, while runs follow each other.
+/// steering.h - supervisors of a run, which may replace its scene: they stay connected while runs follow each other.
 #pragma once
 
 #include <memory>
@@ -21,7 +21,7 @@ class Steering {
 
   /// Whether another run follows.
   [[nodiscard]] bool goes_on() const { return next_.has_value(); }
-  /// How it is run; not again.
+  /// Options of the next run; can be called once.
   [[nodiscard]] RunOptions take_next();
 
  private:

@@ -1,4 +1,4 @@
-/// supervision_arguments.h - the options of a run that others steer (supervise/supervision.h).
+/// supervision_arguments.h - the options of a supervised run (supervise/supervision.h).
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@
 namespace murosimf::app {
 
 struct SupervisionArguments {
-  std::string where;                 ///< [HOST:]PORT; empty: nobody steers
+  std::string where;                 ///< [HOST:]PORT; empty: no supervisors
   bool paused = false;               ///< at the beginning
   std::vector<std::string> folders;  ///< of scenes and models that supervisors may choose, too
 };
@@ -22,7 +22,7 @@ Option add_supervision(const Command& command, SupervisionArguments& arguments);
 /// Throws SetupError: there is no such folder.
 void check(const SupervisionArguments& arguments);
 
-/// Says where supervisors connect, and by which token. `options`: what else they may. Null if nobody steers. Throws SetupError, with
+/// Prints where supervisors connect, and with which token. `options`: what else they may do. Null without supervisors. Throws SetupError, with
 /// the option.
 [[nodiscard]] std::unique_ptr<supervise::Supervision> supervision_of(session::Session& session,
                                                                      const SupervisionArguments& arguments,

@@ -1,4 +1,4 @@
-/// version.h - which program this is: version, commit, what was built in.
+/// version.h - version of the program: number, commit, built-in features.
 #pragma once
 
 #include <string>

@@ -92,7 +92,7 @@ session::MakeCourse course_of(const SceneArguments& scene, ViewRecording* record
   };
 }
 
-/// Mesa tells of each driver that it tries in vain, in lines that look like ours, also where the next one draws. Who wants to read them
+/// Mesa tells of each driver that it tries in vain, in lines that look like ours, also where the next one draws. A user who wants to read them
 /// sets these variables otherwise.
 void quiet_drivers() {
   constexpr int unless_set = 0;

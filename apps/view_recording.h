@@ -1,4 +1,4 @@
-/// view_recording.h - records what is shown in a window, all of it or while somebody wants it.
+/// view_recording.h - records what is shown in a window, all of it or while the user wants it.
 #pragma once
 
 #include <chrono>
@@ -22,7 +22,7 @@ class ViewRecording {
   [[nodiscard]] std::unique_ptr<session::PlaybackSource> make_course(const scene::SceneOptions& options);
   /// From now on, or no longer; in the thread that runs the scene.
   void record(bool on) { recorder_->ask(on); }
-  /// Why nobody can go back in time.
+  /// Why the window cannot go back in time.
   [[nodiscard]] static std::string no_way_back() { return "the run is recorded"; }
   /// When nothing runs any more: writes what is left; whether the recording has all of it.
   [[nodiscard]] bool finish();

@@ -14,7 +14,7 @@
 namespace murosimf::app {
 
 struct WebArguments {
-  std::string web;        ///< [HOST:]PORT; empty: nobody looks on
+  std::string web;        ///< [HOST:]PORT; empty: no page
   std::string html;       ///< file; empty: none
   double html_rate = 25;  ///< [Hz]
 };
@@ -31,11 +31,11 @@ void check(const WebArguments& arguments);
 
 /// What browsers show besides the scene; all of it must outlive the view.
 struct ShownInBrowsers {
-  const league::GameTask* game = nullptr;            ///< whose score; null: nobody referees
+  const league::GameTask* game = nullptr;            ///< whose score; null: no referee
   const drawing::DebugDrawSource* others = nullptr;  ///< what other programs draw; null: they do not
 };
 
-/// Shows the session in browsers from now on; its addresses are said. Null if nobody looks on. Throws SetupError, with the option.
+/// Shows the session in browsers from now on and prints its addresses. Null without a page. Throws SetupError, with the option.
 [[nodiscard]] std::unique_ptr<web::WebView> web_view_of(scene::Scene& scene, session::Session& session,
                                                         const WebArguments& arguments, const ShownInBrowsers& shown);
 

@@ -71,7 +71,7 @@ int main() {
   for (int i = 0; i < 5; ++i) {
     simulation.run(std::chrono::milliseconds(500));
     const auto& [time, pixels, seen, truth] = finder.sighting();
-    if (!seen) continue;  // out of sight, or nobody can draw here: then a warning says why
+    if (!seen) continue;  // out of sight, or pictures cannot be drawn here: then a warning gives the reason
     std::printf("%.2f s: %5.0f pixels, %5.1f deg to the right, %4.1f deg down, off by %.2f deg\n", time, pixels,
                 std::atan2(seen->x, seen->z) * 180 / pi, std::asin(seen->y) * 180 / pi,
                 std::asin(norm(cross(*seen, truth))) * 180 / pi);

@@ -6,7 +6,7 @@ those use, nothing else; a folder may use only what stands above it there. Progr
 include everything. The public headers, include/murosimf/, include each other and the standard library alone (those of
 plug-ins, in its folder plugin, also those of the library); of the library only the folder `api`, which implements them,
 includes them, as "murosimf/scene.h". No two headers of the library have one name. Every header begins with `/// name.h -
-what it is for` and has `#pragma once`. Who names a property includes, directly or not, the header that has it: a
+what it is for` and has `#pragma once`. A file that names a property includes, directly or not, the header that has it: a
 precompiled header hides that some do not.
 Prints each violation as file:line: message and exits with 1 if there is one.
 

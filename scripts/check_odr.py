@@ -2,7 +2,7 @@
 """Checks the one definition rule: nothing with a name that other files can see is defined twice.
 
 Two inline functions of one name and parameters in two headers, or two classes of one name in two sources, compile and
-link; the linker keeps one of the two, for everybody. No compiler says so. Looked at is what stands at namespace level,
+link; the linker keeps one of the two for all files. No compiler reports it. Examined is what stands at namespace level,
 formatted as clang-format does it: types and inline functions of headers and sources, all functions of sources. What
 belongs to one source stands in an anonymous namespace. Prints file:line: message for each second definition and exits
 with 1 if there is one.

@@ -91,19 +91,19 @@ class DynamixelPort {
 /// Until it has arrived, or as long as others want. Throws std::runtime_error.
 template <class GoesOn>
 void cross_course_over_serial(const std::string& name, const GoesOn& goes_on) {
-  constexpr std::uint8_t everybody = 0xFE, write = 0x03, sync_write = 0x83, bulk_read = 0x92, imu = 200;
+  constexpr std::uint8_t broadcast = 0xFE, write = 0x03, sync_write = 0x83, bulk_read = 0x92, imu = 200;
   constexpr std::uint8_t torque_enable = 64, goal_position = 116, present_position = 132, sample_time = 38;
   constexpr std::array<std::uint8_t, CourseRunner::joint_count> ids{10, 12, 13, 14,
                                                                     16, 18, 19, 20};  // of kid21's joints
   constexpr double pulses_per_radian = 4096 / 6.283185307179586;
   DynamixelPort port(name);
-  port.send(everybody, write, {torque_enable, 0, 1});
+  port.send(broadcast, write, {torque_enable, 0, 1});
   DynamixelPort::Bytes question{imu, sample_time, 0, 2, 0};
   for (const std::uint8_t id : ids) question.insert(question.end(), {id, present_position, 0, 4, 0});
   CourseRunner runner;
   int last = -1000;  // [ms] of simulated time, modulo 65536
   while (!runner.arrived && goes_on()) {
-    port.send(everybody, bulk_read, question);
+    port.send(broadcast, bulk_read, question);
     int now = -1;
     std::size_t known = 0;
     CourseRunner::Angles measured, target;
@@ -124,6 +124,6 @@ void cross_course_over_serial(const std::string& name, const GoesOn& goes_on) {
       const auto goal = static_cast<std::size_t>(std::lround(2048 + target[i] * pulses_per_radian));
       goals.insert(goals.end(), {ids[i], DynamixelPort::low(goal), DynamixelPort::high(goal), 0, 0});
     }
-    port.send(everybody, sync_write, goals);
+    port.send(broadcast, sync_write, goals);
   }
 }

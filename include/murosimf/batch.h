@@ -1,4 +1,4 @@
-/// batch.h - many worlds of one scene, stepped together by a pool of threads: what learning needs.
+/// batch.h - many worlds of one scene, stepped together by a pool of threads, as for learning.
 ///
 ///     murosimf::Batch batch("walk", 1024, {.set = {"walker.level=simplified_dynamics", "walker.controller=none"}}, 2);
 ///     batch.set_joint_target(actions);   // (worlds, joints), row by row
@@ -28,18 +28,18 @@ inline namespace v0 {
 
 class MUROSIMF_API Batch {
  public:
-  /// Of a file or name, as Scene; `options.threads` is what one world has, `threads` what all share. Throws InputError.
+  /// Of a file or name, as Scene. `options.threads` are those of one world, `threads` those that all worlds share. Throws InputError.
   Batch(const std::string& scene, std::size_t worlds, const SceneOptions& options = {}, int threads = 1);
   ~Batch();
   Batch(Batch&&) noexcept;
   Batch& operator=(Batch&&) noexcept;
 
   [[nodiscard]] std::size_t size() const;
-  /// One of the worlds, as a scene; it shares it. While step() works nothing else uses it. Throws InputError beyond the last.
+  /// One of the worlds as a scene, shared with the batch. It must not be used during step(). Throws InputError beyond the last.
   [[nodiscard]] Scene world(std::size_t number) const;
 
   void step(int steps = 1);
-  /// Those with a nonzero entry, or all if there are no entries; with `seed` plus their number.
+  /// Resets the worlds with a nonzero entry, or all if there are no entries, to `seed` plus their number.
   void reset(std::span<const std::uint8_t> which = {});
   void reset(std::uint64_t seed, std::span<const std::uint8_t> which = {});
 

@@ -1,5 +1,5 @@
 /// control.h - control software of a robot as a class of the program: called at its rate of simulated time, between the sensors and
-/// the motion of its robot (docs/api.md). Software in libraries and other programs has doors of its own (docs/library.md, docs/tcp.md).
+/// the motion of its robot (docs/api.md). Software in libraries and other programs has interfaces of its own (docs/library.md, docs/tcp.md).
 #pragma once
 
 #include <span>
@@ -9,19 +9,20 @@
 namespace murosimf {
 inline namespace v0 {
 
-/// What a controller sees and sets in one cycle; rows have one number for each joint, in the order of Robot::joints(). They stand
-/// where they are from start() on.
+/// What a controller sees and sets in one cycle; rows have one number for each joint, in the order of Robot::joints(). They stay
+/// at the same place in memory from start() on.
 struct ControlCycle {
   double time = 0;                         ///< [s] simulated
   double period = 0;                       ///< [s] until the next cycle
   std::span<const double> joint_position;  ///< [rad | m]
   std::span<const double> joint_velocity;  ///< [rad/s | m/s]
-  std::span<double> joint_target;          ///< [rad | m] what was set stays; held to what the servo takes
+  std::span<double>
+      joint_target;  ///< [rad | m] a target stays until it is set again; limited to the range of the servo
 };
 
 /// An exception that leaves a call ends the step or run in which it was thrown with that exception; the robot keeps its last targets.
-/// Nothing of it is part of Scene::save(): its memory is its own. In a call the robot's sensors may be read, and nothing of the scene changed.
-/// One that keeps handles of its own scene (Robot, Sensor) keeps that alive until Robot::set_controller(nullptr).
+/// Its memory is not part of Scene::save(). During a call the robot's sensors may be read, but nothing of the scene may be changed.
+/// A controller that keeps handles of its scene (Robot, Sensor) keeps the scene alive until Robot::set_controller(nullptr).
 class MUROSIMF_API Controller {
  public:
   virtual ~Controller();

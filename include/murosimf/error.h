@@ -1,4 +1,4 @@
-/// error.h - what the library throws. Every text is one line: where, what, and what to do.
+/// error.h - exceptions of the library. Every text is one line: place, error, and remedy.
 #pragma once
 
 #include <stdexcept>
@@ -8,7 +8,7 @@
 namespace murosimf {
 inline namespace v0 {
 
-/// Of all others; by itself: a call on an object that was moved from, or on one that is in no state for it.
+/// Base of all others. Thrown itself for a call on an object that was moved from, or that is in no state for the call.
 class MUROSIMF_API Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -22,7 +22,7 @@ class MUROSIMF_API InputError : public Error {
   ~InputError() override;
 };
 
-/// There is no robot, object, sensor ... of that name; says which is the nearest.
+/// There is no robot, object, sensor ... of that name; the text has the nearest name.
 class MUROSIMF_API UnknownName : public InputError {
  public:
   using InputError::InputError;

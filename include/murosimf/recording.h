@@ -23,13 +23,13 @@ struct RecordingInside;
 inline namespace v0 {
 
 /// Recording changes no result. `murosimf rerun` repeats the run and what Scene::change did; what a program sets otherwise (targets, poses,
-/// controllers of its own) is not in the file.
+/// controllers of its own) is not recorded.
 class MUROSIMF_API Recorder {
  public:
   /// The file begins with the next step; `rate` [Hz] of poses, joints and contacts, sensors have their own. A reset ends what is recorded.
   /// Throws InputError for a file that cannot be written, and for an impossible rate.
   Recorder(const Scene& scene, const std::string& file, double rate = 100);
-  /// Finishes, if that was not done; trouble is not told then.
+  /// Finishes the file unless finish() was called; errors are ignored then.
   ~Recorder();
   Recorder(Recorder&&) noexcept;
   Recorder& operator=(Recorder&&) noexcept;
@@ -58,8 +58,8 @@ class MUROSIMF_API Recording {
 
   /// Names of all numbers.
   [[nodiscard]] std::vector<std::string> names() const;
-  /// Those that a pattern means, with * and ? in its parts; what is left out at the end means all below, none: all. Throws InputError if it
-  /// means none.
+  /// Numbers that match a pattern, with * and ? in its parts; missing parts at the end match everything, so does an empty pattern.
+  /// Throws InputError if it matches none.
   [[nodiscard]] std::vector<Series> series(const std::string& pattern = {}) const;
 
  private:

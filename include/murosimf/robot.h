@@ -26,11 +26,11 @@ class MUROSIMF_API Robot : public EntityHandle {
  public:
   /// `kinematic_walking`, `simplified_dynamics`, `full_dynamics`, `articulated_dynamics`.
   [[nodiscard]] const std::string& level() const;
-  /// Goes on from the present motion. Throws UnknownName; InputError if the level refuses, and nothing is changed then.
+  /// Changes the level during the motion. Throws UnknownName; InputError if the level refuses, without any change.
   void set_level(const std::string& level);
 
   [[nodiscard]] const std::vector<JointInfo>& joints() const;
-  // What joints do now: [rad | m], [rad/s | m/s], [N m | N], [rad | m]. The memory stays where it is as long as a handle of the
+  // State of the joints: [rad | m], [rad/s | m/s], [N m | N], [rad | m]. The memory stays where it is as long as a handle of the
   // scene lives; its numbers are those of the last of these calls, for whichever handle of the robot. NaN: the level has none.
   [[nodiscard]] std::span<const double> joint_position() const;
   [[nodiscard]] std::span<const double> joint_velocity() const;
@@ -40,10 +40,10 @@ class MUROSIMF_API Robot : public EntityHandle {
   // Throw InputError: not finite, or not one number for each joint.
   void set_joint_position(std::span<const double> positions);
   void set_joint_velocity(std::span<const double> velocities);
-  /// What control software sets. Throws InputError, too, if a controller of the scene writes the targets in every step.
+  /// Targets, as control software sets them. Throws InputError, too, if a controller of the scene writes the targets in every step.
   void set_joint_target(std::span<const double> targets);
 
-  /// [m/s] forward, [m/s] to the left, [rad/s] turning: for controllers that walk. Throws InputError if none of the robot's does.
+  /// [m/s] forward, [m/s] to the left, [rad/s] turning: for controllers that walk. Throws InputError if no controller of the robot walks.
   void set_command(double forward, double left, double turning);
   /// Motions of the robot's file, by name; play() has the controller `motions` play one. Throw UnknownName, InputError.
   [[nodiscard]] std::vector<std::string> motions() const;
@@ -52,13 +52,13 @@ class MUROSIMF_API Robot : public EntityHandle {
   [[nodiscard]] int falls() const;
   [[nodiscard]] bool fallen() const;
 
-  /// Names; sensor() and camera() throw UnknownName, camera() InputError if the scene has begun without that camera.
+  /// Names of sensors and cameras. sensor() and camera() throw UnknownName, camera() InputError if the scene has begun without that camera.
   [[nodiscard]] std::vector<std::string> sensors() const;
   [[nodiscard]] Sensor sensor(std::string_view name) const;
   [[nodiscard]] std::vector<std::string> cameras() const;
   [[nodiscard]] Camera camera(std::string_view name) const;
 
-  /// Calls it `rate` times per simulated second [Hz] from now on, in the place of the one before; null: none. Throws InputError for an
+  /// Calls the controller `rate` times per simulated second [Hz] from now on, instead of the previous one; null: none. Throws InputError for an
   /// impossible rate, and if a controller of the scene writes the joints' targets ("none" does not).
   void set_controller(std::shared_ptr<Controller> controller, double rate = 100);
 

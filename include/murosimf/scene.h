@@ -5,7 +5,7 @@
 ///     const murosimf::Vector3 head = scene.robot("walker").pose("head").position;
 ///
 /// A scene is for one thread at a time; several scenes run at the same time in several threads. The same scene, seed and calls give
-/// the same states, bit for bit, for any number of threads. All calls throw what error.h says; one that throws an InputError has changed nothing.
+/// the same states, bit for bit, for any number of threads. All calls throw as error.h says; a call that throws an InputError has changed nothing.
 #pragma once
 
 #include <cstddef>
@@ -30,15 +30,15 @@ struct SceneOptions {
   std::vector<std::string> set;       ///< PATH=VALUE, as for `murosimf run --set`
   std::vector<std::string> events;    ///< TIME:PATH=VALUE, as for --at
   std::vector<std::string> pushes;    ///< `OBJECT=FORCE@BEGIN..END`, as for --push
-  bool libraries = false;             ///< control software that the file names may be loaded: it may do what it likes
-  bool lenient = false;               ///< unknown elements of robot files are warnings
-  bool cameras = true;                ///< false: nothing is drawn for cameras
+  bool libraries = false;  ///< control software that the file names may be loaded; it has all rights of the program
+  bool lenient = false;    ///< unknown elements of robot files are warnings
+  bool cameras = true;     ///< false: nothing is drawn for cameras
 };
 
-/// A robot that comes into a scene.
+/// A robot to be added to a scene.
 struct NewRobot {
   std::string name;
-  std::string model;  ///< a file, or the name of one that comes with the library
+  std::string model;  ///< a file, or the name of a model of the library
   std::string level = "articulated_dynamics";
   std::string controller = "none";
   std::string team;    ///< of the scene; empty: none
@@ -46,7 +46,7 @@ struct NewRobot {
   double heading = 0;  ///< [rad]
 };
 
-/// A body that comes into a scene.
+/// A body to be added to a scene.
 struct NewBody {
   std::string name;
   enum class Shape { sphere, box, capsule, cylinder } shape = Shape::sphere;
@@ -59,13 +59,13 @@ struct NewBody {
   Vector3 velocity;    ///< [m/s] world
 };
 
-/// Something that happened at simulated time `time` [s].
+/// An event at simulated time `time` [s].
 struct RunEvent {
   double time = 0;
   std::string text;
 };
 
-/// Where people look from.
+/// A viewpoint for pictures.
 struct Viewpoint {
   Vector3 eye{0, -4, 2}, look_at{0, 0, 0.3};  ///< [m] world
   double field_of_view = 1.0;                 ///< [rad] from the left to the right border
@@ -74,15 +74,15 @@ struct Viewpoint {
 
 class MUROSIMF_API Scene {
  public:
-  /// `name`: a file, or the name of a scene that comes with the library (`murosimf list scenes`).
+  /// `name`: a file, or the name of a scene of the library (`murosimf list scenes`).
   explicit Scene(const std::string& name, const SceneOptions& options = {});
-  /// What a scene file would say (TOML, docs/scenes.md). Files that it names are looked for here and among those of the library; errors are told as
-  /// of a file "scene.toml".
+  /// The text of a scene file (TOML, docs/scenes.md). Files that it names are looked for here and among those of the library; errors
+  /// name places as of a file "scene.toml".
   [[nodiscard]] static Scene of_text(const std::string& toml, const SceneOptions& options = {});
   /// A robot alone on the ground, called "robot", at `articulated_dynamics` and without controller, unless
   /// options.set says otherwise.
   [[nodiscard]] static Scene of_robot(const std::string& model, const SceneOptions& options = {});
-  /// Another scene that goes on from the present state. Controllers of the program (Robot::set_controller) stay with this one.
+  /// A copy that continues from the present state. Controllers of the program (Robot::set_controller) stay with the original.
   [[nodiscard]] Scene copy() const;
   ~Scene();
   Scene(Scene&&) noexcept;
@@ -90,16 +90,16 @@ class MUROSIMF_API Scene {
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
 
-  /// Its title.
+  /// Title of the scene.
   [[nodiscard]] const std::string& name() const;
   [[nodiscard]] double time() const;               ///< [s] simulated
   [[nodiscard]] std::int64_t nanoseconds() const;  ///< the same, exactly
   [[nodiscard]] double step_length() const;        ///< [s]
 
   void step(int steps = 1);
-  /// For so many simulated seconds (whole steps, at least).
+  /// Runs for so many simulated seconds, rounded up to whole steps.
   void run(double seconds);
-  /// Until condition() is true, asked before every step, but at most so many seconds. Whether it came true.
+  /// Runs until condition(), which is called before every step, is true, but at most so many seconds. Returns whether it became true.
   template <class Condition>
   bool run_until(Condition&& condition, double at_most) {
     for (const double end = time() + at_most; !condition(); step()) {
@@ -108,10 +108,10 @@ class MUROSIMF_API Scene {
     return true;
   }
 
-  /// Back to the start, without building anything; as a new scene with this seed, if given.
+  /// Back to the start, without building the scene anew; with this seed, if given.
   void reset();
   void reset(std::uint64_t seed);
-  /// Everything that decides how the run goes on. load() goes on from there, bit for bit, also in another process with the same scene
+  /// The whole state of the run. load() continues from it, bit for bit, also in another process with the same scene
   /// and options.
   [[nodiscard]] std::vector<std::byte> save();
   void load(std::span<const std::byte> state);
@@ -132,13 +132,13 @@ class MUROSIMF_API Scene {
 
   Robot add(const NewRobot& robot);
   EntityHandle add(const NewBody& body);
-  /// Robots, ball and bodies leave, and come back as they began; what is there of them stays (docs/embedding.md).
+  /// Robots, ball and bodies leave, and come back as at their start; their handles stay valid (docs/embedding.md).
   void leave(std::string_view entity);
   void enter(std::string_view entity);
 
-  /// Of the last step, each once.
+  /// Contacts of the last step, each once.
   [[nodiscard]] std::vector<Contact> contacts() const;
-  /// Along `direction` (any length but 0) from `origin` [m] up to `range` [m]; `without`: an entity that it goes through.
+  /// Along `direction` (any length but 0) from `origin` [m] up to `range` [m]; `without`: an entity that the ray ignores.
   [[nodiscard]] std::optional<RayHit> cast(const Vector3& origin, const Vector3& direction,
                                            double range = std::numeric_limits<double>::infinity(),
                                            std::string_view without = {}) const;
@@ -147,7 +147,7 @@ class MUROSIMF_API Scene {
 
   [[nodiscard]] std::vector<RunEvent> events() const;
   [[nodiscard]] std::vector<std::string> warnings() const;
-  /// What people would see from there. Throws InputError where this machine or build cannot draw.
+  /// The scene as seen from a viewpoint. Throws InputError where this machine or build cannot draw.
   [[nodiscard]] Image picture(const Viewpoint& from = {}) const;
 
  private:

@@ -1,4 +1,4 @@
-/// sensors.h - what robots feel and see: the last sample of a sensor, the last picture of a camera.
+/// sensors.h - sensors of robots: the last sample of a sensor, the last picture of a camera.
 #pragma once
 
 #include <cstddef>
@@ -30,7 +30,7 @@ struct SensorOutput {
   std::size_t begin = 0, size = 1;  ///< where its numbers stand in Sensor::values()
 };
 
-/// Keeps the scene's insides alive; to be used as handles of world.h.
+/// Keeps the scene alive inside the library; rules of use are those of handles (world.h).
 class MUROSIMF_API Sensor {
  public:
   // moving copies: no handle is ever empty
@@ -45,12 +45,12 @@ class MUROSIMF_API Sensor {
 
   /// [s] when the last sample that has arrived was taken.
   [[nodiscard]] double time() const;
-  /// How many have arrived so far; 0: none, and values are 0 or as at rest.
+  /// Number of samples that have arrived so far; 0: values are 0 or those at rest.
   [[nodiscard]] std::uint64_t samples() const;
-  /// Of all outputs, one after the other; NaN: nothing seen. The memory stays where it is as long as a handle of the scene lives,
+  /// Values of all outputs, one after the other; NaN: nothing was seen. The memory stays where it is as long as a handle of the scene lives,
   /// and shows every new sample.
   [[nodiscard]] std::span<const double> values() const;
-  /// Of one output. Throws UnknownName.
+  /// Values of one output. Throws UnknownName.
   [[nodiscard]] std::span<const double> values(std::string_view output) const;
 
  private:
@@ -65,10 +65,11 @@ struct Image {
   std::vector<std::uint8_t> rgb;     ///< (height, width, 3) sRGB; empty: without colors
   std::vector<std::uint8_t> mosaic;  ///< (height, width) behind a Bayer filter; empty: there is none
   std::vector<float> depth;  ///< (height, width) [m] along the optical axis, infinite where nothing is; empty: without
-  std::vector<std::uint16_t> labels;  ///< (height, width) what is seen, numbers of Camera::labels(); empty: without
+  std::vector<std::uint16_t>
+      labels;  ///< (height, width) what each pixel shows, as numbers of Camera::labels(); empty: without
 };
 
-/// Draws from the start on only if it was asked for (Robot::camera) before the first step, or is `always_on` in its file.
+/// Draws only if it was requested (Robot::camera) before the first step, or is `always_on` in its file.
 class MUROSIMF_API Camera {
  public:
   // moving copies: no handle is ever empty
@@ -79,7 +80,7 @@ class MUROSIMF_API Camera {
   [[nodiscard]] double period() const;  ///< [s] from picture to picture
   /// What the numbers of Image::labels mean.
   [[nodiscard]] const std::vector<std::string>& labels() const;
-  /// How many pictures have come so far; 0: none.
+  /// Number of pictures so far; 0: none.
   [[nodiscard]] std::uint64_t pictures() const;
   /// [s] when the exposure of the last one began.
   [[nodiscard]] double time() const;

@@ -1,4 +1,4 @@
-/// session.h - a running scene that other threads steer: pause, speed, changes, back in time (docs/embedding.md, "Steering").
+/// session.h - a running scene under control of other threads: pause, speed, changes, jumps back in time (docs/embedding.md, "Steering").
 ///
 ///     murosimf::Session session(scene, {.speed = 1.0});
 ///     std::thread run([&] { session.run(60.0); });
@@ -29,19 +29,19 @@ struct SessionOptions {
   bool stays = false;           ///< at its end it pauses there until finish(); false: run() returns
 };
 
-/// At one moment between two steps.
+/// The state of a session between two steps.
 struct SessionStatus {
   double time = 0, end = 0;    ///< [s] simulated; where it pauses by itself
-  double first = 0, last = 0;  ///< [s] what seek() takes on the present branch
+  double first = 0, last = 0;  ///< [s] range of seek() on the present branch
   bool paused = false;
   double factor = 0;  ///< simulated seconds per wall second, lately
-  int branch = 0;     ///< of the run: every way back begins a new one
+  int branch = 0;     ///< of the run: every jump back begins a new one
 };
 
 /// While run() runs, nothing but the session uses the scene and its handles.
 class MUROSIMF_API Session {
  public:
-  /// Keeps the scene's insides alive. Throws InputError for an impossible speed.
+  /// Keeps the scene alive inside the library. Throws InputError for an impossible speed.
   explicit Session(const Scene& scene, const SessionOptions& options = {});
   ~Session();
   Session(const Session&) = delete;
@@ -50,7 +50,7 @@ class MUROSIMF_API Session {
   /// The calling thread runs the scene until finish() or, unless it stays, until simulated time `end` [s].
   void run(double end);
 
-  // From any other thread; those that return when it is done throw what error.h says if it cannot be, and Error after run() has returned.
+  // From any other thread; those that return when it is done throw as error.h says if it fails, and Error after run() has returned.
   void pause();
   void go_on();
   void step(std::int64_t steps = 1);
@@ -58,7 +58,7 @@ class MUROSIMF_API Session {
   void change(const std::string& assignment);
   void change(const std::vector<std::string>& assignments);
   void reset(std::optional<std::uint64_t> seed = {});
-  /// To the instant `time` [s], which was there before, and pauses there.
+  /// Jumps back to the instant `time` [s] and pauses there.
   void seek(double time);
   void finish();
   [[nodiscard]] SessionStatus status() const;

@@ -17,7 +17,7 @@ struct Rotation {
   friend bool operator==(const Rotation&, const Rotation&) = default;
 };
 
-/// Of a frame in another one; `orientation` takes its axes to those of the other one.
+/// Of a frame in another one; `orientation` rotates its axes to those of the other one.
 struct Pose {
   Vector3 position;  ///< [m]
   Rotation orientation;

@@ -1,6 +1,6 @@
-/// world.h - robots, ball, bodies and field by name: where they are, how they move, what they touch; properties by their names.
+/// world.h - robots, ball, bodies and field by name: poses, velocities, contacts, and properties by their names.
 ///
-/// A handle is a small value. It keeps the scene's insides alive and stays valid whatever is added, leaves or is exchanged, and after
+/// A handle is a small value. It keeps the scene alive inside the library and stays valid when entities are added, leave or are exchanged, and after
 /// its Scene was moved. Handles of one scene are for one thread at a time, and to be used between two steps.
 #pragma once
 
@@ -25,8 +25,8 @@ inline namespace v0 {
 
 /// All rows of a property as numbers in memory, to read and to write: number (i, j) of row r stands at
 /// data[r * strides[0] + i * strides[1] + j * strides[2]]. Rows are the objects of the entity, in the order of EntityHandle::objects();
-/// of properties that the whole entity has once there is one row. It keeps its memory, also after an exchange of the level; then it shows
-/// what was there last if nothing uses the property any more. A level takes over in its next step what was written.
+/// properties of the whole entity have one row. It keeps its memory, also after an exchange of the level; then it shows
+/// the last values if nothing uses the property any more. Written values take effect in the next step of the level.
 struct PropertyView {
   double* data = nullptr;
   std::size_t rows = 0;
@@ -49,11 +49,11 @@ class MUROSIMF_API EntityHandle {
   EntityHandle& operator=(const EntityHandle&) = default;
 
   [[nodiscard]] const std::string& name() const;
-  /// Names of the objects of its model, the base first, parents before what hangs on them.
+  /// Names of the objects of its model, the base first, parents before children.
   [[nodiscard]] std::vector<std::string> objects() const;
   /// Whether it is there (Scene::enter, Scene::leave).
   [[nodiscard]] bool present() const;
-  /// Why it was taken out of the simulation, because its numbers went bad; empty: it was not.
+  /// Why it was taken out of the simulation, which happens when its state is not plausible any more; empty: it was not.
   [[nodiscard]] std::string frozen() const;
 
   // Of the base, or of an object by its name; world frame. Throw UnknownName.
@@ -62,13 +62,13 @@ class MUROSIMF_API EntityHandle {
   [[nodiscard]] Velocity velocity() const;
   [[nodiscard]] Velocity velocity(std::string_view object) const;
 
-  /// Of the base, joints as they are. Throw InputError: not finite, no unit quaternion.
+  /// Of the base; joints keep their positions. Throw InputError: not finite, no unit quaternion.
   void set_pose(const Pose& pose);
   void set_velocity(const Velocity& velocity);
-  /// As people put a robot or ball down: upright, at rest, its lowest point at `position.z`, turned by `heading` [rad] about the
+  /// Puts a robot or ball down: upright, at rest, its lowest point at `position.z`, turned by `heading` [rad] about the
   /// vertical. Throws InputError if its level cannot begin so.
   void place(const Vector3& position, double heading = 0);
-  /// For `duration` [s] from now on, with `force` [N] and `moment` [N m], world axes, at the object's center of mass; no object: the base.
+  /// Pushes for `duration` [s] from now on, with `force` [N] and `moment` [N m], world axes, at the object's center of mass; no object: the base.
   /// Throws UnknownName; InputError if its level ignores forces.
   void push(std::string_view object, const Vector3& force, double duration, const Vector3& moment = {});
   /// The law of contact with the ground, by its name.
@@ -79,9 +79,9 @@ class MUROSIMF_API EntityHandle {
   [[nodiscard]] std::vector<double> get(std::string_view object, std::string_view property) const;
   /// Variable properties only. Throws UnknownName, InputError.
   void set(std::string_view object, std::string_view property, std::span<const double> values);
-  /// SI; "1" for pure numbers.
+  /// SI unit; "1" for pure numbers.
   [[nodiscard]] std::string unit(std::string_view object, std::string_view property) const;
-  /// Names of all that get() knows of an object.
+  /// Names of all properties of an object that get() takes.
   [[nodiscard]] std::vector<std::string> properties(std::string_view object) const;
   /// Throws InputError if nothing uses the property, or if its values are no rows of numbers.
   [[nodiscard]] PropertyView view(std::string_view property) const;

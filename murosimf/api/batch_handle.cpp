@@ -116,6 +116,7 @@ void Batch::step(int steps) {
 
 void Batch::reset(std::span<const std::uint8_t> which) { reset(inside().seed, which); }
 
+/// Each world has a seed of its own, also after a reset.
 void Batch::reset(std::uint64_t seed, std::span<const std::uint8_t> which) {
   if (!which.empty() && which.size() != size()) {
     throw InputError(fmt::format("reset takes {} entries, one for each world, not {}", size(), which.size()));
@@ -164,6 +165,7 @@ std::span<const std::uint8_t> Batch::fallen() {
   return inside().fallen;
 }
 
+/// The size is checked for all worlds at once, before any target changes.
 void Batch::set_joint_target(std::span<const double> targets) {
   const std::size_t each = joints();
   api::check_row(targets, size() * each, "joint_target of the batch");

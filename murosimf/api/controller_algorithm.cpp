@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "murosimf/api/scene_inside.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/model/state_archive.h"
 
@@ -27,10 +28,12 @@ ControllerTask::ControllerTask(Setup& setup, SceneInside& scene, std::shared_ptr
       targets_(setup.write(properties::joint_target)),
       position_(joints_.size()),
       velocity_(joints_.size()),
-      target_(joints_.size()) {}
+      target_(joints_.size()) {
+  MUROSIMF_ASSERT(controller_ != nullptr);
+}
 
 void ControllerTask::step(const Instant& instant) noexcept {
-  if (scene_.failed) return;  // the step ends with what was thrown
+  if (scene_.failed) return;  // the exception is rethrown at the end of the step
   gather();
   ControlCycle cycle{seconds(instant.now), seconds(instant.period), position_, velocity_, target_};
   try {
@@ -47,6 +50,7 @@ void ControllerTask::step(const Instant& instant) noexcept {
 void ControllerTask::state(StateArchive& archive) { archive(started_); }
 
 void ControllerTask::gather() noexcept {
+  MUROSIMF_ASSERT(position_.size() == joints_.size() && target_.size() == joints_.size());
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     const auto row = static_cast<std::size_t>(joints_[i]);
     position_[i] = q_[row];

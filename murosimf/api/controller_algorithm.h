@@ -19,7 +19,7 @@ class ControllerTask final : public Algorithm {
 
   [[nodiscard]] Phase phase() const noexcept override { return Phase::control; }
   void initialize() override { started_ = false; }
-  /// What the controller throws is kept for the thread that steps the scene.
+  /// An exception of the controller is kept for the thread that steps the scene.
   void step(const Instant& instant) noexcept override;
   void state(StateArchive& archive) override;
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::api {
 
 Image image_of(const imaging::ColorImage& color, const imaging::GrayImage& mosaic, const imaging::DepthImage& depth,
@@ -16,6 +18,7 @@ Image image_of(const imaging::ColorImage& color, const imaging::GrayImage& mosai
   image.mosaic.assign(mosaic.pixels().begin(), mosaic.pixels().end());
   image.depth.assign(depth.pixels().begin(), depth.pixels().end());
   image.labels.assign(labels.pixels().begin(), labels.pixels().end());
+  MUROSIMF_ASSERT(image.rgb.empty() || image.rgb.size() == 3 * static_cast<std::size_t>(image.width) * image.height);
   return image;
 }
 

@@ -1,4 +1,4 @@
-/// images.h - pictures of the library as plain rows of numbers.
+/// images.h - pictures of the library as plain arrays of numbers.
 #pragma once
 
 #include "murosimf/imaging/image.h"
@@ -6,7 +6,7 @@
 
 namespace murosimf::api {
 
-/// A copy of the layers that are there; all that are have one size.
+/// Copies existing layers, which all have the same size.
 [[nodiscard]] Image image_of(const imaging::ColorImage& color, const imaging::GrayImage& mosaic,
                              const imaging::DepthImage& depth, const imaging::LabelImage& labels);
 

@@ -6,6 +6,7 @@
 #include "murosimf/api/scene_inside.h"
 #include "murosimf/api/told.h"
 #include "murosimf/kinematics.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/multibody/inverse_dynamics.h"
 #include "murosimf/multibody/kinematics.h"
 
@@ -20,7 +21,7 @@ struct KinematicsInside {
 
 namespace {
 
-/// A robot with its base at the origin, for one row of joint positions after the other.
+/// A robot with its base at the origin, for a sequence of rows of joint positions.
 class Posture {
  public:
   explicit Posture(const Model& model)
@@ -34,27 +35,31 @@ class Posture {
   [[nodiscard]] std::size_t joints() const { return model_.joints().size(); }
   [[nodiscard]] const std::vector<multibody::LinkMotion<double>>& links() const { return links_; }
 
+  /// Velocities can be left out where only places are needed.
   void take(std::span<const double> q, std::span<const double> v = {}) {
+    MUROSIMF_ASSERT(q.size() == joints() && (v.empty() || v.size() == joints()));
     spread(q, q_);
     if (!v.empty()) spread(v, v_);
     multibody::poses<double>(model_.tree(), q_, r_, R_);
     multibody::link_motions<double>(model_.tree(), r_, R_, {}, v_, links_);
   }
 
-  /// In the base's frame.
+  /// Pose in the base's frame.
   [[nodiscard]] Transformd pose(const FixedObject& object) const {
+    MUROSIMF_ASSERT(object.link >= 0 && static_cast<std::size_t>(object.link) < links_.size());
     const auto link = static_cast<std::size_t>(model_.tree().links[static_cast<std::size_t>(object.link)].object);
     return {r_[link] + R_[link] * object.offset, R_[link] * object.turn};
   }
 
-  /// Link of a joint.
+  /// Index of a joint's link.
   [[nodiscard]] std::size_t link_of(std::size_t joint) const {
+    MUROSIMF_ASSERT(joint < model_.joints().size());
     const auto object = static_cast<std::size_t>(model_.joints()[joint]);
     return static_cast<std::size_t>(model_.tree().link_of[object]);
   }
 
  private:
-  /// Joints as objects have them.
+  /// Copies a row by joint to a row by object.
   void spread(std::span<const double> row, std::span<double> by_object) const {
     for (std::size_t i = 0; i < row.size(); ++i) by_object[static_cast<std::size_t>(model_.joints()[i])] = row[i];
   }
@@ -66,7 +71,7 @@ class Posture {
   std::vector<multibody::LinkMotion<double>> links_;
 };
 
-/// How many rows there are. Throws InputError.
+/// Number of rows. Throws InputError.
 std::size_t rows_of(const KinematicsInside& inside, std::span<const double> numbers, std::string_view what) {
   const std::size_t joints = inside.model->joints().size();
   const std::size_t rows = joints == 0 ? 0 : numbers.size() / joints;
@@ -131,7 +136,7 @@ std::vector<double> Kinematics::jacobians(std::span<const double> q, std::string
   api::for_rows(*inside_, q, [&](const api::Posture& posture, std::size_t row) {
     all.resize((row + 1) * 6 * n);
     const Vec3d r = posture.pose(at).position;
-    std::vector<bool> carries(tree.links.size());  // the object
+    std::vector<bool> carries(tree.links.size());  // whether the link moves the object
     for (int link = at.link; link >= 0; link = tree.links[static_cast<std::size_t>(link)].parent) {
       carries[static_cast<std::size_t>(link)] = true;
     }
@@ -152,6 +157,7 @@ std::vector<double> Kinematics::mass_matrices(std::span<const double> q) const {
   std::vector<double> by_link((links + 5) * (links + 5)), all;
   api::for_rows(*inside_, q, [&](const api::Posture& posture, std::size_t) {
     multibody::mass_matrix(inside_->model->tree(), posture.links(), composite, by_link);
+    // the kernel's columns: six of the base, which is link 0, then one for each further link
     const auto place = [&](std::size_t i) { return i < 6 ? i : 5 + posture.link_of(i - 6); };
     for (std::size_t i = 0; i < size; ++i) {
       for (std::size_t j = 0; j < size; ++j) all.push_back(by_link[place(i) * (links + 5) + place(j)]);

@@ -16,7 +16,7 @@ namespace api {
 
 struct RecorderInside {
   std::shared_ptr<SceneInside> scene;
-  recording::Recorder* recorder = nullptr;  // the scene keeps it, whose simulation calls it
+  recording::Recorder* recorder = nullptr;  // owned by the scene, since its simulation calls it
   bool finished = false;
 
   void finish() {
@@ -34,6 +34,7 @@ struct RecordingInside {
 
 namespace {
 
+/// Control software of the program is named as input from outside: the file alone cannot repeat it.
 recording::RunDescription description_of(const SceneInside& inside) {
   const SceneOptions& options = inside.origin.options;
   std::vector<std::string> outside;
@@ -65,6 +66,7 @@ inline namespace v0 {
 
 using api::told;
 
+/// A recorder that fails at its start leaves the scene as it was.
 Recorder::Recorder(const Scene& scene, const std::string& file, double rate) {
   api::SceneInside& inside = scene.inside();
   auto recorder = told([&] {
@@ -83,7 +85,7 @@ Recorder::Recorder(const Scene& scene, const std::string& file, double rate) {
 Recorder::~Recorder() {
   try {
     if (inside_) inside_->finish();
-  } catch (const std::exception&) {  // finish() tells of it
+  } catch (const std::exception&) {  // errors are reported by finish() only
   }
 }
 Recorder::Recorder(Recorder&&) noexcept = default;

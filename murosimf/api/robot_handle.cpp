@@ -9,6 +9,7 @@
 #include "murosimf/api/told.h"
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/locomotion/named_motions.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/motion/odometer.h"
@@ -19,9 +20,10 @@ namespace murosimf {
 namespace api {
 namespace {
 
-/// NaN where the level has no such property.
+/// NaN if the level has no such property.
 std::span<const double> gathered(const Entity& entity, const JointRows& rows, const Property<double>& property,
                                  std::vector<double>& into) {
+  MUROSIMF_ASSERT(into.size() == rows.objects.size());
   const Column<double>* column = entity.find(property);
   for (std::size_t i = 0; i < into.size(); ++i) {
     into[i] =
@@ -94,6 +96,7 @@ void Robot::set_joint_target(std::span<const double> targets) {
   api::put(scene_->entity(number_), scene_->joints(number_), properties::joint_target, targets);
 }
 
+/// Checked here: a NaN in a command would only show in the robot's fall.
 void Robot::set_command(double forward, double left, double turning) {
   api::check_finite({forward, left, turning}, fmt::format("command of '{}'", name()));
   scene_->begin();
@@ -138,7 +141,7 @@ void Robot::set_controller(std::shared_ptr<Controller> controller, double rate) 
   if (old == scene_->controllers.end() && controller) scene_->check_targets_are_free(number_);
   scene_->begin();
   told([&] {
-    api::ControllerTask* task = nullptr;  // before the old one goes: it may be refused
+    api::ControllerTask* task = nullptr;  // attached before the old one is detached: it may be refused
     if (controller) {
       task = &simulation.attach<api::ControllerTask>("controller", entity, rate, *scene_, std::move(controller));
     }

@@ -20,12 +20,13 @@ const std::string& object_name(const Entity& entity, int object) {
   return entity.model().objects()[static_cast<std::size_t>(object)].name;
 }
 
-/// Whether the other one lists the point, too, and comes first.
+/// Whether the other entity lists the point as well, and comes first.
 bool was_listed(const World& world, const std::vector<Entity*>& moving, const collision::Touch& touch) {
   const bool moves = std::ranges::find(moving, touch.other) != moving.end();
   return moves && world.index_of(touch.other) < world.index_of(touch.entity);
 }
 
+/// A size that a shape does not use is ignored; those that it uses must be above 0.
 Shape shape_of(const NewBody& body) {
   const Vector3& size = body.size;
   const bool is_box = body.shape == NewBody::Shape::box;
@@ -55,7 +56,7 @@ sensors::Perspective perspective_of(const Viewpoint& from) {
   }
   const Vec3d forward = (1 / norm(toward)) * toward;
   Vec3d right = cross(forward, Vec3d{0, 0, 1});
-  if (norm(right) == 0) right = {1, 0, 0};  // straight down: x to the right
+  if (norm(right) == 0) right = {1, 0, 0};  // looking straight down: x to the right
   right = (1 / norm(right)) * right;
   const double side = std::tan(0.5 * from.field_of_view), up = side * from.height / from.width;
   return {.eye = vec(from.eye),
@@ -103,6 +104,7 @@ Robot Scene::robot() const {
 
 EntityHandle Scene::entity(std::string_view name) const { return {inside_, inside().number_of(name)}; }
 
+/// The checks are those of scene files; this part only names what a program has given.
 Robot Scene::add(const NewRobot& robot) {
   api::check_finite(robot.position, fmt::format("position of '{}'", robot.name));
   scene_file::RobotSpec spec;
@@ -158,7 +160,7 @@ std::vector<Contact> Scene::contacts() const {
   const std::vector<Entity*>& moving = inside().scene.moving_entities();
   std::vector<Contact> contacts;
   for (const Entity* entity : moving) {
-    bool second_of_two = false;  // where it touches itself
+    bool second_of_two = false;  // contacts with itself are listed twice
     for (const collision::Touch& touch : collision::touches(world, *entity)) {
       if (api::was_listed(world, moving, touch)) continue;
       if (touch.other == entity && std::exchange(second_of_two, !second_of_two)) continue;
@@ -184,6 +186,7 @@ std::optional<RayHit> Scene::cast(const Vector3& origin, const Vector3& directio
                 api::vector_of(hit->point), api::vector_of(hit->normal)};
 }
 
+/// Queries see the scene as it is now, not as at the last step.
 std::optional<double> Scene::distance(std::string_view a, std::string_view b) const {
   const Entity& first = inside().entity(inside().number_of(a));
   const Entity& second = inside().entity(inside().number_of(b));
@@ -193,6 +196,7 @@ std::optional<double> Scene::distance(std::string_view a, std::string_view b) co
   });
 }
 
+/// The painter is made at the first picture: most programs want none.
 Image Scene::picture(const Viewpoint& from) const {
   const sensors::Perspective perspective = api::perspective_of(from);
   inside().begin();

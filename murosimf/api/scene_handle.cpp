@@ -1,4 +1,4 @@
-// include/murosimf/scene.h: the run itself. What is in it stands in scene_contents.cpp.
+// include/murosimf/scene.h: the run itself. Its contents are in scene_contents.cpp.
 #include "murosimf/scene.h"
 
 #include <cmath>
@@ -21,6 +21,7 @@ void check_seconds(double seconds, std::string_view what) {
   if (!(seconds >= 0 && seconds <= longest)) throw InputError(fmt::format("{} {} s: 0 to 3e9 s", what, seconds));
 }
 
+/// A quoted string of TOML; control characters were refused before.
 std::string toml_text(const std::string& text) {
   std::string quoted = "\"";
   for (const char c : text) {
@@ -42,6 +43,7 @@ Scene Scene::of_text(const std::string& toml, const SceneOptions& options) {
   return Scene(api::open_text(toml, options));
 }
 
+/// Through the text of a scene, so that defaults and checks are those of scene files.
 Scene Scene::of_robot(const std::string& model, const SceneOptions& options) {
   for (const char c : model) {
     if (c == '\n' || c == '\r') throw InputError("a name of a robot file has no line ends");
@@ -59,7 +61,7 @@ Scene Scene::copy() const {
                                  from.entity(from.controllers.begin()->first).name()));
   }
   const std::vector<std::byte> state = told([&] { return from.scene.save(); });
-  from.begun = true;
+  from.begun = true;  // save() has initialized it
   Scene copied(api::another_scene(from, {}));
   copied.load(state);
   return copied;

@@ -8,6 +8,7 @@
 
 #include "murosimf/api/told.h"
 #include "murosimf/files/data_path.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/scene_file/scene_spec.h"
 
@@ -33,7 +34,7 @@ void check_threads(const SceneOptions& options) {
   if (options.threads < 1) throw InputError(fmt::format("threads = {}: at least 1", options.threads));
 }
 
-/// Reads and builds; `file` is where the scene stands.
+/// Reads and builds; `file` contains the scene.
 std::shared_ptr<SceneInside> open(const std::filesystem::path& file, SceneOrigin origin) {
   const SceneOptions& options = origin.options;
   const auto spec = scene_file::read_scene(file, options.set, options.events, options.pushes);
@@ -42,6 +43,7 @@ std::shared_ptr<SceneInside> open(const std::filesystem::path& file, SceneOrigin
   return inside;
 }
 
+/// Without a range, a joint has infinite limits: programs can compare with them.
 JointInfo info_of(const Model& model, int object) {
   const Object& joint = model.objects()[static_cast<std::size_t>(object)];
   constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -82,16 +84,19 @@ void SceneInside::step() {
   check_failure();
 }
 
+/// Exceptions of controllers are thrown by steps that must not throw: they are kept, and thrown here.
 void SceneInside::check_failure() {
   if (!failed) return;
   const std::lock_guard lock(failing_);
+  MUROSIMF_ASSERT(failure_ != nullptr);
   failed = false;
   std::rethrow_exception(std::exchange(failure_, nullptr));
 }
 
 void SceneInside::fail(std::exception_ptr reason) {
+  MUROSIMF_ASSERT(reason != nullptr);
   const std::lock_guard lock(failing_);
-  if (failed) return;
+  if (failed) return;  // the first exception counts
   failure_ = std::move(reason);
   failed = true;
 }
@@ -114,7 +119,7 @@ void SceneInside::check_targets_are_free(int number) {
       is_new ? simulation().writers_of(entity(number), properties::joint_target.name) : std::vector<std::string>{};
   if (is_new) known->second = writers.empty();
   if (known->second) return;
-  targets_are_free.erase(known);
+  targets_are_free.erase(known);  // checked again next time: the controller may change
   throw InputError(fmt::format("joint targets of '{}' are written by '{}' in every step; give it the controller 'none'",
                                entity(number).name(), fmt::join(writers, "', '")));
 }
@@ -127,6 +132,7 @@ std::shared_ptr<SceneInside> open_scene(const std::string& name, const SceneOpti
   });
 }
 
+/// Scenes read their files by name: the text gets a file, in a folder that lives as long as the scene.
 std::shared_ptr<SceneInside> open_text(const std::string& toml, const SceneOptions& options) {
   check_threads(options);
   auto folder = told([] { return std::make_shared<recording::ScratchFolder>(); });

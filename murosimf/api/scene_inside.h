@@ -1,4 +1,4 @@
-/// scene_inside.h - what stands behind the handles of include/murosimf: a scene, and what they remember of it.
+/// scene_inside.h - implementation of the handles of include/murosimf: a scene, and data of the handles.
 #pragma once
 
 #include <atomic>
@@ -24,7 +24,7 @@ namespace murosimf::api {
 
 class ControllerTask;  // controller_algorithm.h
 
-/// A robot's joints as rows without the objects between them.
+/// A robot's joints as rows without the other objects.
 struct JointRows {
   explicit JointRows(const Model& model);
 
@@ -33,12 +33,12 @@ struct JointRows {
   std::vector<double> position, velocity, torque, target;  ///< memory of Robot's spans
 };
 
-/// How a scene came to be: what its recording says, and a copy needs.
+/// Origin of a scene, for recordings and copies.
 struct SceneOrigin {
-  std::string name;  ///< as the user has named it
+  std::string name;  ///< as named by the user
   SceneOptions options;
   std::shared_ptr<files::FilesRead> files;              ///< shared by copies, read by the first
-  std::shared_ptr<recording::ScratchFolder> text_file;  ///< where a text stands while it is read
+  std::shared_ptr<recording::ScratchFolder> text_file;  ///< contains the text of a scene while it is read
 };
 
 struct SceneInside {
@@ -48,18 +48,18 @@ struct SceneInside {
   [[nodiscard]] Simulation& simulation() { return scene.simulation(); }
   [[nodiscard]] World& world() { return scene.simulation().world(); }
   [[nodiscard]] Entity& entity(int number) { return *world().entities()[static_cast<std::size_t>(number)]; }
-  /// Its number. Throws UnknownName.
+  /// Index of the entity. Throws UnknownName.
   [[nodiscard]] int number_of(std::string_view entity);
-  /// All that is read is there from now on; cameras without a handle are not drawn.
+  /// Creates all data that are read from now on; cameras without a handle are not drawn.
   void begin();
   void step();
-  /// Throws what a controller of the program has thrown.
+  /// Rethrows an exception of the program's controller.
   void check_failure();
   /// From any thread.
   void fail(std::exception_ptr reason);
 
   [[nodiscard]] JointRows& joints(int number);
-  /// As the world is now.
+  /// Queries in the present state of the world.
   [[nodiscard]] collision::QueryScene& fresh_queries();
   /// Throws InputError if an algorithm of the scene writes them.
   void check_targets_are_free(int number);
@@ -71,7 +71,7 @@ struct SceneInside {
   bool begun = false;
   std::map<int, JointRows> joint_rows;
   std::map<int, ControllerTask*> controllers;                   ///< of the program
-  std::map<int, bool> targets_are_free;                         ///< of those that were asked for
+  std::map<int, bool> targets_are_free;                         ///< results of earlier checks
   std::unique_ptr<collision::QueryScene> queries;               ///< null: before the first query
   std::unique_ptr<scene::ScenePainter> painter;                 ///< likewise
   std::vector<std::unique_ptr<recording::Recorder>> recorders;  ///< the simulation calls them
@@ -81,11 +81,11 @@ struct SceneInside {
   std::exception_ptr failure_;
 };
 
-/// Of a file or name.
+/// From a file or name.
 [[nodiscard]] std::shared_ptr<SceneInside> open_scene(const std::string& name, const SceneOptions& options);
-/// Of a text as of a file.
+/// From a text in the format of a file.
 [[nodiscard]] std::shared_ptr<SceneInside> open_text(const std::string& toml, const SceneOptions& options);
-/// Another one of a spec, with the same options.
+/// Another scene with the same spec and options.
 [[nodiscard]] std::shared_ptr<SceneInside> another_scene(SceneInside& like, std::optional<std::uint64_t> seed);
 
 }  // namespace murosimf::api

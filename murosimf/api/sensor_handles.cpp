@@ -1,4 +1,5 @@
 // include/murosimf/sensors.h.
+#include "murosimf/math/assert.h"
 #include "murosimf/sensors.h"
 
 #include <algorithm>
@@ -35,6 +36,7 @@ std::vector<SensorOutput> outputs_of(const sensors::Reading& reading) {
     outputs.push_back({output.name, output.unit, output.labels, begin, output.size()});
     begin += output.size();
   }
+  MUROSIMF_ASSERT(begin == reading.values.size());
   return outputs;
 }
 
@@ -89,6 +91,7 @@ Camera Robot::camera(std::string_view name) const {
     api::throw_unknown(fmt::format("camera of '{}'", this->name()), name, {known.begin(), known.end()});
   }
   Entity& entity = scene_->entity(number_);
+  // before the first step a handle requests drawing; later the set of columns is fixed
   if (!scene_->begun) (void)api::told([&] { return &sensors::want_frames(entity, name); });
   const auto* frame = sensors::frames_of(entity)[static_cast<std::size_t>(place - known.begin())];
   if (scene_->begun && !frame->draws) {

@@ -1,4 +1,4 @@
-/// told.h - exceptions of the library as those of its public interface, and values of the one as values of the other.
+/// told.h - conversion of the library's exceptions and values to those of its public interface.
 #pragma once
 
 #include <cmath>
@@ -16,7 +16,7 @@
 
 namespace murosimf::api {
 
-/// Calls `f`; what it throws of the library's own becomes what error.h says.
+/// Calls `f`; converts exceptions of the library to those of error.h.
 template <class F>
 decltype(auto) told(const F& f) {
   try {
@@ -42,7 +42,7 @@ decltype(auto) told(const F& f) {
 }
 /// Throws InputError: "velocity of 'ball' is not finite".
 void check_finite(const Vector3& v, std::string_view what);
-/// Throws InputError for another number of numbers, and for those that are not finite.
+/// Throws InputError for another number of values, and for values that are not finite.
 void check_row(std::span<const double> row, std::size_t size, std::string_view what);
 
 [[noreturn]] void throw_unknown(std::string_view kind, std::string_view name,

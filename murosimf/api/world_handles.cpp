@@ -17,7 +17,7 @@ struct ViewInside {
 
 namespace {
 
-/// Number of an object. Throws UnknownName.
+/// Access to an object. Throws UnknownName.
 ObjectAccess object_of(Entity& entity, std::string_view name) {
   if (const auto found = entity.model().find_object(name)) return {entity, *found};
   throw_unknown(fmt::format("object of '{}'", entity.name()), name, entity.model().object_names());
@@ -36,6 +36,7 @@ Velocity velocity_of(ObjectAccess object) {
   });
 }
 
+/// Small errors of rounding are removed; others are mistakes of the caller.
 Quaterniond unit_quaternion(const Rotation& rotation, const std::string& entity) {
   const double norm =
       std::sqrt(rotation.w * rotation.w + rotation.x * rotation.x + rotation.y * rotation.y + rotation.z * rotation.z);
@@ -107,6 +108,7 @@ void EntityHandle::set_velocity(const Velocity& velocity) {
   });
 }
 
+/// Through the command of the run, so that recordings have it.
 void EntityHandle::place(const Vector3& position, double heading) {
   scene_->begin();
   told([&] {
@@ -115,6 +117,7 @@ void EntityHandle::place(const Vector3& position, double heading) {
   });
 }
 
+/// Through the command of the run, so that recordings have it.
 void EntityHandle::push(std::string_view object, const Vector3& force, double duration, const Vector3& moment) {
   scene_->begin();
   Entity& entity = scene_->entity(number_);

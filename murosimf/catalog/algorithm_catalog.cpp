@@ -10,6 +10,7 @@
 #include "murosimf/collision/implicit_stick_law.h"
 #include "murosimf/collision/kelvin_voigt_law.h"
 #include "murosimf/collision/paper_law.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/motion/articulated_dynamics.h"
 #include "murosimf/motion/full_dynamics.h"
 #include "murosimf/motion/kinematic_walking.h"
@@ -17,7 +18,7 @@
 namespace murosimf::catalog {
 namespace {
 
-/// With the level's own options in their places.
+/// Applies the level's own options.
 LevelOptions with_own(const OptionTable<LevelOptions>& table, LevelOptions options) {
   table.apply(options.own, options);
   return options;
@@ -28,6 +29,7 @@ std::unique_ptr<MotionLevel> make_kinematic_walking(Setup& setup, const LevelOpt
                                                     given.environment);
 }
 
+/// The level has its own set of options; those of the robot are added where they fit.
 std::unique_ptr<MotionLevel> make_simplified_dynamics(Setup& setup, const LevelOptions& given) {
   const LevelOptions options = with_own(reference_options(), given);
   return std::make_unique<motion::SimplifiedDynamics>(
@@ -64,6 +66,7 @@ std::shared_ptr<const collision::ContactLaw> make_paper_multipoint(const OptionV
   return std::make_shared<collision::PaperLaw>(options);
 }
 
+// [s] without and with servos: docs/scenes.md, "Long steps", measured by benchmarks/step_sizes.py
 constexpr LongestSteps bounded_steps{0.01, 0.01}, literal_steps{0.002, 0.001};
 
 LongestSteps paper_steps(const OptionValues& given) {
@@ -72,7 +75,7 @@ LongestSteps paper_steps(const OptionValues& given) {
   return options.bounded ? bounded_steps : literal_steps;
 }
 
-// Keys: what stands in a scene file; "position.z" is the height in `position`.
+// Keys: names in a scene file; "position.z" is the height in `position`.
 std::vector<LevelType> built_in_levels() {
   return {
       LevelType{"kinematic_walking", "the standing foot is fixed on the plane; cannot fall, ignores forces (paper 4.1)",
@@ -99,6 +102,7 @@ std::vector<LevelType> built_in_levels() {
   };
 }
 
+/// The first one is the default of scenes; the numbers are the longest steps at which the law is stable.
 std::vector<ContactLawType> built_in_contacts() {
   return {
       ContactLawType{"implicit_stick",
@@ -159,6 +163,7 @@ std::unique_ptr<collision::BodyContactLaw> make_body_paper_multipoint(const Opti
   return std::make_unique<collision::BodyPaperLaw>(options);
 }
 
+/// The first one is the default of scenes.
 std::vector<BodyContactLawType> built_in_body_contacts() {
   return {
       BodyContactLawType{"island_gauss_seidel", "all contacts of touching entities settled together; the default",
@@ -179,6 +184,7 @@ std::vector<BodyContactLawType> built_in_body_contacts() {
 
 }  // namespace
 
+/// Compares whole words: one word may be part of another.
 bool has_word(std::string_view words, std::string_view word) {
   for (std::size_t begin = 0; begin < words.size();) {
     const std::size_t end = std::min(words.find(' ', begin), words.size());
@@ -189,6 +195,7 @@ bool has_word(std::string_view words, std::string_view word) {
 }
 
 Registries& registries() {
+  // functions, not static objects: plug-ins and tests use them before and during static initialization of other files
   static Registry<LevelType> levels("level", built_in_levels());
   static Registry<ContactLawType> contacts("contact law", built_in_contacts());
   static Registry<BodyContactLawType> body_contacts("law of contact between bodies", built_in_body_contacts());
@@ -206,6 +213,7 @@ const Registry<BodyContactLawType>& body_contacts() { return registries().body_c
 const Registry<ControllerType>& controllers() { return registries().controllers; }
 
 LongestSteps stable_steps(const ContactLawType& law, const OptionValues& given) {
+  MUROSIMF_ASSERT(law.longest_steps.without_servos > 0 && law.longest_steps.with_servos > 0);
   return law.longest_steps_with ? law.longest_steps_with(given) : law.longest_steps;
 }
 
@@ -214,8 +222,10 @@ LongestSteps accurate_steps(const ContactLawType& law, const OptionValues& given
   return {std::min(stable.without_servos, accurate.without_servos), std::min(stable.with_servos, accurate.with_servos)};
 }
 
+/// A level gets those of the robot's options that it knows: a robot keeps options of other levels for a change of its level.
 std::unique_ptr<MotionLevel> make_level(std::string_view name, Setup& setup, const LevelOptions& options) {
   const LevelType& type = levels().find(name);
+  MUROSIMF_ASSERT(type.make != nullptr);
   LevelOptions known = options;
   known.own = values_among(type.options, options.own);
   return type.make(setup, known);
@@ -223,11 +233,13 @@ std::unique_ptr<MotionLevel> make_level(std::string_view name, Setup& setup, con
 
 std::shared_ptr<const collision::ContactLaw> make_contact_law(std::string_view name, const OptionValues& given) {
   const ContactLawType& type = contacts().find(name);
+  MUROSIMF_ASSERT(type.make != nullptr);
   return type.make(values_among(type.options, given));
 }
 
 std::unique_ptr<collision::BodyContactLaw> make_body_contact_law(std::string_view name, const OptionValues& given) {
   const BodyContactLawType& type = body_contacts().find(name);
+  MUROSIMF_ASSERT(type.make != nullptr);
   return type.make(values_among(type.options, given));
 }
 

@@ -1,4 +1,4 @@
-/// algorithm_catalog.h - names of algorithms, as files and the command line use them, and how to attach what they mean.
+/// algorithm_catalog.h - algorithms by the names that files and the command line use, and functions that attach them.
 ///
 /// A new level or contact law is one more line in algorithm_catalog.cpp, a controller one in built_in_controllers.cpp; sensors
 /// have sensor_types.h. A program or a plug-in (plugin.h) adds to `registries()`, before it builds a scene.
@@ -34,26 +34,27 @@ class TcpServer;  // tcp_server.h
 
 namespace murosimf::catalog {
 
-/// How a level moves a robot; all levels take the same options and use what concerns them.
+/// Options of a level; all levels receive the same struct and use the members that apply to them.
 struct LevelOptions {
   motion::JointReferenceOptions reference;
   bool base_rigid = false;         ///< simplified_dynamics: the paper's literal reading
-  std::string servo_law;           ///< articulated_dynamics: of all servos; empty: their own
+  std::string servo_law;           ///< articulated_dynamics: overrides the law of all servos; empty: their own
   motion::MovingTreeOptions tree;  ///< full_dynamics, articulated_dynamics; its integrator: simplified_dynamics too
   const Entity* environment = nullptr;  ///< kinematic_walking: the ground that it walks on; null: the plane z = 0
-  OptionValues own;  ///< what the robot's [robots.level_options] gives; those of LevelType::options count
+  OptionValues own;                     ///< [robots.level_options] of the robot; those in LevelType::options apply
 };
 
 struct LevelType {
   std::string name, meaning;
   LevelTraits traits;
-  std::string keys;    ///< of a robot that it uses, besides those that all levels use: "contact fixed_base"
-  std::string inputs;  ///< properties that may be set and act at this level, besides those that do at all levels
+  std::string keys;  ///< keys of a robot that it uses, in addition to those of all levels: "contact fixed_base"
+  std::string
+      inputs;  ///< properties that can be set and have an effect at this level, in addition to those of all levels
   std::function<std::unique_ptr<MotionLevel>(Setup&, const LevelOptions&)> make;
   std::vector<OptionInfo> options{};  ///< of its own
 };
 
-/// Lengths of steps [s] that do at levels without and with servos (docs/scenes.md).
+/// Limits of the step [s] for levels without and with servos (docs/scenes.md).
 struct LongestSteps {
   double without_servos, with_servos;
 };
@@ -63,16 +64,16 @@ constexpr LongestSteps usual_steps{1 / usual_step_rate, 1 / usual_step_rate};
 struct ContactLawType {
   std::string name, meaning;
   std::function<std::shared_ptr<const collision::ContactLaw>(const OptionValues&)> make;
-  LongestSteps longest_steps;         ///< with which a robot stands and walks
+  LongestSteps longest_steps;         ///< limits with which a robot stands and walks
   std::vector<OptionInfo> options{};  ///< of its own
-  /// Where options change the steps; null: they do not.
+  /// Limits that depend on options; null: they do not.
   std::function<LongestSteps(const OptionValues&)> longest_steps_with{};
-  LongestSteps accurate_steps = usual_steps;  ///< that change little of what comes out; with default options
+  LongestSteps accurate_steps = usual_steps;  ///< limits for accurate results; with default options
 };
 
-/// With which a robot stands and walks under the law, with these options of it.
+/// Limits with which a robot stands and walks under the law, with these options.
 [[nodiscard]] LongestSteps stable_steps(const ContactLawType& law, const OptionValues& given);
-/// That change little of what comes out: what `rate = "auto"` takes (scene_file/automatic_rate.h).
+/// Limits for accurate results: used for `rate = "auto"` (scene_file/automatic_rate.h).
 [[nodiscard]] LongestSteps accurate_steps(const ContactLawType& law, const OptionValues& given);
 
 /// Law between moving bodies.
@@ -80,43 +81,43 @@ struct BodyContactLawType {
   std::string name, meaning;
   std::function<std::unique_ptr<collision::BodyContactLaw>(const OptionValues&)> make;
   std::vector<OptionInfo> options{};           ///< of its own
-  double accurate_step = 1 / usual_step_rate;  ///< [s] longest that changes little of what comes out
+  double accurate_step = 1 / usual_step_rate;  ///< [s] limit for accurate results
 };
 
-/// What a controller may want to know about its robot's place in the scene.
+/// Properties of the scene and the robot that a controller may use.
 struct ControllerOptions {
-  std::vector<Entity*> everybody;  ///< robots and ball
-  Vec3d half_field{3, 2, 0};       ///< [m] from the middle to the touch and goal lines
-  double attacks = 1;              ///< +1: the robot's team plays towards positive x, -1: the other way
-  Vec3d command;                   ///< [m/s, m/s, rad/s] first walk_command
+  std::vector<Entity*> moving_entities;  ///< robots and ball
+  Vec3d half_field{3, 2, 0};             ///< [m] from the middle to the touch and goal lines
+  double attacks = 1;                    ///< +1: the robot's team plays towards positive x, -1: the other way
+  Vec3d command;                         ///< [m/s, m/s, rad/s] first walk_command
   std::optional<locomotion::KeyframeMotion> motion;
   Vec3d start;             ///< [m, m, rad] x, y and heading that the scene's file gives the robot, without its jitter
   Markings markings;       ///< of the field
   std::uint64_t seed = 1;  ///< of the scene
-  double rate = 0;         ///< [Hz] of it; 0: what it wants
-  OptionValues own;        ///< what the robot's [robots.options] gives, of those in ControllerType::options
+  double rate = 0;         ///< [Hz] of the controller; 0: its usual rate
+  OptionValues own;        ///< [robots.options] of the robot, those in ControllerType::options
   std::string library;     ///< file, of the controller "library"
   double call_budget = 0;  ///< [s] of wall time for each of its calls; 0: any
-  bool reload = false;     ///< when its file changes
+  bool reload = false;     ///< reloads the library when its file changes
   connect::ControlLinkOptions link{};            ///< between the robot and software outside of the program
-  std::shared_ptr<connect::CrashNote> crashes;   ///< null: nobody looks whether it crashes
-  std::shared_ptr<connect::TcpServer> software;  ///< where that of the controller "tcp" comes in; null: nowhere
-  std::filesystem::path folder;     ///< of the scene's file, where the files that it names are looked for too
-  std::filesystem::path terminals;  ///< folder for links to serial lines; empty: there are none
-  ExternalInputOptions outside;     ///< what is done with all that comes from outside
+  std::shared_ptr<connect::CrashNote> crashes;   ///< null: crashes are not recorded
+  std::shared_ptr<connect::TcpServer> software;  ///< accepts the software of the controller "tcp"; null: none
+  std::filesystem::path folder;                  ///< folder of the scene's file, searched for files that it names
+  std::filesystem::path terminals;               ///< folder for links to serial lines; empty: there are none
+  ExternalInputOptions outside;                  ///< recording and repetition of external input
 };
 
 struct ControllerType {
   std::string name, meaning;
-  std::string keys;  ///< of a robot that it uses, besides those that all controllers use: "command"
+  std::string keys;  ///< keys of a robot that it uses, in addition to those of all controllers: "command"
   std::function<void(Simulation&, Entity&, const ControllerOptions&)> attach;
   std::vector<OptionInfo> options{};  ///< of its own
-  bool any_options = false;           ///< takes those that are given, whatever they are called
-  /// [m/s, m/s, rad/s] What it makes of a command with these options; empty: it does not follow one.
+  bool any_options = false;           ///< accepts options of any name
+  /// [m/s, m/s, rad/s] Velocity that results from a command with these options; empty: it follows no command.
   std::function<Vec3d(const Model&, const OptionValues& options, const Vec3d& command)> attainable{};
 };
 
-/// All that plug-ins can add to.
+/// All registries that plug-ins can extend.
 struct Registries {
   Registry<LevelType>& levels;
   Registry<ContactLawType>& contacts;
@@ -124,22 +125,22 @@ struct Registries {
   Registry<ControllerType>& controllers;
   Registry<components::SensorType>& sensors;
   Registry<robot::RobotFormat>& formats;
-  Registry<CommandType>& commands;  ///< besides the program's own (apps/main.cpp)
+  Registry<CommandType>& commands;  ///< in addition to the program's own (apps/main.cpp)
 };
 
 /// True if `word` is among the words of a list in the catalog.
 [[nodiscard]] bool has_word(std::string_view words, std::string_view word);
 
-/// The registries of this program. Entries stay for good; add to them before a scene is built that should know them.
+/// The registries of this program. Entries are permanent; add to them before building a scene that uses them.
 [[nodiscard]] Registries& registries();
 
-// The same to read.
+// Read-only access.
 [[nodiscard]] const Registry<LevelType>& levels();
 [[nodiscard]] const Registry<ContactLawType>& contacts();
 [[nodiscard]] const Registry<BodyContactLawType>& body_contacts();
 [[nodiscard]] const Registry<ControllerType>& controllers();
 
-// Made with those of `given` that are options of theirs: the others are for another one that takes their place later. Throw
+// Created with those of `given` that are their options: the others are for algorithms that may replace them later. Throw
 // SetupError if there is none of that name.
 [[nodiscard]] std::unique_ptr<MotionLevel> make_level(std::string_view name, Setup& setup, const LevelOptions& options);
 [[nodiscard]] std::shared_ptr<const collision::ContactLaw> make_contact_law(std::string_view name,

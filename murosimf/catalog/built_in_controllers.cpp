@@ -21,6 +21,7 @@
 #include "murosimf/locomotion/trot.h"
 #include "murosimf/locomotion/walk_engine.h"
 #include "murosimf/locomotion/walk_options.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/robot/step_table_file.h"
 #include "murosimf/runtime/external_input_history.h"
 #include "murosimf/sensors/ground_truth.h"
@@ -31,20 +32,21 @@
 namespace murosimf::catalog {
 namespace {
 
-/// [Hz] What the robot's file says, or else what a controller of type C wants.
+/// [Hz] Rate from the robot's file, or else the usual rate of a controller of type C.
 template <class C>
 double rate_of(const ControllerOptions& options) {
   return options.rate > 0 ? options.rate : C::rate_hz;
 }
 
 Vec3d clipped_command(const Vec3d& v, const Vec3d& fastest) {
+  MUROSIMF_ASSERT(fastest.x >= 0 && fastest.y >= 0 && fastest.z >= 0);
   const auto clip = [](double x, double limit) { return std::clamp(x, -limit, limit); };
   return {clip(v.x, fastest.x), clip(v.y, fastest.y), clip(v.z, fastest.z)};
 }
 
 void attach_none(Simulation&, Entity&, const ControllerOptions&) {}
 
-/// A robot without inertial sensor or encoders gets ones without errors.
+/// Attaches an ideal inertial sensor or ideal encoders to a robot without them.
 void attach_missing_senses(Simulation& simulation, Entity& robot) {
   constexpr double rate = 200;  // [Hz]
   const auto has = [&](auto matches) { return std::ranges::any_of(sensors::readings_of(robot), matches); };
@@ -79,6 +81,7 @@ std::vector<OptionInfo> motions_options() {
   return options;
 }
 
+/// A file of steps is read here, so that the engine needs no files.
 void attach_motions(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
   locomotion::MotionEngineOptions engine = locomotion::motion_engine_options(robot.model(), options.own);
   if (const auto steps = options.own.find("steps"); steps != options.own.end()) {
@@ -116,6 +119,7 @@ void attach_trajectory(Simulation& simulation, Entity& robot, const ControllerOp
   const connect::LogColumns columns{.property = played.property,
                                     .entity = played.entity.empty() ? robot.name() : played.entity,
                                     .no_other = !played.entity.empty()};
+  // a log has columns of many entities; a table of a team has only joints
   const connect::JointTrajectory trajectory =
       connect::read_trajectory(files::find_data_file(played.file, "motions", ".csv", options.folder), robot.model(),
                                columns);
@@ -129,7 +133,7 @@ double usual_rate(double of_scene, double wanted) {
   return wanted > 0 ? wanted : otherwise;
 }
 
-/// The walk engine moves the legs, or the motion engine all joints, if the software has asked for it.
+/// Also attaches the walk engine, which moves the legs, or the motion engine, which moves all joints, if the software has requested it.
 void attach_software(Simulation& simulation, Entity& robot, double rate, const connect::SoftwareMaker& make,
                      connect::ControllerTaskOptions options, const ControllerOptions& given) {
   options.link = given.link;
@@ -137,6 +141,7 @@ void attach_software(Simulation& simulation, Entity& robot, double rate, const c
   options.memory = given.outside.memory;
   auto& task = simulation.attach<connect::ControllerTask>("control_software", robot, rate, make, options);
   if (task.port().command_link()) {
+    // the link delivers between cycles of the software, hence at every tick
     const double every_tick = 1 / seconds(simulation.tick());  // [Hz]
     simulation.attach<connect::CommandArrival>("control_link", robot, every_tick, task.port());
   }
@@ -148,7 +153,7 @@ void attach_software(Simulation& simulation, Entity& robot, double rate, const c
   simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz);
 }
 
-/// Software that goes before it is ready leaves the robot to what comes next, until the wall time for it is over.
+/// Software that disconnects before it is ready makes room for other software, until the wall time for connecting has passed.
 void attach_first_ready(connect::TcpServer& server, connect::TcpOptions options,
                         const std::function<void(const connect::TcpOptions&)>& attach) {
   const double limit = options.wait;
@@ -180,11 +185,12 @@ void attach_tcp(Simulation& simulation, Entity& robot, const ControllerOptions& 
   if (outside.repeated)
     return attach(connect::repeat_software(outside.repeated, robot.name(), given, options.seed, pen));
   attach_first_ready(*options.software, given, [&](const connect::TcpOptions& left) {
-    if (channel) channel->clear();  // of software that was not ready
+    if (channel) channel->clear();  // input of software that was not ready is not part of the run
     attach(options.software->wait_for(robot.name(), left, options.seed, pen));
   });
 }
 
+/// The library is looked for beside the scene, then in the usual folders.
 void attach_library(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
   if (options.library.empty()) {
     throw SetupError("controller 'library' needs the name of a file: library = \"build/libwalk.so\"");
@@ -205,6 +211,7 @@ void attach_library(Simulation& simulation, Entity& robot, const ControllerOptio
                   {.software = file.string(), .budget = given.budget, .crashes = options.crashes}, options);
 }
 
+/// Without a file of the bus, joints get ids in their order.
 void attach_serial(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
   serial::SerialOptions given;
   serial_options().apply(options.own, given);
@@ -239,11 +246,12 @@ void attach_ball_chaser(Simulation& simulation, Entity& robot, const ControllerO
                                    .half_field = options.half_field};
   ball_chaser_options().apply(options.own, chaser);
   if (!sensors::find_reading(robot, "ground_truth")) {
+    // the chaser decides from ground truth: a sensor of the same rate gives one sample per decision
     const sensors::SensorSpec truth{.name = "ground_truth",
                                     .type = "ground_truth",
                                     .rate = rate_of<BallChaser>(options)};
     simulation.attach<sensors::GroundTruth>("ground_truth", robot, rate_of<BallChaser>(options), truth,
-                                            sensors::SensorSurroundings{.moving_entities = options.everybody});
+                                            sensors::SensorSurroundings{.moving_entities = options.moving_entities});
   }
   simulation.attach<BallChaser>("ball_chaser", robot, rate_of<BallChaser>(options), chaser);
   if (chaser.kicks) {
@@ -255,6 +263,7 @@ void attach_ball_chaser(Simulation& simulation, Entity& robot, const ControllerO
 
 void attach_localize(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
   const double x = 0.5 * options.half_field.x, y = 0.45 * options.half_field.y;
+  // a round through the middles of the field's halves: every line is seen from near once
   soccer::LocalizeOptions localize{.markings = options.markings,
                                    .start = options.start,
                                    .way = {{0, -y, 0}, {x, 0, 0}, {0, y, 0}, {-x, 0, 0}},
@@ -264,6 +273,7 @@ void attach_localize(Simulation& simulation, Entity& robot, const ControllerOpti
   simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz);
 }
 
+/// The course depends on the field and on the direction in which the team attacks.
 void attach_obstacle_course(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
   using soccer::ObstacleCourse;
   soccer::ObstacleCourseOptions course{.start = options.start,

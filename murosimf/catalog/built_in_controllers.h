@@ -1,4 +1,4 @@
-/// built_in_controllers.h - the controllers of the library, by name, and how they are attached to a robot.
+/// built_in_controllers.h - the controllers of the library, by name, with functions that attach them to a robot.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-/// command_type.h - commands that plug-ins add to the program: their options as data, so that no parser stands between.
+/// command_type.h - commands that plug-ins add to the program: their options as data, independent of the parser.
 ///
 ///     murosimf --plugin own_plugin.so weigh kid21 --gravity 1.62
 #pragma once
@@ -17,8 +17,8 @@ struct CommandType {
   std::string meaning;  ///< one line of --help
   /// Numbers, booleans and texts. On the command line they are `--NAME VALUE`, or `--NAME` for true.
   std::vector<OptionInfo> options;
-  std::size_t arguments = 0;  ///< so many of them, the first ones, are values without `--NAME`, and needed; no booleans
-  /// Gets what the user has given, checked against these; returns the exit code. May throw SetupError for users' errors.
+  std::size_t arguments = 0;  ///< number of positional ones: the first, required, no booleans
+  /// Receives the user's values, checked against these options; returns the exit code. May throw SetupError for users' errors.
   std::function<int(const OptionValues& given)> run;
 };
 

@@ -7,11 +7,12 @@ constexpr double longest_time = 60;     // [s]
 constexpr double longest_motion = 1e9;  // [s]
 constexpr double cycle = 0.005;         // [s] of AnkleStrategy: shorter filters would not be stable
 constexpr double shortest_limit = 0.01, longest_limit = 86400;  // [s] of wall time
-constexpr double fastest = 10;                                  // [m/s] no robot here is as fast
+constexpr double fastest = 10;                                  // [m/s] beyond all robots
 constexpr double longest_length = 100;                          // [m]
 
 }  // namespace
 
+/// Bounds of all tables keep numbers within what the controllers are made for.
 const OptionTable<locomotion::AnkleStrategyOptions>& balance_options() {
   using Options = locomotion::AnkleStrategyOptions;
   static const OptionTable<Options> table{
@@ -40,6 +41,7 @@ const OptionTable<connect::TrajectoryOptions>& trajectory_options() {
   return table;
 }
 
+/// Longest waits are bounded, so that a wrong number in a file does not stop a run for hours.
 const OptionTable<connect::TcpOptions>& tcp_options() {
   using Options = connect::TcpOptions;
   static const OptionTable<Options> table{

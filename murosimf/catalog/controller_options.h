@@ -1,6 +1,6 @@
-/// controller_options.h - which options of the library's controllers a scene may set in [robots.options].
+/// controller_options.h - options of the library's controllers that a scene may set in [robots.options].
 ///
-/// What else a controller needs (its start, the goal) comes from its robot's place in the scene.
+/// Other inputs of a controller (its start, the goal) follow from its robot's place in the scene.
 #pragma once
 
 #include "murosimf/connect/tcp/tcp_server.h"

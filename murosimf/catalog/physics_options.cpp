@@ -31,6 +31,7 @@ const OptionTable<LevelOptions>& tree_options() {
   return table;
 }
 
+/// One table for levels that have both groups, so that a key has one meaning and one unit everywhere.
 const OptionTable<LevelOptions>& reference_and_tree_options() {
   static const OptionTable<LevelOptions> table = [] {
     std::vector<LevelRow> rows = reference_rows();

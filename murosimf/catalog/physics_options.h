@@ -1,7 +1,7 @@
-/// physics_options.h - which options of the library's levels and contact laws a scene may set: [robots.level_options],
+/// physics_options.h - options of the library's levels and contact laws that a scene may set: [robots.level_options],
 /// [robots.contact_options], [body_contact_options].
 ///
-/// What several levels share and has a key of its own (integrator, fixed_base) is none of these.
+/// Options that several levels share and that have a key of their own (integrator, fixed_base) are not among these.
 #pragma once
 
 #include "murosimf/catalog/algorithm_catalog.h"
@@ -11,7 +11,7 @@
 
 namespace murosimf::catalog {
 
-/// Of levels whose joints move exactly as told; of those whose links have masses; of both.
+/// Of levels with prescribed joint motion; of those whose links have masses; of both.
 [[nodiscard]] const OptionTable<LevelOptions>& reference_options();
 [[nodiscard]] const OptionTable<LevelOptions>& tree_options();
 [[nodiscard]] const OptionTable<LevelOptions>& reference_and_tree_options();

@@ -42,6 +42,7 @@ void check_version(const files::SharedLibrary& library, const std::filesystem::p
        fmt::format("made for '{}', but this program is '{}'; build it anew", version ? version : "", plugin_version));
 }
 
+/// Other exceptions than SetupError would end the program without the name of the plug-in.
 void enter_what_is_in(const files::SharedLibrary& library, const std::filesystem::path& file) {
   auto* enter = function_in<decltype(murosimf_register)>(library, "murosimf_register", file);
   try {
@@ -55,11 +56,11 @@ void enter_what_is_in(const files::SharedLibrary& library, const std::filesystem
   }
 }
 
-/// As control software is called (connect/guard/guarded_call.h).
+/// Guards calls like those of control software (connect/guard/guarded_call.h).
 void guarded(const std::filesystem::path& file, const char* what, const std::function<void()>& call) {
   constexpr Duration longest_loading = std::chrono::seconds(60);
   std::exception_ptr refused;
-  const connect::GuardedCall guard{.who = fmt::format("plug-in '{}'", file.string()),
+  const connect::GuardedCall guard{.name = fmt::format("plug-in '{}'", file.string()),
                                    .what = what,
                                    .limit = longest_loading,
                                    .keeps_process = true};
@@ -75,14 +76,15 @@ void guarded(const std::filesystem::path& file, const char* what, const std::fun
   if (refused) std::rethrow_exception(refused);
 }
 
-/// A step of one of its algorithms. After a crash the run ends before the next step of the simulation.
+/// Calls a step of a plug-in's algorithm. After a crash the run ends before the next step of the simulation.
 void call_algorithm(const ForeignCode& code, const std::string& what, const std::function<void()>& call) {
   constexpr Duration longest_step = std::chrono::seconds(10);
-  const connect::GuardedCall guard{.who = code.name, .what = what, .limit = longest_step};
+  const connect::GuardedCall guard{.name = code.name, .what = what, .limit = longest_step};
   if (const connect::CallOutcome outcome = guard(call); !outcome) connect::crashes_of_plugins().write(outcome.text);
 }
 
 void load(const std::filesystem::path& file, const std::string& path) {
+  // a copy: the file may be overwritten by a new build while it is mapped
   const files::PrivateCopy copy(path, file.string());
   std::optional<files::SharedLibrary> library;
   guarded(file, "its loading", [&] { library.emplace(copy, files::Unloading::never, file.string()); });
@@ -96,6 +98,7 @@ void load(const std::filesystem::path& file, const std::string& path) {
 void load_plugin(const std::filesystem::path& file) {
   static std::mutex loading;
   static std::set<std::string> loaded;
+  // one at a time: registries are not synchronized
   const std::lock_guard lock(loading);
   std::error_code error;
   const std::string path = std::filesystem::canonical(file, error).string();

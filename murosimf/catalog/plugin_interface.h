@@ -1,12 +1,13 @@
-/// plugin_interface.h - what a plug-in defines: a shared library with levels, laws, controllers or sensors of its own.
+/// plugin_interface.h - functions that a plug-in defines: a shared library with levels, laws, controllers or sensors of its own.
 ///
 ///     extern "C" const char* murosimf_plugin_version() { return murosimf::catalog::plugin_version; }
 ///     extern "C" void murosimf_register(murosimf::catalog::Registries& registries) { registries.controllers.add({...}); }
 ///
-/// It is linked to nothing: all names of the library come from the program that loads it (docs/add_an_algorithm.md, "Plug-ins").
+/// It is linked to no library: all symbols come from the program that loads it (docs/add_an_algorithm.md, "Plug-ins").
 #pragma once
 
 #include "murosimf/catalog/algorithm_catalog.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::catalog {
 
@@ -28,12 +29,12 @@ namespace murosimf::catalog {
 #define MUROSIMF_STANDARD_LIBRARY "another standard library"
 #endif
 
-/// Number of the interface of plug-ins, include/murosimf/plugin: it grows with every change there, and of what these headers include,
-/// that makes plug-ins wrong which are not built anew.
+/// Version of the plug-in interface, include/murosimf/plugin: it grows with every change there, and in headers included there,
+/// that makes existing plug-ins incompatible.
 #define MUROSIMF_PLUGIN_INTERFACE 1
 constexpr int plugin_interface = MUROSIMF_PLUGIN_INTERFACE;
 
-/// That number, the version of the library, then what decides how its types lie in memory. Internal linkage: every plug-in has its own
+/// That version, the version of the library, then settings that determine the memory layout of its types. Internal linkage: every plug-in has its own
 /// copy.
 constexpr const char* plugin_version =
     "plug-in interface " MUROSIMF_TEXT(MUROSIMF_PLUGIN_INTERFACE) " of murosimf 0.1.0, " MUROSIMF_ABI
@@ -50,7 +51,7 @@ constexpr const char* plugin_version =
 
 extern "C" {
 
-/// Returns `plugin_version` as the plug-in was compiled with it.
+/// Returns `plugin_version` as compiled into the plug-in.
 const char* murosimf_plugin_version();
 
 /// Adds to the registries; called once, before any scene is built. May throw: the message becomes one line.

@@ -12,6 +12,7 @@
 namespace murosimf::properties {
 namespace {
 
+/// Sorted by name, as `murosimf list` prints it and name search needs it.
 std::vector<CatalogEntry> collect() {
   std::vector<CatalogEntry> all;
   for (const auto list : {core_list(), contact_list(), motion_list(), air_list(), gait_list(), behavior_list()}) {

@@ -1,6 +1,6 @@
-/// property_catalog.h - every property of the library that is a row of numbers or a constant: the lists of all folders.
+/// property_catalog.h - every property of the library that is a row of numbers or a constant: the lists of all rooms.
 ///
-/// Collected by calls: a list that registered itself would be missing wherever the linker takes its file for unused.
+/// Collected by explicit calls: self-registration would fail where the linker drops the object file as unused.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace murosimf::properties {
 
-/// Constant ones first; otherwise folder by folder, the lowest first.
+/// Constants first; otherwise room by room, the lowest first.
 [[nodiscard]] const std::vector<CatalogEntry>& catalog();
 
 }  // namespace murosimf::properties

@@ -1,4 +1,4 @@
-/// command_arrival.h - algorithm: has commands of control software hold when they have come over the robot's link, in every tick.
+/// command_arrival.h - algorithm: applies, in every tick, the commands of control software that have arrived over the robot's link.
 #pragma once
 
 #include "murosimf/connect/robot_port.h"

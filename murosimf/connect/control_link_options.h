@@ -5,12 +5,12 @@
 
 namespace murosimf::connect {
 
-/// What the robot measures goes one way, once in each cycle; what it is told goes the other way. Each way has all of this for itself.
+/// Measured values go one way, once in each cycle; commands go the other way. Each way has all of these properties of its own.
 struct ControlLinkOptions {
   double delay = 0, jitter = 0;  ///< [s] as in LinkOptions
   double bandwidth = 0;          ///< [byte/s] 8 bytes for each number; 0: any
   double loss = 0;               ///< [1] share of the cycles whose numbers do not arrive
-  bool signals = true;           ///< whether what is measured takes this link
+  bool signals = true;           ///< whether measured values take this link
   bool commands = true;          ///< whether commands do
 
   [[nodiscard]] LinkOptions one_way() const {

@@ -1,7 +1,7 @@
 /// control_software.h - control software of one robot as the simulation sees it, wherever it runs: in a shared library
 /// (library_software.h), behind a socket (tcp_software.h) or at a serial line (serial/serial_software.h).
 ///
-/// Whoever makes one gets a RobotPort, asks it for signals and commands by name, and keeps the pointers.
+/// A constructor receives a RobotPort, requests signals and commands by name, and keeps the pointers.
 #pragma once
 
 #include <string>
@@ -22,13 +22,13 @@ class ControlSoftware {
   [[nodiscard]] virtual CallOutcome step(Duration now) noexcept = 0;
   /// Something for the report that has happened meanwhile ("reloaded"); empty: nothing.
   [[nodiscard]] virtual std::string news() { return {}; }
-  /// Its memory.
+  /// Reads or writes the memory of the software.
   virtual void state(StateArchive&) {}
-  /// Whether it remembers more than that: it, or who is behind it, goes on as it is when a state is loaded.
+  /// Whether the software holds state beyond that: it, or the program behind it, continues unchanged when a state is loaded.
   [[nodiscard]] virtual bool keeps_state() const { return true; }
-  /// Whether it writes down what comes from outside, and repeats it (external_input_history.h): a step that is repeated is one as others then.
+  /// Whether external input is logged and repeated (external_input_history.h): a repeated step then runs like any other step.
   [[nodiscard]] virtual bool repeats_itself() const { return false; }
-  /// Why nobody steers the robot now, though somebody may come; empty: somebody does.
+  /// Reason why no client controls the robot at present, though one may still connect; empty: a client is connected.
   [[nodiscard]] virtual std::string absence() const { return {}; }
 };
 

@@ -79,8 +79,8 @@ fs::file_time_type time_of(const fs::path& file) {
 
 ControllerLibrary::ControllerLibrary(const fs::path& file, fs::file_time_type written)
     : file_(file), written_(written), threads_(std::make_shared<ForeignThreads>()) {
-  threads_->who = fmt::format("library '{}'", file.string());
-  note_suspect(threads_->who);
+  threads_->name = fmt::format("library '{}'", file.string());
+  note_suspect(threads_->name);
   const files::PrivateCopy copy(file, file.string());
   if (time_of(file) != written) fail(file, "was written to while it was read; try again");
   guarded(file, "its loading", threads_, [&] { library_.emplace(copy, files::Unloading::when_unused, file.string()); });
@@ -95,6 +95,7 @@ ControllerLibrary::~ControllerLibrary() {
   }
 }
 
+/// A library is loaded once while any robot uses it; a file that was built anew is another library.
 std::shared_ptr<const ControllerLibrary> ControllerLibrary::load(const fs::path& file) {
   static std::mutex loading;
   static std::map<std::pair<fs::path, fs::file_time_type>, std::weak_ptr<const ControllerLibrary>> loaded;

@@ -14,9 +14,9 @@ namespace murosimf::connect {
 
 class ControllerLibrary {
  public:
-  /// The one of this file as it is now; the same for all who have it. Throws SetupError in one line that begins with the file: it is
-  /// missing, not whole, no library, no control software, made for another ABI, or lacks functions. Throws SoftwareCrash: what it does when
-  /// it is loaded would have ended the program.
+  /// Returns the library of this file in its present version, shared by all users. Throws SetupError in one line that begins with the file: it is
+  /// missing, truncated, no library, no control software, made for another ABI, or lacks functions. Throws SoftwareCrash: code that runs
+  /// when it is loaded would have ended the program.
   [[nodiscard]] static std::shared_ptr<const ControllerLibrary> load(const std::filesystem::path& file);
 
   /// When its file was written, if that was after it had been loaded.

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::connect {
@@ -37,10 +38,12 @@ ControllerTask::ControllerTask(Setup& setup, const SoftwareMaker& make, Controll
       robot_(&setup.entity()),
       port_(setup, options_.link, options_.seed),
       interface_(setup.write(software_interface)[0]) {
+  MUROSIMF_ASSERT(setup.period() > Duration{});
   report_.software = options_.software;
   report_.rate_hz = 1 / seconds(setup.period());
   report_.budget = options_.budget;
   software_ = make(setup, port_, [this](const std::string& line) { say(line); });
+  MUROSIMF_ASSERT(software_ != nullptr);
   port_.close();
   report_.keeps_state = software_->keeps_state();
   if (options_.memory && !software_->repeats_itself()) {
@@ -53,7 +56,7 @@ void ControllerTask::initialize() {
   now_ = {};
   port_.restart();
   port_.radio().refresh(now_);
-  if (repeats()) {  // the entity comes in again, as it did then
+  if (repeats()) {  // the entity enters again as it did in the recorded run
     (void)repeat_call(ExternalInput::began);
   } else {
     begin();
@@ -82,6 +85,7 @@ void ControllerTask::step(const Instant& instant) noexcept {
     return;
   }
   if (over_) return;
+  // after a jump in time the requests of the software are those of now, not those of the loaded state
   if (std::exchange(jumped_, false)) port_.renew_requests();
   port_.refresh(instant.now);
   const WallClock::time_point begin = WallClock::now();
@@ -94,7 +98,7 @@ void ControllerTask::step(const Instant& instant) noexcept {
   publish_news();
 }
 
-/// Makes a call of the software, and writes down what it does if somebody wants it.
+/// Makes a call of the software, and records its effects if a history is kept.
 template <class Call>
 CallOutcome ControllerTask::noted(ExternalInput::Kind kind, const Call& call) {
   const bool notes = memory_ && memory_->keeps();
@@ -108,11 +112,12 @@ CallOutcome ControllerTask::noted(ExternalInput::Kind kind, const Call& call) {
   return outcome;
 }
 
-/// Software whose memory is a part of states does the same again; what has ended cannot.
+/// Software whose memory is part of the state computes the same again; software that has ended cannot.
 bool ControllerTask::repeats() const { return memory_ && memory_->repeats() && (report_.keeps_state || over_); }
 
-/// False: it was not called then, or did not come back.
+/// Applies the recorded effects of a call. False: it was not called at that time, or did not return.
 bool ControllerTask::repeat_call(ExternalInput::Kind kind) {
+  MUROSIMF_ASSERT(memory_ != nullptr);
   const ExternalInput* const note = memory_->next();
   if (!note || note->kind != kind) return false;
   const CallNote done = call_note(note->bytes);
@@ -122,7 +127,7 @@ bool ControllerTask::repeat_call(ExternalInput::Kind kind) {
   return done.good;
 }
 
-/// In reports software that has gone has ended, until other software comes.
+/// Updates the report: software that has disconnected counts as ended until other software connects.
 void ControllerTask::publish_news() {
   if (const std::string news = software_->news(); !news.empty()) say(news);
   const std::string absence = software_->absence();
@@ -131,6 +136,7 @@ void ControllerTask::publish_news() {
 }
 
 void ControllerTask::count(Duration took) noexcept {
+  MUROSIMF_ASSERT(took >= Duration{});
   ++report_.calls;
   report_.spent += took;
   if (took > report_.worst) {
@@ -148,13 +154,14 @@ void ControllerTask::end(const CallOutcome& outcome) {
   }
 }
 
-/// It cannot begin.
+/// Called when the software cannot start.
 void ControllerTask::refuse(const CallOutcome& outcome) {
   if (outcome.kind != CallOutcome::crashed) throw SetupError(outcome.text);
   end(outcome);
   throw SoftwareCrash(outcome.text);
 }
 
+/// Each kind of change is told once: software that changes something does so in every call.
 void ControllerTask::note(ProcessChanges changes) {
   for (std::size_t i = 0; i < process_change_names.size(); ++i) {
     if (!changes.has(static_cast<ProcessChange>(i))) continue;
@@ -168,6 +175,7 @@ void ControllerTask::note(ProcessChanges changes) {
   }
 }
 
+/// Refused numbers are counted; the first refusal is kept, since the others mostly repeat it.
 void ControllerTask::take_over_commands() {
   const std::size_t refused = port_.accept(now_);
   count_link();
@@ -191,6 +199,7 @@ void ControllerTask::count_link() {
   if (commands) report_.link->commands = commands->counts();
 }
 
+/// Bounded: software may write a line in every cycle.
 void ControllerTask::say(const std::string& line) {
   if (report_.said.size() < SoftwareReport::most_messages) {
     report_.said.push_back({now_, line});

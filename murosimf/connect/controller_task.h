@@ -1,10 +1,10 @@
 /// controller_task.h - algorithm: runs control software at its rate, between the sensors and the motion of its robot.
 ///
-/// It shows the software the robot's signals, calls it, takes over its commands and notes how long that took. Software that throws
-/// or does not come back ends, and the robot keeps its last commands; the others go on. Software that crashes ends the run.
+/// In each cycle it publishes the robot's signals, calls the software, applies its commands and records the duration. Software that throws
+/// or does not return ends, and the robot keeps its last commands; other software continues. Software that crashes ends the run.
 ///
-/// Of an instant that was there before (external_input_history.h) software that keeps its state to itself is not asked again: what its call did
-/// then is done anew.
+/// When an instant is repeated (external_input_history.h), software with private state is not called again: the recorded effects of its
+/// earlier call are applied instead.
 #pragma once
 
 #include <memory>
@@ -20,9 +20,9 @@ namespace murosimf::connect {
 struct ControllerTaskOptions {
   std::string software;                               ///< what reports call it
   Duration budget{};                                  ///< wall time that a call may take; 0: any
-  std::shared_ptr<CrashNote> crashes = {};            ///< null: nobody looks
+  std::shared_ptr<CrashNote> crashes = {};            ///< null: crashes are not recorded
   ControlLinkOptions link{};                          ///< between the robot and the software
-  std::uint64_t seed = 1;                             ///< of the link's chances
+  std::uint64_t seed = 1;                             ///< of the link's random numbers
   std::shared_ptr<ExternalInputHistory> memory = {};  ///< where its calls are written down; null: nowhere
 };
 
@@ -62,13 +62,13 @@ class ControllerTask final : public Algorithm {
   SoftwareInterface& interface_;
   SoftwareReport report_;
   Duration now_{};                                   // of the step that is being made, for messages
-  ExternalInputHistory::Channel* memory_ = nullptr;  // null: nobody goes back in time, or the software repeats itself
+  ExternalInputHistory::Channel* memory_ = nullptr;  // null: time does not jump, or the software repeats itself
   bool over_ = false;                                // it has ended for good
   bool jumped_ = false;                              // a state was loaded since the last call
   std::unique_ptr<ControlSoftware> software_;
 };
 
-/// Of an entity's software; null: it has none.
+/// Report of an entity's software; null: the entity has none.
 [[nodiscard]] const SoftwareReport* software_report(const Entity& entity);
 
 }  // namespace murosimf::connect

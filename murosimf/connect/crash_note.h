@@ -1,4 +1,4 @@
-/// crash_note.h - that control software has crashed: what is left of the process's memory is unknown, so the run ends, with its
+/// crash_note.h - records that control software has crashed: the state of the process's memory is then unknown, so the run ends, with
 /// reports written.
 #pragma once
 
@@ -15,7 +15,7 @@ class SoftwareCrash : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Shared by all software of a simulation. Any thread may write it down, the one that runs the simulation looks.
+/// Shared by all software of a simulation. Any thread may write it; the thread that runs the simulation checks it.
 class CrashNote {
  public:
   void write(const std::string& text) {
@@ -38,7 +38,7 @@ class CrashNote {
   std::atomic<bool> there_{false};
 };
 
-/// Of algorithms of plug-ins, which belong to the whole process: after one of them no simulation of it goes on.
+/// Of plug-in algorithms, which belong to the whole process: after a crash of one, no simulation of the process continues.
 inline CrashNote& crashes_of_plugins() {
   static CrashNote note;
   return note;

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::connect {
 
+/// A lost row still counts as sent, and takes its turn in the random numbers of the link.
 void DelayedRows::send(Duration now, std::span<const double> numbers) {
   ++sent_;
   ++counts_.sent;
@@ -13,12 +16,14 @@ void DelayedRows::send(Duration now, std::span<const double> numbers) {
     ++counts_.lost;
     return;
   }
+  MUROSIMF_ASSERT(*arrival >= now);
   counts_.longest = std::max(counts_.longest, *arrival - now);
   on_their_way_.push_back({*arrival, sent_, {numbers.begin(), numbers.end()}});
 }
 
 const std::vector<double>* DelayedRows::receive(Duration now) {
   bool any = false;
+  // Without an order of arrival all are visited: jitter lets packets overtake each other, and few are in transit.
   std::erase_if(on_their_way_, [&](Packet& packet) {
     if (packet.arrival > now) return false;
     if (packet.number > newest_) {

@@ -1,6 +1,6 @@
-/// delayed_rows.h - numbers that go over a link again and again: who receives has the newest that have arrived.
+/// delayed_rows.h - rows of numbers that are sent over a link periodically: the receiver has the newest row that has arrived.
 ///
-/// What is overtaken on the way by newer numbers is dropped when it arrives.
+/// A row that is overtaken on the way by a newer one is dropped when it arrives.
 #pragma once
 
 #include <cstdint>
@@ -18,10 +18,10 @@ class DelayedRows {
   DelayedRows(const LinkOptions& options, std::uint64_t seed, std::string_view name) : link_(options, seed, name) {}
 
   void send(Duration now, std::span<const double> numbers);
-  /// The newest numbers, if they have arrived since the last call; null: none have. They stay until the next call.
+  /// Returns the newest row, if it has arrived since the last call; null: no new row. The row stays valid until the next call.
   [[nodiscard]] const std::vector<double>* receive(Duration now);
 
-  /// What is on its way gets lost: who sends has other numbers from now on.
+  /// Drops all rows in transit: the sender starts over.
   void drop() { on_their_way_.clear(); }
   void restart();
   void reseed(std::uint64_t seed) { link_.reseed(seed); }

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "murosimf/connect/signal_row.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::connect {
@@ -87,6 +88,7 @@ const murosimf_signal* GameSignals::find(std::string_view name) {
 }
 
 void GameSignals::refresh() noexcept {
+  MUROSIMF_ASSERT(view_ != nullptr);  // the first row is made after the column
   for (Shown& each : shown_) {
     murosimf_signal now{};
     now.time = view_->time;

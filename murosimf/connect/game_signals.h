@@ -1,4 +1,4 @@
-/// game_signals.h - what control software sees of the game, by name: game.state, game.penalty, ... (game_view.h).
+/// game_signals.h - the state of the game as signals for control software, by name: game.state, game.penalty, ... (game_view.h).
 #pragma once
 
 #include <deque>
@@ -23,7 +23,7 @@ class GameSignals {
 
   /// Null if it is none of names(). Throws SetupError for the first one after close().
   [[nodiscard]] const murosimf_signal* find(std::string_view name);
-  /// Null if it is none of names().
+  /// Null if `name` is none of names().
   [[nodiscard]] static const std::vector<std::string>* labels(std::string_view name);
   void close() { setup_ = nullptr; }
   void refresh() noexcept;
@@ -37,7 +37,7 @@ class GameSignals {
 
   Setup* setup_;
   GuardedRows* rows_;
-  const GameView* view_ = nullptr;  // null: nobody has asked
+  const GameView* view_ = nullptr;  // null: no signal requested yet
   std::deque<Shown> shown_;         // stay where they are
 };
 

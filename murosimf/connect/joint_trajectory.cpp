@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::connect {
 
 double value_at(const JointTrajectory::Joint& joint, double time, Between between) noexcept {
+  MUROSIMF_ASSERT(!joint.times.empty() && joint.times.size() == joint.values.size());
+  // upper_bound with the tolerance: a time of the table, rounded down by a clock, still yields its own row
   const auto after = std::upper_bound(joint.times.begin(), joint.times.end(), time + same_time);
   if (after == joint.times.begin()) return joint.values.front();
   const auto next = static_cast<std::size_t>(after - joint.times.begin());
@@ -19,6 +23,7 @@ double value_at(const JointTrajectory::Joint& joint, double time, Between betwee
 double loop_period(const JointTrajectory& trajectory, double begin) noexcept {
   const double length = trajectory.last - begin;
   if (length <= same_time) return 0;
+  // exact comparison: a closed motion repeats its first row digit by digit
   const bool closed = std::ranges::all_of(trajectory.joints, [&](const JointTrajectory::Joint& joint) {
     return value_at(joint, begin, Between::line) == joint.values.back();
   });

@@ -1,7 +1,7 @@
-/// joint_trajectory.h - joint angles over time, as somebody has recorded or computed them. Data only.
+/// joint_trajectory.h - joint angles over time, recorded or computed. Data only.
 ///
-/// Each joint has times of its own. Between two of them the angle runs along a straight line, or stands until the next; before the
-/// first and after the last it stands.
+/// Each joint has its own times. Between two of them the angle is interpolated linearly or held; before the first and after the last
+/// time it is constant.
 #pragma once
 
 #include <optional>
@@ -28,10 +28,10 @@ enum class Between {
 /// Two times that are nearer than this [s] are the same one: clocks of files have rounded digits.
 inline constexpr double same_time = 1e-7;
 
-/// [rad | m] at `time` [s]. Whoever asks for a time of the table gets its value, to the last bit.
+/// Value [rad | m] at `time` [s]. At a time of the table it equals the table's value bit for bit.
 [[nodiscard]] double value_at(const JointTrajectory::Joint& joint, double time, Between between) noexcept;
 
-/// [s] After which a motion that is repeated from `begin` [s] on begins again: a last row that repeats the one at `begin` is the same
+/// Period [s] after which a motion that repeats from `begin` [s] restarts: a last row that equals the one at `begin` is the same
 /// instant; else the first row comes one spacing after the last. 0 if nothing comes after `begin`.
 [[nodiscard]] double loop_period(const JointTrajectory& trajectory, double begin) noexcept;
 

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::connect {
@@ -40,6 +41,7 @@ LibraryRobot::LibraryRobot(const Setup& setup, RobotPort& port, SayLine say, Opt
   robot_.draw = draw;
 }
 
+/// After creation: only then it is known which options the software asks for.
 void LibraryRobot::check_options(const std::string& owner) const {
   const std::vector<std::string_view> known(asked_.begin(), asked_.end());
   if (!wrong_option_.empty()) throw SetupError(fmt::format("{}: {}", owner, wrong_option_));
@@ -50,7 +52,7 @@ void LibraryRobot::check_options(const std::string& owner) const {
   }
 }
 
-/// What look() finds; null if it throws, and why is kept.
+/// Returns the result of look(); null if it throws, and keeps the reason.
 template <class Look>
 auto* LibraryRobot::found(const Look& look) noexcept {
   decltype(look()) result = nullptr;
@@ -75,6 +77,7 @@ const char* LibraryRobot::label(const murosimf_robot* robot, const char* name, s
   return labels && i < labels->size() ? (*labels)[i].c_str() : nullptr;
 }
 
+/// The first wrong option is kept: software cannot be told by an exception.
 template <class T>
 const T* LibraryRobot::option(const char* name) {
   asked_.insert(name);
@@ -153,7 +156,7 @@ int LibraryRobot::draw(const murosimf_robot* robot, const char* group, int of_ro
   return of(robot).port_->draw(std::move(drawn)) ? 1 : 0;
 }
 
-/// In a row that can only be read.
+/// Copies the bytes into a read-only row. The row grows by doubling, so that its number of mappings stays logarithmic.
 const std::byte* LibraryRobot::shown(const std::string& bytes) {
   if (!message_ || bytes.size() > room_) {
     room_ = std::max({bytes.size(), 2 * room_, std::size_t{1500}});

@@ -1,4 +1,4 @@
-/// library_robot.h - the robot as a library sees it (murosimf_robot): names to signals and commands, options, and what it says.
+/// library_robot.h - the robot as a library sees it (murosimf_robot): lookup of signals and commands by name, options, output lines.
 #pragma once
 
 #include <cstdint>
@@ -20,14 +20,14 @@ class LibraryRobot {
 
   [[nodiscard]] const murosimf_robot& description() const { return robot_; }
 
-  /// Why the last name that was asked for was none; empty: nobody has asked since forget_names().
+  /// Reason why the last name that was requested does not exist; empty: no failed request since forget_names().
   [[nodiscard]] const std::string& not_found() const { return not_found_; }
   void forget_names() { not_found_.clear(); }
-  /// Throws SetupError if an option was given that nobody has asked for, or with another type. `owner` is for the message.
+  /// Throws SetupError if an option was given that the library has not requested, or with another type. `owner` is for the message.
   void check_options(const std::string& owner) const;
 
  private:
-  // What the library calls; the first argument leads back here.
+  // Functions that the library calls; the first argument leads back to this object.
   static LibraryRobot& of(const murosimf_robot* robot) { return *static_cast<LibraryRobot*>(robot->simulator); }
   static const murosimf_signal* signal(const murosimf_robot* robot, const char* name) noexcept;
   static murosimf_command* command(const murosimf_robot* robot, const char* name) noexcept;

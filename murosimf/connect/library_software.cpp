@@ -10,12 +10,13 @@
 
 #include "murosimf/connect/crash_note.h"
 #include "murosimf/files/private_copy.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::connect {
 namespace {
 
-/// By which the instances of a library know each other.
+/// Property that orders the instances of one library: two writers of one property never run in parallel.
 struct LibraryTurn {};
 [[maybe_unused]] void append_hash(Hasher&, const LibraryTurn&) {}
 [[maybe_unused]] void state(StateArchive&, LibraryTurn&) {}
@@ -23,7 +24,7 @@ struct LibraryTurn {};
 constexpr auto reload_period = std::chrono::milliseconds(250);
 constexpr auto longest_writing = std::chrono::seconds(10);  // after which a file that does not change is taken as it is
 
-/// Instances whose code was left in the middle of a call are never destroyed, and their libraries never unloaded.
+/// Instances that were left in the middle of a call are never destroyed and their libraries never unloaded: their locks may be held.
 void keep_for_ever(const std::shared_ptr<const ControllerLibrary>& library, void* instance) {
   static std::mutex keeping;
   static auto* kept = new std::vector<std::pair<std::shared_ptr<const ControllerLibrary>, void*>>;
@@ -69,10 +70,10 @@ LibrarySoftware::LibrarySoftware(Setup& setup, RobotPort& port, SayLine say,
             threads_,
             false},
       looked_(WallClock::now()) {
-  threads_->who = step_.who;
+  threads_->name = step_.name;
   instance_ = create(*library_);
   try {
-    robot_.check_options(step_.who);
+    robot_.check_options(step_.name);
   } catch (...) {
     destroy(library_, instance_);
     throw;
@@ -81,14 +82,14 @@ LibrarySoftware::LibrarySoftware(Setup& setup, RobotPort& port, SayLine say,
 
 LibrarySoftware::~LibrarySoftware() { destroy(library_, instance_); }
 
-/// What it has changed of the process is told with the next step.
+/// Changes of the process that the call makes are reported with the next step.
 CallOutcome LibrarySoftware::guarded(const char* what, const std::function<void()>& call) {
-  CallOutcome outcome = GuardedCall{step_.who, what, step_.limit, rows_, threads_, true}(call);
+  CallOutcome outcome = GuardedCall{step_.name, what, step_.limit, rows_, threads_, true}(call);
   changes_.add(std::exchange(outcome.changes, {}));
   return outcome;
 }
 
-/// The same where the software cannot do without. Throws SoftwareCrash if it would have ended the program, else SetupError.
+/// As guarded, for calls that must succeed. Throws SoftwareCrash if the call would have ended the program, else SetupError.
 void LibrarySoftware::must(const CallOutcome& outcome) {
   if (outcome) return;
   if (outcome.kind != CallOutcome::crashed) throw SetupError(outcome.text);
@@ -109,7 +110,7 @@ void* LibrarySoftware::create(const ControllerLibrary& library) {
   error[longest_error - 1] = 0;
   const std::string reason = *error != 0 ? std::string(error) : robot_.not_found();
   throw SetupError(
-      fmt::format("{}: {}", step_.who, reason.empty() ? "it takes no such robot, and does not say why" : reason));
+      fmt::format("{}: {}", step_.name, reason.empty() ? "it takes no such robot, and does not say why" : reason));
 }
 
 void LibrarySoftware::destroy(const std::shared_ptr<const ControllerLibrary>& library, void*& instance) {
@@ -124,12 +125,13 @@ void LibrarySoftware::give_up(const CallOutcome& outcome) noexcept {
   if (outcome.kind == CallOutcome::crashed) crash_ = outcome.text;
   if (outcome.kind == CallOutcome::threw) return destroy(library_, instance_);
   crashed_ = crashed_ || outcome.kind == CallOutcome::crashed;
-  keep_for_ever(library_, instance_);  // nobody knows what it would do now
+  keep_for_ever(library_, instance_);  // its state is undefined after an aborted call
   instance_ = nullptr;
 }
 
+/// A library that has crashed may have damaged its memory: it is not called again.
 CallOutcome LibrarySoftware::start() {
-  if (crashed_) return {CallOutcome::crashed, fmt::format("{} has crashed before; it cannot begin again", step_.who)};
+  if (crashed_) return {CallOutcome::crashed, fmt::format("{} has crashed before; it cannot begin again", step_.name)};
   news_.clear();
   const bool has_start = library_->functions().start != nullptr;
   if (!instance_ || (!has_start && !fresh_)) {
@@ -141,7 +143,7 @@ CallOutcome LibrarySoftware::start() {
   return with_threads(guarded("its start", [&] { library_->functions().start(instance_); }));
 }
 
-/// A call that was good in itself, or waited for a thread that does not come back, and one of its threads has crashed.
+/// Result of a call that succeeded itself, or waited for a thread that does not return, while one of its threads has crashed.
 CallOutcome LibrarySoftware::with_threads(CallOutcome outcome) noexcept {
   outcome.changes.add(std::exchange(changes_, {}));
   for (const ForeignThreads* threads : {threads_.get(), library_->threads().get()}) {
@@ -162,7 +164,7 @@ CallOutcome LibrarySoftware::step(Duration now) noexcept {
 
 std::string LibrarySoftware::news() { return std::exchange(news_, {}); }
 
-/// Asked for their number first, then with room for as many.
+/// The size is requested first; a second call writes at most that many bytes.
 std::vector<std::byte> LibrarySoftware::saved() {
   if (!instance_ || crashed_ || !library_->functions().save) return {};
   std::size_t size = 0;
@@ -177,6 +179,7 @@ std::vector<std::byte> LibrarySoftware::saved() {
 }
 
 bool LibrarySoftware::loaded(const ControllerLibrary& library, void* instance, const std::vector<std::byte>& bytes) {
+  MUROSIMF_ASSERT(library.functions().load != nullptr);
   bool taken = false;
   GuardedRows memory;
   const GuardedRow& row = memory.add("bytes of its state", "", 0, bytes.size(), GuardedRow::Use::read);
@@ -186,10 +189,10 @@ bool LibrarySoftware::loaded(const ControllerLibrary& library, void* instance, c
   return taken;
 }
 
-/// With rows of this call alone.
+/// As guarded, with rows of this call alone.
 CallOutcome LibrarySoftware::guarded_with(const GuardedRows& rows, const char* what,
                                           const std::function<void()>& call) {
-  CallOutcome outcome = GuardedCall{step_.who, what, step_.limit, &rows, threads_, true}(call);
+  CallOutcome outcome = GuardedCall{step_.name, what, step_.limit, &rows, threads_, true}(call);
   changes_.add(std::exchange(outcome.changes, {}));
   return outcome;
 }
@@ -198,10 +201,10 @@ void LibrarySoftware::state(StateArchive& archive) {
   std::vector<std::byte> bytes = archive.loads() ? std::vector<std::byte>{} : saved();
   archive(bytes);
   if (!archive.loads() || bytes.empty() || !instance_ || !library_->functions().load) return;
-  if (!loaded(*library_, instance_, bytes)) throw SetupError(fmt::format("{}: its load refuses the state", step_.who));
+  if (!loaded(*library_, instance_, bytes)) throw SetupError(fmt::format("{}: its load refuses the state", step_.name));
 }
 
-/// A file that is still being written is left alone: until it has had the same time twice, is whole, and no program has it open for
+/// A file that is still being written is ignored until its time is the same twice, it is complete, and no program has it open for
 /// writing.
 void LibrarySoftware::look_for_a_newer_one() {
   const WallClock::time_point now = WallClock::now();

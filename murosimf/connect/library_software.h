@@ -1,6 +1,6 @@
 /// library_software.h - control software in a shared library: one instance of it, for one robot.
 ///
-/// Every call is guarded (guard/guarded_call.h): what the library does wrong ends the instance, and is told with the library's name.
+/// Every call is guarded (guard/guarded_call.h): an error in the library ends the instance and is reported with the library's name.
 #pragma once
 
 #include <chrono>
@@ -21,19 +21,19 @@ struct LibraryOptions {
   OptionValues options;    ///< of the instance
   std::uint64_t seed = 1;  ///< of the run
   Duration budget{};       ///< wall time that a call may take; 0: any
-  bool reload = false;     ///< the library is exchanged when its file changes
+  bool reload = false;     ///< reloads the library when its file changes
 };
 
-/// Wall time after which a call is broken off: a second or ten budgets, whichever is longer; 10 s without a budget.
+/// Wall time after which a call is aborted: a second or ten budgets, whichever is longer; 10 s without a budget.
 [[nodiscard]] Duration longest_call(Duration budget);
 
-/// Has instances whose library shares global variables called one after the other, in the order of attaching, and so makes results
+/// Serializes instances whose library shares global variables, in the order of attaching, which makes results
 /// independent of threads. `common` is that of the world.
 void one_after_the_other(const Setup& setup, Entity& common, const ControllerLibrary& library);
 
 class LibrarySoftware final : public ControlSoftware {
  public:
-  /// Throws SetupError: the library refuses the robot, asks for what is not there, throws, or does not know an option. Throws SoftwareCrash.
+  /// Throws SetupError: the library rejects the robot, requests what does not exist, throws, or has no such option. Throws SoftwareCrash.
   LibrarySoftware(Setup& setup, RobotPort& port, SayLine say, std::shared_ptr<const ControllerLibrary> library,
                   LibraryOptions options);
   ~LibrarySoftware() override;

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::connect {
@@ -40,12 +41,15 @@ LinkModel::LinkModel(const LinkOptions& options, std::uint64_t seed, std::string
 std::optional<Duration> LinkModel::arrival(Duration time, std::size_t bytes) noexcept {
   const std::uint64_t number = packets_++;
   const Duration begin = std::max(time, free_at_);
+  // The number is consumed even if the packet is dropped here: later packets keep their random numbers.
   if (begin - time > from_seconds(options_.longest_queue)) return std::nullopt;
   free_at_ = begin;
   if (options_.bandwidth > 0) free_at_ += from_seconds(static_cast<double>(bytes) / options_.bandwidth);
+  // A lost packet has still used the bandwidth, as on a real channel.
   if (losses_.uniform(number) < options_.loss) return std::nullopt;
   Duration arrival = free_at_ + from_seconds(options_.delay + options_.jitter * delays_.uniform(number));
   if (options_.in_order) arrival = std::max(arrival, last_arrival_);
+  MUROSIMF_ASSERT(arrival >= time);
   last_arrival_ = arrival;
   return arrival;
 }

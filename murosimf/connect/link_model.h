@@ -6,8 +6,8 @@
 ///     e = s + size / bandwidth
 ///     a = e + delay + jitter u_n             in order: not before the packet before
 ///
-/// and is lost on the way with probability `loss`, after it has taken its time on the link. u_n and the chance of a loss are numbers n
-/// of random streams of their own: they hang on the seed, the link's name and n, on nothing else.
+/// and is lost on the way with probability `loss`, after it has occupied the link. u_n and the outcome of a loss are numbers n
+/// of separate random streams: they depend on the seed, the link's name and n only.
 #pragma once
 
 #include <cstddef>
@@ -24,13 +24,13 @@ namespace murosimf::connect {
 
 class LinkModel {
  public:
-  /// `name` tells links of one seed apart: "blue1 to blue2". Throws SetupError if a number is negative or impossible.
+  /// `name` distinguishes links of one seed: "blue1 to blue2". Throws SetupError if a number is negative or out of range.
   LinkModel(const LinkOptions& options, std::uint64_t seed, std::string_view name);
 
-  /// Of the next packet, handed over at `time`, which must not be before that of the last one; nothing: it is lost.
+  /// Arrival of the next packet, handed over at `time`, which must not precede that of the last one; nothing: it is lost.
   [[nodiscard]] std::optional<Duration> arrival(Duration time, std::size_t bytes) noexcept;
 
-  /// As when it was new.
+  /// Restores the initial state.
   void restart() noexcept;
   void reseed(std::uint64_t seed) noexcept;
   void state(StateArchive& archive) { archive(packets_, free_at_, last_arrival_); }

@@ -1,4 +1,4 @@
-/// link_options.h - what a link does to what is sent over it.
+/// link_options.h - properties of a communication link.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@ namespace murosimf::connect {
 
 struct LinkOptions {
   double delay = 0;      ///< [s] from the last byte sent to its arrival
-  double jitter = 0;     ///< [s] that the delay is longer, by chance: uniform from 0 to this
+  double jitter = 0;     ///< [s] random extra delay: uniform from 0 to this
   double bandwidth = 0;  ///< [byte/s]; 0: any
   double loss = 0;       ///< [1] share of the packets that do not arrive
   double longest_queue =

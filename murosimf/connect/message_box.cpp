@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::connect {
 namespace {
 
@@ -16,7 +18,9 @@ void append(Hasher& hasher, const std::vector<TeamMessage>& messages) {
 
 }  // namespace
 
+/// A robot that does not read keeps the newest messages.
 void MessageBox::deliver(TeamMessage message) {
+  MUROSIMF_ASSERT(inbox.size() <= most_unread);
   ++counts.arrived;
   if (inbox.size() == most_unread) {
     inbox.erase(inbox.begin());

@@ -1,6 +1,6 @@
-/// message_box.h - messages of one robot: what it sends to its team, and what has arrived.
+/// message_box.h - messages of one robot: sent to its team, and received.
 ///
-/// Its software (team_radio.h) puts into the outbox and takes out of the inbox; MessageExchange carries from one to the other.
+/// The software (team_radio.h) writes the outbox and reads the inbox; MessageExchange carries messages between them.
 #pragma once
 
 #include <cstdint>
@@ -22,12 +22,12 @@ struct TeamMessage {
   void state(StateArchive& archive) { archive(sent, sender, bytes); }
 };
 
-/// How many messages of a robot have gone which way.
+/// Counts of a robot's messages by outcome.
 struct MessageCounts {
-  std::uint64_t sent = 0;      ///< by it
+  std::uint64_t sent = 0;      ///< by this robot
   std::uint64_t refused = 0;   ///< too long, or too many in a second
-  std::uint64_t lost = 0;      ///< of what it has sent: times that one did not reach a robot of its team
-  std::uint64_t arrived = 0;   ///< for it
+  std::uint64_t lost = 0;      ///< of those sent: deliveries that failed, one per team mate
+  std::uint64_t arrived = 0;   ///< for this robot
   std::uint64_t not_read = 0;  ///< of these: pushed out of the inbox by newer ones
 };
 
@@ -40,7 +40,7 @@ struct MessageBox {
 
   static constexpr std::size_t most_unread = 1000;
 
-  /// Into the inbox; the oldest one makes room if it is full.
+  /// Appends to the inbox; if it is full, the oldest message is dropped.
   void deliver(TeamMessage message);
   void state(StateArchive& archive) { archive(outbox, inbox, recent, counts); }
 };

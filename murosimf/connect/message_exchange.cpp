@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 
@@ -12,7 +13,7 @@ namespace murosimf::connect {
 MessageExchange::MessageExchange(Setup& setup, const std::vector<Entity*>& robots, const RadioOptions& options,
                                  std::uint64_t seed)
     : options_(options), seed_(seed) {
-  (void)LinkModel(options.channel(), seed, "");  // throws what is wrong with them
+  (void)LinkModel(options.channel(), seed, "");  // throws for invalid options
   (void)LinkModel(options.way(), seed, "");
   for (Entity* robot : robots) add(setup.of(*robot));
 }
@@ -56,6 +57,7 @@ LinkModel& MessageExchange::channel(const std::string& team) {
 }
 
 LinkModel& MessageExchange::way(const Way& way) {
+  MUROSIMF_ASSERT(way.first < members_.size() && way.second < members_.size() && way.first != way.second);
   const auto found = ways_.find(way);
   if (found != ways_.end()) return found->second;
   const std::string name =
@@ -80,11 +82,13 @@ std::vector<MessageExchange::Posted> MessageExchange::collect() {
     for (TeamMessage& message : members_[i].box->outbox) all.push_back({i, std::move(message)});
     members_[i].box->outbox.clear();
   }
+  // Stable: messages of one instant keep the order of the robots, whatever thread ran their software.
   std::ranges::stable_sort(all, {}, [](const Posted& posted) { return posted.message.sent; });
   return all;
 }
 
 void MessageExchange::send(const Posted& posted) {
+  MUROSIMF_ASSERT(posted.sender < members_.size());
   const Member& sender = members_[posted.sender];
   const std::string& team = sender.robot->options().team;
   if (gateway_) gateway_->give(team, posted.message);
@@ -100,6 +104,7 @@ void MessageExchange::send(const Posted& posted) {
       ++sender.box->counts.lost;
       continue;
     }
+    // upper_bound: of equal arrivals the one that was sent first is delivered first
     const auto place = std::ranges::upper_bound(on_their_way_, *arrival, {}, &OnItsWay::arrival);
     on_their_way_.insert(place, {*arrival, i, posted.message});
   }
@@ -108,6 +113,7 @@ void MessageExchange::send(const Posted& posted) {
 void MessageExchange::deliver(Duration now) {
   const auto end = std::ranges::upper_bound(on_their_way_, now, {}, &OnItsWay::arrival);
   for (auto each = on_their_way_.begin(); each != end; ++each) {
+    MUROSIMF_ASSERT(each->receiver < members_.size());
     const Member& receiver = members_[each->receiver];
     if (!receiver.robot->idle()) receiver.box->deliver(std::move(each->message));
   }
@@ -123,6 +129,7 @@ void MessageExchange::deliver_from_outside(Duration now) {
   }
 }
 
+/// Ways are created again on loading, since a state may have more of them than this run had so far.
 void MessageExchange::state(StateArchive& archive) {
   archive(on_their_way_);
   for (const OnItsWay& message : on_their_way_) {

@@ -1,7 +1,7 @@
 /// message_exchange.h - algorithm: carries messages between the robots of a team, at the beginning of a tick, in a fixed order.
 ///
-/// What software sends in a tick is handed over at the beginning of the next one, in the order of the robots: first to the channel of
-/// the team (its bandwidth), then on the way to each other robot (delay, jitter, loss; link_model.h), if that is in range then. It is in
+/// A message that software sends in a tick is handed over at the beginning of the next one, in the order of the robots: first to the
+/// channel of the team (its bandwidth), then to each other robot in range (delay, jitter, loss; link_model.h). It is in
 /// the inbox at the beginning of the first tick at or after its arrival. The same for any number of threads.
 #pragma once
 
@@ -22,12 +22,12 @@ namespace murosimf::connect {
 
 class MessageExchange final : public Algorithm {
  public:
-  /// Of the world. Of `robots` those take part whose software has asked for messages (TeamRadio::open). Throws SetupError for
+  /// Of the world. Of `robots` those take part whose software has requested messages (TeamRadio::open). Throws SetupError for
   /// impossible options.
   MessageExchange(Setup& setup, const std::vector<Entity*>& robots, const RadioOptions& options, std::uint64_t seed);
 
-  /// Who is asked at every tick for messages from outside, and gets all that are sent; null: nobody. Must outlive it or be taken
-  /// away.
+  /// Sets the gateway that is polled at every tick for external messages and receives all that are sent; null: none. Must outlive this
+  /// object or be removed.
   void connect(TeamGateway* gateway) { gateway_ = gateway; }
 
   [[nodiscard]] Phase phase() const noexcept override { return Phase::survey; }

@@ -134,7 +134,7 @@ typedef struct murosimf_robot {
   /* In `create` only: "camera.color", "camera.depth", "camera.labels", as its camera has them. It draws from then on. Null as of
    * `signal`. */
   const murosimf_picture* (*picture)(const struct murosimf_robot* robot, const char* name);
-  /* In `start` and `step`: shapes for people who watch, as a group of that name, in the place of the one before; without shapes that is
+  /* In `start` and `step`: debug shapes for observers, as a group of that name, replacing the previous one; without shapes that is
    * gone. `of_robot`: points are in the frame of the robot's base and move with it; else in that of the world. False if that is too much
    * (docs/library.md), or numbers are not finite. */
   int (*draw)(const struct murosimf_robot* robot, const char* group, int of_robot, const murosimf_shape* shapes,

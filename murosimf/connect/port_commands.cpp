@@ -11,6 +11,7 @@
 #include "murosimf/connect/signal_row.h"
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/locomotion/leg.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
@@ -20,7 +21,7 @@ namespace {
 
 constexpr double any_target = 1e3;    // [rad | m] of joints without a range
 constexpr double any_rate = 1e3;      // [rad/s | m/s]
-constexpr double any_velocity = 100;  // [m/s, rad/s] nobody walks as fast
+constexpr double any_velocity = 100;  // [m/s, rad/s] far beyond any robot
 
 constexpr std::string_view joint_target = "joint.target", joint_velocity_target = "joint.velocity_target",
                            joint_torque_enabled = "joint.torque_enabled", walk_velocity = "walk.velocity",
@@ -43,7 +44,7 @@ constexpr std::array command_names{joint_target,
                                    motion_kick,
                                    game_answer_name};
 
-/// What a servo has at the start, and the most that it may be given.
+/// Start value of a servo's command and its upper limit.
 std::pair<double, double> start_and_most(const Servo& servo, std::string_view command) {
   constexpr double gains = 21, longest = 0.5, any_torque = 1e6;  // [1], [s], [N m]
   const double own = servo.law == "ideal_pd" ? servo.velocity_gain : 0;
@@ -53,7 +54,7 @@ std::pair<double, double> start_and_most(const Servo& servo, std::string_view co
   return {most, most};
 }
 
-/// Who moves the joints. [0]: the software itself, [1]: the walk engine, [2]: the motion engine; nothing: no matter.
+/// Which component moves the joints. [0]: the software itself, [1]: the walk engine, [2]: the motion engine; nothing: none.
 std::optional<int> mover_of(std::string_view name) {
   if (name == joint_target) return 0;
   if (name == walk_velocity || name == walk_other_joints) return 1;
@@ -61,6 +62,7 @@ std::optional<int> mover_of(std::string_view name) {
   return std::nullopt;
 }
 
+/// The walk moves these joints: targets for them would have no effect.
 std::vector<int> joints_of_legs(const Model& model) {
   std::vector<int> joints;
   for (const locomotion::Leg& leg : locomotion::find_legs(model)) {
@@ -91,6 +93,7 @@ bool PortCommands::uses_motions() const {
   return !watched_.empty() || has(motion_velocity) || has(motion_play) || has(motion_kick);
 }
 
+/// Only while the robot is set up: properties cannot be added later.
 void PortCommands::watch_motions(std::string_view signal) {
   if (!setup_) {
     throw SetupError(
@@ -100,7 +103,7 @@ void PortCommands::watch_motions(std::string_view signal) {
   watched_ = signal;
 }
 
-/// Throws SetupError if something else moves the joints.
+/// Throws SetupError if another component moves the joints.
 void PortCommands::check_mover(std::string_view name) const {
   const auto wanted = mover_of(name);
   const auto check = [&](std::string_view other) {
@@ -124,6 +127,9 @@ PortCommands::Command& PortCommands::make(std::string_view name) {
   Command command{.name = std::string(name)};
   connect(command);
   command.first.resize(command.places.size());
+  MUROSIMF_ASSERT(command.declare && command.labels.size() == command.places.size());
+  MUROSIMF_ASSERT(command.lowest.size() == command.places.size() && command.highest.size() == command.places.size());
+  MUROSIMF_ASSERT(command.first.size() == command.places.size());
   command.accepted = command.first;
   const std::size_t count = command.first.size();
   command.row = &rows_->add(command.name, numbers_text(count), sizeof(murosimf_command), count * sizeof(double),
@@ -156,9 +162,10 @@ void PortCommands::connect(Command& command) {
   std::ranges::fill(command.lowest, 0.0);
 }
 
-/// Of all joints; those without a servo have 0, and nothing else.
+/// For all joints; those without a servo accept 0 only.
 void PortCommands::connect_servos(Command& command, const Property<double>& property) {
   connect_joints(command, property, 0, false);
+  MUROSIMF_ASSERT(command.places.size() == model_->joints().size());
   for (std::size_t i = 0; i < command.places.size(); ++i) {
     const Servo* servo = model_->find(properties::servo, model_->joints()[i]);
     const auto [start, most] = servo ? start_and_most(*servo, command.name) : std::pair(0.0, 0.0);
@@ -182,6 +189,7 @@ void PortCommands::connect_joints(Command& command, const Property<double>& prop
   command.declare = [&property](Setup& setup) { (void)setup.write(property); };
   const std::vector<int> legs = beside_legs ? joints_of_legs(*model_) : std::vector<int>{};
   const bool positions = property.name == properties::joint_target.name;
+  MUROSIMF_ASSERT(column.size() == model_->objects().size());
   for (const int joint : model_->joints()) {
     if (std::ranges::find(legs, joint) != legs.end()) continue;
     const Vec3d* range = positions ? model_->find(properties::joint_range, joint) : nullptr;
@@ -207,6 +215,7 @@ void PortCommands::connect_motions(Command& command) {
   if (!motions || motions->empty()) throw SetupError("the robot's file names no motions ([motions], docs/motions.md)");
   locomotion::MotionRequests& requests = setup_->write(properties::motion_request)[0];
   command.declare = [](Setup& setup) { (void)setup.write(properties::motion_request); };
+  // the request has a fixed size, since columns hold plain values
   for (std::size_t i = 0; i < std::min(motions->size(), locomotion::most_motions); ++i) {
     command.labels.push_back((*motions)[i].name);
     command.places.push_back(&requests.number[i]);
@@ -249,6 +258,7 @@ void PortCommands::declare(Setup& setup) const {
   for (const Command& command : commands_) command.declare(setup);
 }
 
+/// Software that begins again begins with the same commands as at the start.
 void PortCommands::restart() noexcept {
   if (link_) link_->restart();
   for (Command& command : commands_) {
@@ -260,6 +270,7 @@ void PortCommands::restart() noexcept {
 
 std::size_t PortCommands::accept(Duration now) noexcept {
   std::size_t count = 0;
+  // Refused numbers are replaced by the last accepted ones, in the software's memory, too: it sees what holds.
   refused_.command = nullptr;
   for (Command& command : commands_) {
     for (std::size_t i = 0; i < command.staged.size(); ++i) {
@@ -290,6 +301,7 @@ std::vector<double> PortCommands::numbers_set() const {
   return numbers;
 }
 
+/// Numbers of a recorded call, in the order in which the commands were requested.
 void PortCommands::set_numbers(std::span<const double> numbers) noexcept {
   for (Command& command : commands_) {
     if (numbers.size() < command.staged.size()) return;
@@ -298,7 +310,9 @@ void PortCommands::set_numbers(std::span<const double> numbers) noexcept {
   }
 }
 
+/// All commands in one row: they arrive together or not at all.
 void PortCommands::send(Duration now) {
+  MUROSIMF_ASSERT(link_);
   sent_.clear();
   for (const Command& command : commands_) {
     sent_.insert(sent_.end(), command.accepted.begin(), command.accepted.end());
@@ -325,10 +339,12 @@ void PortCommands::settle() noexcept {
 std::string PortCommands::refusal() const {
   if (!refused_.command) return {};
   const Command& command = *refused_.command;
+  MUROSIMF_ASSERT(refused_.number < command.labels.size());
   return fmt::format("{} of {} is {:.6g}, not in {:.6g} to {:.6g}", command.name, command.labels[refused_.number],
                      refused_.value, command.lowest[refused_.number], command.highest[refused_.number]);
 }
 
+/// Staged numbers of an unfinished call belong to no state: they begin as what was accepted.
 void PortCommands::state(StateArchive& archive) {
   for (Command& command : commands_) {
     archive.elements(std::span(command.accepted));

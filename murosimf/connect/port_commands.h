@@ -1,4 +1,4 @@
-/// port_commands.h - what control software may set: rows of numbers, each with a range, that go to columns of the robot.
+/// port_commands.h - commands of control software: rows of numbers, each with a range, that are written to columns of the robot.
 ///
 /// robot_port.h lists them.
 #pragma once
@@ -30,21 +30,21 @@ class PortCommands {
   void close() { setup_ = nullptr; }
   [[nodiscard]] bool walks() const;
   [[nodiscard]] bool uses_motions() const;
-  /// A signal of the motion engine was asked for, which moves the robot then. Throws SetupError as find.
+  /// Called when a signal of the motion engine is requested: that engine then moves the robot. Throws SetupError as find.
   void watch_motions(std::string_view signal);
   void restart() noexcept;
   std::size_t accept(Duration now) noexcept;
-  /// From now on what is accepted goes over a link, and holds when it has arrived (deliver()). Before close().
+  /// Sends accepted commands over a link from now on; they apply on arrival (deliver()). Before close().
   void use_link(const LinkOptions& options, std::uint64_t seed);
-  /// Has what arrived hold.
+  /// Applies commands that have arrived.
   void deliver(Duration now) noexcept;
-  /// All numbers as the software has set them, one command after the other; empty: as they were accepted last.
+  /// All numbers as set by the software, command by command; empty: equal to those accepted last.
   [[nodiscard]] std::vector<double> numbers_set() const;
-  /// Sets those numbers as the software would.
+  /// Sets these numbers as the software would.
   void set_numbers(std::span<const double> numbers) noexcept;
-  /// Everything that is accepted holds, and nothing is on its way.
+  /// Applies all accepted commands and clears the link.
   void settle() noexcept;
-  /// That another algorithm writes what this one does.
+  /// Declares the columns that this object writes, for another algorithm.
   void declare(Setup& setup) const;
   void reseed(std::uint64_t seed);
   [[nodiscard]] const DelayedRows* link() const { return link_ ? &*link_ : nullptr; }
@@ -86,7 +86,7 @@ class PortCommands {
   const Model* model_;
   GuardedRows* rows_;
   std::deque<Command> commands_;  // stay where they are
-  std::string watched_;           // a signal of the motion engine that was asked for; empty: none
+  std::string watched_;           // a requested signal of the motion engine; empty: none
   Refused refused_;
   std::optional<DelayedRows> link_;
   std::vector<double> sent_;  // memory of the link

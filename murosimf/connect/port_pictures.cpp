@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::connect {
@@ -48,6 +49,7 @@ const murosimf_picture* PortPictures::find(std::string_view name) {
   return &known()->row->shown_head<const murosimf_picture>();
 }
 
+/// Only while the robot is set up: cameras draw only what was requested.
 void PortPictures::make(std::string_view name) {
   if (!setup_) {
     throw SetupError(
@@ -64,10 +66,12 @@ void PortPictures::make(std::string_view name) {
     throw SetupError(unknown_name("picture", name, std::vector<std::string_view>(layers.begin(), layers.end())));
   }
   const std::size_t dot = name.rfind('.');
+  MUROSIMF_ASSERT(dot != std::string_view::npos);
   const sensors::CameraFrame& frame = sensors::read_frame(*setup_, name.substr(0, dot));
   const std::string_view layer = name.substr(dot + 1);
   const auto width = static_cast<std::uint32_t>(frame.info->lens.spec().width),
              height = static_cast<std::uint32_t>(frame.info->lens.spec().height);
+  MUROSIMF_ASSERT(width > 0 && height > 0);
   const std::size_t bytes = bytes_of_pixel(layer, *frame.info) * width * height;
   const GuardedRow& row = rows_->add(std::string(name), fmt::format("{} bytes", bytes), sizeof(murosimf_picture), bytes,
                                      GuardedRow::Use::read);

@@ -25,12 +25,12 @@ class PortPictures {
   /// `setup` must live until close(), and the rows, to which it adds, as long as this.
   PortPictures(Setup& setup, GuardedRows& rows) : setup_(&setup), rows_(&rows) {}
 
-  /// While the robot is set up: the camera draws from then on. One that was asked for can be asked for again later. Throws SetupError:
-  /// there is no such camera or layer (with the nearest), or it is too late.
+  /// Called while the robot is set up: the camera draws from then on. A requested picture can be requested again later. Throws SetupError:
+  /// there is no such camera or layer (with the nearest), or set-up is over.
   [[nodiscard]] const murosimf_picture* find(std::string_view name);
   void close() { setup_ = nullptr; }
   void refresh() noexcept;
-  /// A state was loaded: pictures of the same number may be others.
+  /// Called after a state was loaded: pictures with equal numbers may differ.
   void forget() noexcept;
 
  private:

@@ -1,4 +1,4 @@
-/// radio_options.h - how robots of a team hear each other: [communication] of a scene.
+/// radio_options.h - radio communication within a team: [communication] of a scene.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,8 @@
 
 namespace murosimf::connect {
 
-/// Each team has a channel of its own, which one robot after the other uses; what is sent there goes to every other robot of the
-/// team, each time with its own delay and chance to be lost.
+/// Each team has its own channel, which its robots use one at a time; a message is sent to every other robot of the
+/// team, each with its own delay and probability of loss.
 struct RadioOptions {
   double range = 0;                        ///< [m] between the bases of two robots; 0: any
   double bandwidth = 0;                    ///< [byte/s] of the channel of a team; 0: any

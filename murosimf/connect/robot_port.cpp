@@ -8,6 +8,7 @@
 #include "murosimf/connect/signal_row.h"
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/locomotion/motion_report.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 
@@ -48,6 +49,7 @@ void RobotPort::add_sensor(Setup& setup, const sensors::Reading& found) {
 }
 
 void RobotPort::add_joints(std::string name, std::span<const double> column, bool in_steps) {
+  MUROSIMF_ASSERT(column.size() == model_->objects().size());
   Signal signal{.name = std::move(name)};
   std::vector<double> steps;  // [rad] 0: none
   for (const int joint : model_->joints()) {
@@ -63,7 +65,7 @@ void RobotPort::add_joints(std::string name, std::span<const double> column, boo
   signals_.push_back(std::move(signal));
 }
 
-/// Only for software that asks: others' robots have none of these columns.
+/// Called only when software requests them: other robots have none of these columns.
 void RobotPort::add_motions() {
   const locomotion::NamedMotions* const given = model_->find(properties::given_motions, 0);
   static const locomotion::NamedMotions none;
@@ -111,10 +113,12 @@ const murosimf_signal* RobotPort::signal(std::string_view name) {
   if (found == signals_.end()) throw SetupError(unknown_name("signal", name, signal_names()));
   found->asked = true;
   if (!found->row) found->row = &show_numbers(rows_, found->name, found->numbers(), found->now);
+  // Rows in transit have another length once a signal is added.
   if (!std::exchange(found->wanted, true) && link_) link_->drop();
   return &found->row->shown_head<const murosimf_signal>();
 }
 
+/// Rows on their way have the old length: they are dropped when another signal is requested.
 void RobotPort::renew_requests() noexcept {
   bool any = false;
   for (Signal& signal : signals_) {
@@ -132,6 +136,7 @@ void RobotPort::listen() {
 }
 
 CallNote RobotPort::told() {
+  MUROSIMF_ASSERT(note_ != nullptr);
   note_ = nullptr;
   radio_.note_use(nullptr);
   heard_.received = used_.received;
@@ -153,6 +158,7 @@ const std::vector<std::string>* RobotPort::labels(std::string_view name) const {
   return signal != signals_.end() ? &signal->labels : commands_.labels(name);
 }
 
+/// Over a link, software sees what has arrived; without one, what is.
 void RobotPort::refresh(Duration now) noexcept {
   now_ = now;
   radio_.refresh(now);
@@ -167,8 +173,9 @@ void RobotPort::refresh(Duration now) noexcept {
   }
 }
 
-/// Of each signal that is wanted: time, number of samples, numbers.
+/// Sends time, number of samples and numbers of each requested signal.
 void RobotPort::send_over_link(Duration now) {
+  MUROSIMF_ASSERT(link_);
   sent_.clear();
   for (Signal& signal : signals_) {
     if (!signal.wanted) continue;
@@ -184,6 +191,7 @@ void RobotPort::send_over_link(Duration now) {
   link_->send(now, sent_);
 }
 
+/// The row has the signals that were wanted when it was sent, which renew_requests() guarantees.
 void RobotPort::receive_over_link(Duration now) noexcept {
   const std::vector<double>* const arrived = link_->receive(now);
   if (!arrived) return;
@@ -195,8 +203,10 @@ void RobotPort::receive_over_link(Duration now) noexcept {
     for (double& value : signal.values) value = *number++;
     show(signal);
   }
+  MUROSIMF_ASSERT(number == arrived->end());
 }
 
+/// Over a link, software has seen nothing until the first row arrives.
 void RobotPort::restart() noexcept {
   commands_.restart();
   pad_.clear();
@@ -235,7 +245,7 @@ void RobotPort::show(const Signal& signal) noexcept {
 
 void RobotPort::state(StateArchive& archive) {
   commands_.state(archive);
-  if (archive.loads()) pictures_.forget();
+  if (archive.loads()) pictures_.forget();  // their numbers may repeat with other contents
   for (Signal& signal : signals_) archive(signal.wanted, signal.now.samples);
   if (!link_) return;
   archive(*link_);

@@ -1,4 +1,4 @@
-/// signal_row.h - a signal (murosimf_signal) in a row that software can read, and nothing else.
+/// signal_row.h - a signal (murosimf_signal) in a row that software can only read.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-/// software_maker.h - how the control software of a robot is made, without what that takes.
+/// software_maker.h - type of factories for the control software of a robot, without its dependencies.
 #pragma once
 
 #include <functional>
@@ -14,7 +14,7 @@ namespace murosimf::connect {
 class ControlSoftware;  // control_software.h
 class RobotPort;        // robot_port.h
 
-/// A line that software says (murosimf_robot::say).
+/// Receives an output line of the software (murosimf_robot::say).
 using SayLine = std::function<void(const std::string& line)>;
 
 using SoftwareMaker = std::function<std::unique_ptr<ControlSoftware>(Setup&, RobotPort&, const SayLine&)>;

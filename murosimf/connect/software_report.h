@@ -1,4 +1,4 @@
-/// software_report.h - what is told of control software after a run: calls, deadlines, refused commands, and what it has said.
+/// software_report.h - report on control software after a run: calls, deadlines, refused commands, and its output lines.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ struct SoftwareReport {
     std::string text;
   };
 
-  /// What it has changed of the process or the thread (process_change.h), and what was put back.
+  /// A property of the process or thread that it has changed (process_change.h) and that was restored.
   struct Changed {
     std::string what;         ///< "the rounding mode"
     std::uint64_t times = 0;  ///< calls
@@ -45,15 +45,15 @@ struct SoftwareReport {
   std::string first_refused_message;      ///< with its time
   std::optional<LinkReport> link;         ///< what has gone over it; nothing: there is none
   std::vector<Changed> changed;           ///< each of them once
-  std::string ended;                      ///< why it does not run any more; empty: it does
-  bool keeps_state = false;               ///< what it remembers is in no state of the run: it offers no save and load
+  std::string ended;                      ///< reason why it no longer runs; empty: it runs
+  bool keeps_state = false;               ///< it has state outside of the states of the run: no save and load
   std::vector<Message> said;              ///< at most most_messages
   std::uint64_t not_kept = 0;             ///< messages after these
 
   static constexpr std::size_t most_messages = 100;
 };
 
-/// Where the report of an entity's software stands; null: it has none.
+/// Points to the report of an entity's software; null: it has none.
 struct SoftwareInterface {
   const SoftwareReport* report = nullptr;
 };

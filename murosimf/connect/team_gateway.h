@@ -1,4 +1,4 @@
-/// team_gateway.h - a way for messages of teams out of the simulation and into it.
+/// team_gateway.h - interface that carries team messages into and out of the simulation.
 #pragma once
 
 #include <string>
@@ -16,9 +16,9 @@ class TeamGateway {
  public:
   virtual ~TeamGateway() = default;
 
-  /// At the beginning of the tick at `now`: what has come from outside meanwhile; every robot of the team gets it.
+  /// At the beginning of the tick at `now`: external messages since the last call; every robot of the team receives them.
   [[nodiscard]] virtual std::vector<ExternalMessage> take(Duration now) = 0;
-  /// What a robot of the team has sent, before the radio has done anything to it.
+  /// Receives a message that a robot of the team has sent, before the radio model is applied.
   virtual void give(const std::string& team, const TeamMessage& message) = 0;
 };
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::connect {
@@ -26,6 +27,7 @@ bool TeamRadio::send(std::string_view bytes) noexcept {
     if (box_) ++box_->counts.refused;
     return false;
   }
+  MUROSIMF_ASSERT(box_ != nullptr);
   ++box_->counts.sent;
   box_->recent.push_back(now_);
   box_->outbox.push_back({now_, name_, std::string(bytes)});
@@ -38,6 +40,7 @@ std::string TeamRadio::why_not(std::string_view bytes) const {
   if (bytes.size() > box_->longest) {
     return fmt::format("a message has {} bytes; {} are allowed", bytes.size(), box_->longest);
   }
+  // a sliding window: any interval of one second, not only whole ones
   std::erase_if(box_->recent, [&](Duration sent) { return sent <= now_ - 1s; });
   if (box_->recent.size() < box_->per_second) return {};
   return fmt::format("more than {} messages in a second", box_->per_second);

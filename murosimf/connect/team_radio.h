@@ -1,6 +1,6 @@
-/// team_radio.h - how control software talks to the robots of its team: bytes, at most so many per message and second.
+/// team_radio.h - communication of control software within its team: byte strings, limited in size and rate.
 ///
-/// The same for software in shared libraries and behind sockets. What becomes of a message: message_exchange.h.
+/// The same for software in shared libraries and behind sockets. Delivery: message_exchange.h.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace murosimf::connect {
 
-/// What software has done with a radio.
+/// Recorded use of a radio.
 struct RadioUse {
   std::uint64_t received = 0;     ///< messages that were read
   std::vector<std::string> sent;  ///< also those that were refused
@@ -25,8 +25,8 @@ class TeamRadio {
   /// `setup` must live until close().
   explicit TeamRadio(Setup& setup) : setup_(&setup) {}
 
-  /// While the robot is set up: from now on it sends and gets messages; again at any time, if that was done before. Throws SetupError:
-  /// the robot has no team, or it is too late.
+  /// While the robot is set up: enables sending and receiving; can be repeated later, once enabled. Throws SetupError:
+  /// the robot has no team, or set-up is over.
   void open();
   void close() { setup_ = nullptr; }
   [[nodiscard]] bool is_open() const { return box_ != nullptr; }
@@ -34,15 +34,15 @@ class TeamRadio {
   /// Before the software's step that begins at `now`.
   void refresh(Duration now) noexcept { now_ = now; }
 
-  /// To all others of the team. False, and counted: it is too long, or there were too many in this second, or it is not open.
+  /// Sends to all others of the team. Returns false, and counts it, if it is too long, exceeds the rate, or the radio is not open.
   bool send(std::string_view bytes) noexcept;
-  /// The oldest that has arrived and was not read yet; null: there is none. It stays until the next call.
+  /// The oldest unread message; null: none. It stays valid until the next call.
   [[nodiscard]] const TeamMessage* receive() noexcept;
 
-  /// From now on what is done with it is added there, until the next call; null: nowhere.
+  /// Records later use there, until the next call; null: nowhere.
   void note_use(RadioUse* use) noexcept { use_ = use; }
 
-  /// Why the last send() was refused: "it has 2000 bytes; 1400 are allowed"; empty: it was not.
+  /// Reason for the refusal of the last send(): "it has 2000 bytes; 1400 are allowed"; empty: it was sent.
   [[nodiscard]] const std::string& refusal() const { return refusal_; }
   /// Nothing if it is not open.
   [[nodiscard]] std::optional<MessageCounts> counts() const;

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/math/scalar.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
@@ -43,7 +44,7 @@ double factor_of(const CsvCells& cells, const CsvCell& cell, std::span<const Uni
                  : fmt::format("'{}' is in {}; known units: {}", said.name, said.unit, fmt::join(names, ", ")));
 }
 
-/// "walker.l_knee.joint_target" in its parts; nothing if the name is no such path.
+/// The parts of "walker.l_knee.joint_target"; nothing if the name is no such path.
 struct LogPath {
   std::string_view entity, joint, property;
 };
@@ -53,11 +54,13 @@ std::optional<LogPath> log_path(std::string_view name) {
   return LogPath{name.substr(0, first), name.substr(first + 1, last - first - 1), name.substr(last + 1)};
 }
 
-/// What the columns of one line mean, to one model.
+/// Interprets the columns of the first line for one model.
 class ColumnReader {
  public:
   ColumnReader(const CsvCells& cells, const std::vector<CsvCell>& line, const Model& model, const LogColumns& log)
-      : cells_(&cells), line_(&line), model_(&model), log_(&log) {}
+      : cells_(&cells), line_(&line), model_(&model), log_(&log) {
+    MUROSIMF_ASSERT(!line.empty());
+  }
 
   TrajectoryColumns read() {
     for (const CsvCell& cell : *line_) {
@@ -79,7 +82,7 @@ class ColumnReader {
     return fmt::format("this log has no column {}.JOINT.{}", entity_.empty() ? "ENTITY" : entity_, log_->property);
   }
 
-  /// Whether the file is a log, and whose columns of it count.
+  /// Determines whether the file is a log, and of which entity the columns are used.
   void find_out_whose_log() {
     std::set<std::string, std::less<>> entities;
     for (std::size_t i = 1; i < line_->size(); ++i) {
@@ -137,7 +140,7 @@ class ColumnReader {
   const Model* model_;
   const LogColumns* log_;
   bool is_log_ = false;
-  std::string entity_;  // whose columns of a log count
+  std::string entity_;  // the entity of the log whose columns are used
   TrajectoryColumns found_;
 };
 

@@ -1,4 +1,4 @@
-/// trajectory_columns.h - the first line of a table of joint angles: which column is which joint, and in what unit.
+/// trajectory_columns.h - the first line of a table of joint angles: joint and unit of each column.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace murosimf::connect {
 
-/// What is taken of a log: the columns ENTITY.JOINT.PROPERTY. Those of other properties and of other entities are not looked at.
+/// Selects columns of a log: ENTITY.JOINT.PROPERTY. Those of other properties and of other entities are ignored.
 struct LogColumns {
   std::string property = "joint_target";
   std::string entity;
@@ -22,7 +22,7 @@ struct TrajectoryColumns {
     std::size_t cell = 0;    ///< of a line
     int object = 0;          ///< the joint
     double factor = 1;       ///< to rad or m
-    double lowest, highest;  ///< [rad | m] what is farther out is an error
+    double lowest, highest;  ///< [rad | m] values beyond are errors
   };
   std::size_t cells = 0;   ///< of every line
   double time_factor = 1;  ///< to s

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/locomotion/gait_properties.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::connect {
@@ -29,7 +30,9 @@ TrajectoryPlayer::TrajectoryPlayer(Setup& setup, JointTrajectory trajectory, con
       length_(trajectory_.last - begin_),
       period_(options.loop ? loop_period(trajectory_, begin_) : 0),
       time_(setup.write(properties::motion_time)[0]),
-      target_(setup.write(properties::joint_target)) {}
+      target_(setup.write(properties::joint_target)) {
+  MUROSIMF_ASSERT(length_ >= 0 && (period_ == 0 || period_ >= length_));
+}
 
 void TrajectoryPlayer::initialize() {
   time_ = -delay_;
@@ -42,6 +45,7 @@ void TrajectoryPlayer::step(const Instant& instant) noexcept {
   if (period_ == 0) {
     time_ = std::min(time_, length_);
   } else if (time_ > period_ - same_time) {
+    // floor of the shifted quotient: an instant within the tolerance of the end belongs to the next round
     time_ -= period_ * std::floor((time_ + same_time) / period_);
   }
   write_targets();
@@ -51,6 +55,7 @@ void TrajectoryPlayer::write_targets() noexcept {
   const double time = begin_ + std::max(0.0, time_);
   const double after_last = period_ > 0 ? time - trajectory_.last : 0;
   for (const JointTrajectory::Joint& joint : trajectory_.joints) {
+    MUROSIMF_ASSERT(static_cast<std::size_t>(joint.object) < target_.size());
     double value = value_at(joint, time, between_);
     if (after_last > same_time && between_ == Between::line) {  // on the way from the last row back to the first
       value += after_last / (period_ - length_) * (value_at(joint, begin_, between_) - value);
@@ -61,6 +66,7 @@ void TrajectoryPlayer::write_targets() noexcept {
 
 double own_rate(const JointTrajectory& trajectory) noexcept {
   constexpr double otherwise = 100;
+  MUROSIMF_ASSERT(!trajectory.spacing || *trajectory.spacing > 0);
   if (!trajectory.spacing) return otherwise;
   const double rate = 1 / *trajectory.spacing, whole = std::round(rate);
   const double near = whole > 0 && std::abs(rate - whole) < 1e-3 * whole ? whole : rate;

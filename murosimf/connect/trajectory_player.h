@@ -1,8 +1,8 @@
 /// trajectory_player.h - algorithm: gives the joints targets from a table of angles over time (trajectory_file.h).
 ///
-/// Writes `joint_target` of all joints: those that the table does not name stay at zero. What it writes in its step from t to
-/// t + period are the values of t + period, as a controller does whose targets are reached within one cycle (paper 4.3), and as logs
-/// note them: the targets of a run, logged at the rate of their controller and played at it, are the same in every step.
+/// Writes `joint_target` of all joints: joints outside of the table stay at zero. Its step from t to
+/// t + period writes the values of t + period, like a controller that reaches its targets within one cycle (paper 4.3), and as logs
+/// record them: the targets of a run, logged at the rate of their controller and played at it, are the same in every step.
 #pragma once
 
 #include <optional>
@@ -18,8 +18,8 @@ namespace murosimf::connect {
 
 struct TrajectoryOptions {
   std::string file;                       ///< as for find_data_file, kind "motions"
-  std::string property = "joint_target";  ///< what is taken of a log (LogColumns)
-  std::string entity;                     ///< whose columns of a log; empty: the robot's own
+  std::string property = "joint_target";  ///< column of a log to play (LogColumns)
+  std::string entity;                     ///< entity whose columns of a log are played; empty: the robot itself
   bool loop = false;                      ///< begins again at its end (loop_period)
   std::optional<double> begin;            ///< [s] in the file; nothing: its first time
   double delay = 0;                       ///< [s] for which it stays at `begin` first
@@ -47,7 +47,7 @@ class TrajectoryPlayer final : public Algorithm {
   std::span<double> target_;
 };
 
-/// [Hz] At which a table wants to be played: that of its rows if they are equally far apart (whole numbers of Hz where that is
+/// Rate [Hz] at which a table is played: that of its rows if they are equally spaced (whole numbers of Hz where that is
 /// within a thousandth), up to that of the usual steps; else 100.
 [[nodiscard]] double own_rate(const JointTrajectory& trajectory) noexcept;
 

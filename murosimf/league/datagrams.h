@@ -1,4 +1,4 @@
-/// datagrams.h - datagrams that come from outside of the simulation and go there: from a socket (udp_port.h), or a record (game_log.h).
+/// datagrams.h - interface for datagrams from and to the outside of the simulation: from a socket (udp_port.h), or a record (game_log.h).
 #pragma once
 
 #include <string>
@@ -13,9 +13,9 @@ class Datagrams {
  public:
   virtual ~Datagrams() = default;
 
-  /// At the beginning of the tick at `now`: those that have come since the one before, in their order. Never waits.
+  /// At the beginning of the tick at `now`: datagrams received since the last call, in their order. Never waits.
   [[nodiscard]] virtual std::vector<std::string> take(Duration now) = 0;
-  /// Sends one; that it does not arrive is no error.
+  /// Sends one; loss is no error.
   virtual void give(std::string_view bytes) = 0;
 };
 

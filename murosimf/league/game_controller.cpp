@@ -14,6 +14,7 @@ namespace murosimf::league {
 std::vector<GameState> GameController::take(Duration now) {
   std::vector<GameState> all;
   for (const std::string& packet : datagrams_->take(now)) {
+    // invalid packets must not end a run: the network is open to others
     try {
       all.push_back(read_game_packet(packet));
     } catch (const SetupError& error) {

@@ -1,6 +1,6 @@
-/// game_controller.h - a referee that is a program of its own: a GameController (game_packet.h), by datagrams.
+/// game_controller.h - a referee in a program of its own: a GameController (game_packet.h), by datagrams.
 ///
-/// It listens, and answers for every robot. What it cannot use it tells in one line, once for each kind of it.
+/// It listens, and answers for every robot. Each kind of invalid packet is reported once.
 #pragma once
 
 #include <set>
@@ -14,7 +14,7 @@ namespace murosimf::league {
 
 class GameController final : public Referee {
  public:
-  /// Which must outlive it.
+  /// `datagrams` must outlive it.
   explicit GameController(Datagrams& datagrams) : datagrams_(&datagrams) {}
 
   [[nodiscard]] std::vector<GameState> take(Duration now) override;
@@ -23,7 +23,7 @@ class GameController final : public Referee {
   [[nodiscard]] std::vector<std::string> complaints() override;
 
  private:
-  static constexpr std::size_t most_complaints = 10;  // so that somebody who sends noise does not fill the report
+  static constexpr std::size_t most_complaints = 10;  // so that noise does not fill the report
 
   Datagrams* datagrams_;
   std::set<std::string> told_;

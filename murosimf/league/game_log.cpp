@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/files/input_file.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::league {
@@ -15,7 +16,7 @@ namespace {
 constexpr std::string_view first_line = "MuRoSimF game log 1";
 constexpr std::uintmax_t most_log_bytes = 1'000'000'000;
 
-/// The text up to `separator`, which is taken away from `text` with it; all of it if there is none.
+/// Returns the text up to `separator`, and removes both from `text`; all of it if there is none.
 std::string_view cut(std::string_view& text, char separator) {
   const auto end = std::min(text.find(separator), text.size());
   const std::string_view part = text.substr(0, end);
@@ -71,6 +72,7 @@ GameLog GameLog::parse(std::string_view text, const std::string& name) {
   return log;
 }
 
+/// Only the channels of the game: a recording has other input from outside, too.
 GameLog GameLog::of(const ExternalInputLog& notes) {
   GameLog log;
   for (const std::string& name : notes.names()) {
@@ -90,6 +92,7 @@ std::string GameLog::to_text() const {
       lines.emplace_back(entry.time, std::move(line));
     }
   }
+  // stable: lines of one instant stay together by channel
   std::ranges::stable_sort(lines, {}, [](const auto& line) { return line.first; });
   std::string text = fmt::format("{}\n", first_line);
   for (const auto& [time, line] : lines) text += line + "\n";
@@ -97,9 +100,10 @@ std::string GameLog::to_text() const {
 }
 
 std::vector<std::string> RecordedDatagrams::take(Duration now) {
-  if (now <= last_) {  // the run has gone back, and does it again
+  if (now <= last_) {  // the run has gone back in time, and repeats
     entries_->erase(std::ranges::lower_bound(*entries_, now, {}, &GameLog::Entry::time), entries_->end());
   }
+  MUROSIMF_ASSERT(entries_->empty() || entries_->back().time < now);
   last_ = now;
   std::vector<std::string> taken = source_->take(now);
   for (const std::string& bytes : taken) entries_->push_back({now, bytes});
@@ -112,6 +116,7 @@ std::vector<std::string> NotedDatagrams::take(Duration now) {
   return taken;
 }
 
+/// In a run that is repeated, what was received comes from the memory, at the instants at which it was taken then.
 std::vector<std::string> RememberedDatagrams::take(Duration now) {
   if (!memory_->repeats()) {
     std::vector<std::string> taken = source_->take(now);
@@ -124,6 +129,8 @@ std::vector<std::string> RememberedDatagrams::take(Duration now) {
 }
 
 std::vector<std::string> RepeatedDatagrams::take(Duration now) {
+  MUROSIMF_ASSERT(period_ > Duration{});
+  // half a period of tolerance: a run with other steps gets each datagram at its nearest tick
   std::vector<std::string> taken;
   auto entry = std::ranges::upper_bound(entries_, now - period_ / 2, {}, &GameLog::Entry::time);
   for (; entry != entries_.end() && entry->time <= now + period_ / 2; ++entry) taken.push_back(entry->bytes);

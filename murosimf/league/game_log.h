@@ -1,10 +1,10 @@
-/// game_log.h - what has come from outside in a run, with the instants, so that the run can be repeated: a file of lines.
+/// game_log.h - external input of a run, with its instants, so that the run can be repeated: a file of lines.
 ///
 ///     MuRoSimF game log 1
 ///     2500000000 game 52476d65...
 ///     2612000000 team:blue 48656c6c6f
 ///
-/// Each line has the simulated time [ns], from whom it came, and the bytes of the datagram as hexadecimal digits.
+/// Each line has the simulated time [ns], the source, and the bytes of the datagram as hexadecimal digits.
 #pragma once
 
 #include <filesystem>
@@ -27,15 +27,15 @@ class GameLog {
     friend bool operator==(const Entry&, const Entry&) = default;
   };
 
-  /// Throws SetupError with file:line: no such log, lines that are none or go back in time.
+  /// Throws SetupError with file:line: no such log, lines that are malformed or go back in time.
   [[nodiscard]] static GameLog read(const std::filesystem::path& file);
-  /// Of its text; `name` for messages.
+  /// From its text; `name` is for messages.
   [[nodiscard]] static GameLog parse(std::string_view text, const std::string& name);
 
-  /// What a recording has of games and teams.
+  /// Notes of a recording about games and teams.
   [[nodiscard]] static GameLog of(const ExternalInputLog& notes);
 
-  /// By time; empty for one of which there is nothing. Channels stay where they are: each may be written by a thread of its own.
+  /// Ordered by time; empty for an unknown channel. Addresses of channels are stable: each may be written by a thread of its own.
   [[nodiscard]] std::vector<Entry>& channel(const std::string& name) { return channels_[name]; }
   [[nodiscard]] std::string to_text() const;
 
@@ -43,7 +43,7 @@ class GameLog {
   std::map<std::string, std::vector<Entry>> channels_;
 };
 
-/// Datagrams of another source, written down.
+/// Datagrams of another source, logged.
 class RecordedDatagrams final : public Datagrams {
  public:
   /// All must outlive it.
@@ -58,7 +58,7 @@ class RecordedDatagrams final : public Datagrams {
   Duration last_{-1};  // of take()
 };
 
-/// Datagrams of another source, written down for a recording.
+/// Datagrams of another source, logged in a recording.
 class NotedDatagrams final : public Datagrams {
  public:
   /// All must outlive it.
@@ -71,7 +71,7 @@ class NotedDatagrams final : public Datagrams {
   ExternalInputLog::Channel* notes_;
 };
 
-/// Datagrams of another source, which is not asked again for an instant that was there before, and hears nothing of it.
+/// Datagrams of another source, which is not asked again for a repeated instant, and receives nothing from it.
 class RememberedDatagrams final : public Datagrams {
  public:
   /// All must outlive it.
@@ -86,7 +86,7 @@ class RememberedDatagrams final : public Datagrams {
   ExternalInputHistory::Channel* memory_;
 };
 
-/// Datagrams of a log; what is given goes nowhere. Remembers nothing, so a run may go back and forth.
+/// Datagrams of a log; those given are dropped. Stateless, so a run may jump in time.
 class RepeatedDatagrams final : public Datagrams {
  public:
   /// `period`: between two times of take().

@@ -5,6 +5,7 @@
 #include "murosimf/league/humanoid_packet.h"
 #include "murosimf/league/packet_bytes.h"
 #include "murosimf/league/soccer_packet.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::league {
@@ -20,6 +21,7 @@ GameState read_game_packet(std::string_view bytes) {
   if (bytes.size() < shortest) {
     throw SetupError(fmt::format("a packet of {} bytes, too short for any GameController", bytes.size()));
   }
+  MUROSIMF_ASSERT(bytes.size() >= shortest);
   const PacketBytes head(bytes);
   if (head.two(4) == humanoid_version) return read_humanoid_packet(bytes);  // its version has two bytes
   const int version = head.one(4);

@@ -12,6 +12,7 @@
 #include "murosimf/league/rule_names.h"
 #include "murosimf/league/soccer_packet.h"
 #include "murosimf/locomotion/gait_properties.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/soccer/behavior_properties.h"
@@ -21,11 +22,11 @@ namespace {
 
 constexpr Duration watch_period = std::chrono::milliseconds(500);
 constexpr Duration report_period = std::chrono::seconds(1);
-constexpr double farthest = 0.5;  // [m] that a robot with a penalty may be from its place
+constexpr double farthest = 0.5;  // [m] tolerated distance of a penalized robot from its place
 
 constexpr int timeout = 3, set_play_begins = 4, ball_is_placed = 0;  // secondary states and phase
 
-/// Penalties of robots that stay where they are.
+/// Penalties after which robots stay where they are.
 bool stays_there(int penalty) {
   return penalty == static_cast<int>(SoccerPenalty::motion_in_set) ||
          penalty == static_cast<int>(SoccerPenalty::motion_in_stop);
@@ -35,7 +36,7 @@ double seen_from(int own, int team) { return team == no_team ? -1 : team == own 
 
 }  // namespace
 
-/// Number by number: the bytes between them may be anything.
+/// Member by member: padding bytes are indeterminate.
 static void state(StateArchive& archive, GameState& game) {
   archive(game.protocol, game.state, game.first_half, game.stopped, game.phase, game.kick_off_team);
   archive(game.secondary_state, game.secondary_team, game.secondary_phase, game.seconds_left,
@@ -44,6 +45,10 @@ static void state(StateArchive& archive, GameState& game) {
 
 GameTask::GameTask(Setup& setup, const std::vector<Player>& players, Referee& referee, Options options)
     : options_(std::move(options)), referee_(&referee), holds_(players.size()) {
+  MUROSIMF_ASSERT(std::ranges::all_of(players, [](const Player& player) {
+    return player.robot != nullptr && player.team < 2 && player.number >= 1 &&
+           static_cast<std::size_t>(player.number) <= most_players;
+  }));
   for (const Player& player : players) members_.push_back(member(setup.of(*player.robot), player));
   if (options_.ball) ball_ = setup.of(*options_.ball).read(properties::position);
 }
@@ -60,6 +65,7 @@ GameTask::Member GameTask::member(Setup setup, const Player& player) const {
   return member;
 }
 
+/// A run that begins anew waits for the first word of the referee again.
 void GameTask::initialize() {
   game_ = {};
   words_ = 0;
@@ -72,6 +78,7 @@ void GameTask::initialize() {
   }
 }
 
+/// A robot that enters has no penalty until the next word of the referee.
 void GameTask::entity_entered(const Entity& entity) {
   for (std::size_t i = 0; i < members_.size(); ++i) {
     if (members_[i].player.robot != &entity) continue;
@@ -81,10 +88,12 @@ void GameTask::entity_entered(const Entity& entity) {
 }
 
 const PlayerState& GameTask::state_of(const Player& player) const {
+  MUROSIMF_ASSERT(player.team < place_of_team_.size() && place_of_team_[player.team] < game_.teams.size());
   return game_.teams[place_of_team_[player.team]].players[static_cast<std::size_t>(player.number - 1)];
 }
 
 void GameTask::step(const Instant& instant) noexcept {
+  MUROSIMF_ASSERT(holds_.size() == members_.size());
   for (const GameState& game : referee_->take(instant.now)) {
     if (find_teams(game)) hear(game, instant.now);
   }
@@ -97,7 +106,7 @@ void GameTask::step(const Instant& instant) noexcept {
   ask();
 }
 
-/// Which team of the referee is which one here. False if they are others.
+/// Assigns the referee's teams to those of the scene. False if they are others.
 bool GameTask::find_teams(const GameState& game) {
   std::array<std::uint8_t, 2> places{0, 1};
   for (std::size_t team = 0; team < 2; ++team) {
@@ -109,6 +118,7 @@ bool GameTask::find_teams(const GameState& game) {
     places[0] = static_cast<std::uint8_t>(1 - places[1]);
   if (options_.team_numbers[1] == 0 && options_.team_numbers[0] != 0)
     places[1] = static_cast<std::uint8_t>(1 - places[0]);
+  // 0 + 1: both were found, and are different
   if (places[0] + places[1] == 1) {
     place_of_team_ = places;
     return true;
@@ -170,7 +180,9 @@ void GameTask::show(Member& member, Duration now) const {
                 static_cast<double>(player.red_cards)};
 }
 
+/// Only changes count. Some penalties take the robot off the field, others leave it where it stands.
 void GameTask::judge(std::size_t number) {
+  MUROSIMF_ASSERT(number < members_.size() && number < holds_.size());
   const Player& player = members_[number].player;
   const bool penalized = state_of(player).penalty != 0;
   Hold& hold = holds_[number];
@@ -182,6 +194,7 @@ void GameTask::judge(std::size_t number) {
                         : fmt::format("game: {}: the penalty has ended", player.robot->name()));
 }
 
+/// Only what differs from the word before: referees repeat their state twice per second.
 void GameTask::publish_changes(const GameState& before) {
   if (words_ == 1 || game_.state != before.state) events_.push_back(fmt::format("game: {}", state_name(game_.state)));
   if (game_.secondary_state != before.secondary_state) {
@@ -197,6 +210,7 @@ void GameTask::publish_changes(const GameState& before) {
       fmt::format("game: {} {}, {} {}", options_.team_names[0], scores[0], options_.team_names[1], scores[1]));
 }
 
+/// Robots that are absent do not answer, as if they were switched off.
 void GameTask::answer() const {
   for (const Member& member : members_) {
     if (member.player.robot->idle()) continue;
@@ -205,6 +219,7 @@ void GameTask::answer() const {
   }
 }
 
+/// Units are those of the protocol.
 void GameTask::report() const {
   for (const Member& member : members_) {
     const std::size_t team = member.player.team;
@@ -229,8 +244,10 @@ void GameTask::watch_placed() {
 }
 
 void GameTask::ask() {
-  const bool somebody = std::ranges::any_of(holds_, &Hold::wants_place);
-  if (somebody || !events_.empty() || !complaints_.empty()) options_.ask_for_call();
+  const bool any_place = std::ranges::any_of(holds_, &Hold::wants_place);
+  if (!any_place && events_.empty() && complaints_.empty()) return;
+  MUROSIMF_ASSERT(options_.ask_for_call != nullptr);
+  options_.ask_for_call();
 }
 
 void GameTask::between_steps(Scene& scene) {

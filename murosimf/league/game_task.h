@@ -1,9 +1,9 @@
-/// game_task.h - algorithm: brings what a referee says to the robots, at the beginning of a tick, and has penalties carried out.
+/// game_task.h - algorithm: passes messages of a referee to the robots, at the beginning of a tick, and executes penalties.
 ///
-/// Each word of the referee goes to all robots at once (connect/game_view.h), seen from their teams; each is answered for every robot that
-/// is there (version 12), or each robot tells of itself once per second (version 18 to 20). Who gets a penalty is placed at the side line
-/// before the next tick, and again if it walks off; when the penalty ends it may go. Robots of built-in controllers stand while nobody may
-/// move (`halted`); control software looks for itself. All of that is state; the words themselves come from outside (game_log.h).
+/// Each message of the referee goes to all robots at once (connect/game_view.h), relative to their teams; each is answered for every present
+/// robot (version 12), or each robot sends its status once per second (version 18 to 20). A penalized robot is placed at the side line
+/// before the next tick, and again if it walks off; it may leave when the penalty ends. Robots of built-in controllers stand while no robot may
+/// move (`halted`); control software decides by itself. All of that is state; the messages themselves are external input (game_log.h).
 #pragma once
 
 #include <array>
@@ -34,18 +34,18 @@ class GameTask final : public Algorithm {
     std::array<double, 2> attacks{1, 1};  ///< of each team: +1, the goal at positive x; -1, the other one
     Entity* ball = nullptr;               ///< null: there is none
     bool place_penalized = true;
-    /// Has between_steps() called before the next tick.
+    /// Requests a call of between_steps() before the next tick.
     std::function<void()> ask_for_call;
   };
   /// Of the world. The referee must outlive it.
   GameTask(Setup& setup, const std::vector<Player>& players, Referee& referee, Options options);
 
-  /// What can be done between two steps alone.
+  /// Actions that are possible between two steps only.
   struct Scene {
     virtual ~Scene() = default;
     virtual void record(std::string event) = 0;
     virtual void warn(std::string warning) = 0;
-    /// Places the player at the side line, and says where; may throw SetupError.
+    /// Places the player at the side line, and returns the place; may throw SetupError.
     virtual scene::Placement place(const Player& player) = 0;
   };
   void between_steps(Scene& scene);
@@ -54,7 +54,7 @@ class GameTask final : public Algorithm {
   // Of the scene's teams, 0 and 1.
   [[nodiscard]] const std::string& team_name(std::size_t team) const { return options_.team_names[team]; }
   [[nodiscard]] const TeamState& team(std::size_t team) const { return game_.teams[place_of_team_[team]]; }
-  [[nodiscard]] std::uint64_t words() const { return words_; }  ///< of the referee so far
+  [[nodiscard]] std::uint64_t words() const { return words_; }  ///< number of messages of the referee so far
 
   [[nodiscard]] Phase phase() const noexcept override { return Phase::survey; }
   void initialize() override;
@@ -63,7 +63,7 @@ class GameTask final : public Algorithm {
   void step(const Instant& instant) noexcept override;
 
  private:
-  /// What the game has done with a robot.
+  /// Effects of the game on a robot.
   struct Hold {
     bool penalized = false, wants_place = false, placed = false;
     Vec3d place;  ///< [m]
@@ -73,10 +73,10 @@ class GameTask final : public Algorithm {
     Player player;
     std::span<const Vec3d> r;
     std::span<const Mat3d> R;
-    connect::GameView* view = nullptr;  // null: its software does not look
-    const double* answer = nullptr;     // null: it is alive
-    const Vec3d* estimate = nullptr;    // null: it has no opinion of its pose
-    double* halted = nullptr;           // null: it does not walk, or its software looks for itself
+    connect::GameView* view = nullptr;  // null: its software does not read it
+    const double* answer = nullptr;     // null: the default, alive
+    const Vec3d* estimate = nullptr;    // null: it has no estimate of its pose
+    double* halted = nullptr;           // null: it does not walk, or its software decides
   };
 
   [[nodiscard]] Member member(Setup setup, const Player& player) const;
@@ -95,14 +95,14 @@ class GameTask final : public Algorithm {
   Options options_;
   Referee* referee_;
   std::vector<Member> members_;
-  std::span<const Vec3d> ball_;  // [m]; empty: there is none
+  std::span<const Vec3d> ball_;  // [m]; empty: no ball
   GameState game_;
   std::array<std::uint8_t, 2> place_of_team_{0, 1};  // in game_.teams
   std::uint64_t words_ = 0;
   Duration next_report_{};
   std::vector<Hold> holds_;              // of each member
-  std::vector<std::string> events_;      // to be recorded
-  std::vector<std::string> complaints_;  // to be told
+  std::vector<std::string> events_;      // to be recorded as events
+  std::vector<std::string> complaints_;  // to be reported
   bool told_of_teams_ = false;
 };
 

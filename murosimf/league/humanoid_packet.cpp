@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/league/packet_bytes.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::league {
@@ -48,7 +49,7 @@ GameState read_humanoid_packet(std::string_view packet) {
                  .secondary_seconds_left = bytes.two(22)};
   for (std::size_t i = 0; i < 2; ++i) game.teams[i] = team(bytes.from(first_team + i * bytes_of_team));
   if (game.kick_off_team == drop_ball || game.kick_off_team == drop_ball_of_old) game.kick_off_team = no_team;
-  if (game.secondary_state > 2) game.secondary_team = bytes.one(13);  // before there is none
+  if (game.secondary_state > 2) game.secondary_team = bytes.one(13);  // lower ones belong to no team
   if (game.secondary_state < 4) game.phase = game.secondary_state;
   return game;
 }
@@ -58,6 +59,7 @@ std::string to_bytes(const Answer& answer) {
   for (const int byte : {answer_version, answer.team, answer.player, answer.message}) {
     bytes.push_back(static_cast<char>(byte));
   }
+  MUROSIMF_ASSERT(bytes.size() == 8);
   return bytes;
 }
 

@@ -15,7 +15,7 @@ inline constexpr int humanoid_version = 12;
 inline constexpr std::size_t humanoid_bytes = 688;
 inline constexpr std::size_t humanoid_players = 11;  ///< of a team in such a packet
 
-/// Of a packet that begins as one of this version (game_packet.h). Throws SetupError in one line: another length, a state that there is none of.
+/// For a packet that begins as one of this version (game_packet.h). Throws SetupError in one line: another length, an invalid state.
 [[nodiscard]] GameState read_humanoid_packet(std::string_view bytes);
 
 /// RoboCupGameControlReturnData, version 2: 8 bytes.

@@ -10,6 +10,7 @@
 #include "murosimf/connect/message_exchange.h"
 #include "murosimf/league/game_controller.h"
 #include "murosimf/league/side_line.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 
@@ -23,7 +24,7 @@ std::size_t team_number(const scene_file::SceneSpec& spec, std::string_view team
   return static_cast<std::size_t>(found - spec.teams.begin());
 }
 
-/// Robots of both teams whose names end in numbers.
+/// Robots of both teams with a number at the end of their names.
 std::vector<Player> players_of(scene::Scene& scene) {
   std::vector<Player> players;
   for (Entity* robot : scene.parts().robots) {
@@ -57,18 +58,20 @@ TeamLink TeamLink::parse(std::string_view text) {
   return link;
 }
 
-/// What penalties do to the scene.
+/// Effects of penalties on the scene.
 class League::BetweenSteps final : public GameTask::Scene {
  public:
   explicit BetweenSteps(scene::Scene& scene) : scene_(&scene) {}
   void record(std::string event) override { scene_->simulation().record(std::move(event)); }
   void warn(std::string warning) override { scene_->parts().diagnostics.warn(std::move(warning)); }
 
+  /// Free places depend on where all others are at this moment.
   scene::Placement place(const Player& player) override {
     std::vector<Vec3d> others;
     for (const Entity* entity : scene_->moving_entities()) {
       if (entity == player.robot || !entity->present()) continue;
       others.push_back(entity->find(properties::position)->values[0]);
+      MUROSIMF_ASSERT(player.team < scene_->spec().teams.size());
     }
     const scene_file::SceneSpec& spec = scene_->spec();
     const scene::Placement placement = place_at_side_line(scene_file::field_size(spec.field.size),
@@ -78,7 +81,7 @@ class League::BetweenSteps final : public GameTask::Scene {
   }
 
  private:
-  /// The touch line that is farther from the ball, so that nobody comes back beside it; without a ball the nearer one.
+  /// The touch line that is farther from the ball, so that no robot comes back beside it; without a ball the nearer one.
   [[nodiscard]] double side_for(const Player& player) const {
     const Entity* ball = scene_->parts().ball;
     if (ball && ball->present()) return ball->find(properties::position)->values[0].y > 0 ? -1 : 1;
@@ -126,12 +129,14 @@ Datagrams& League::open(const std::string& channel, const UdpPort::Options& opti
     source = std::move(port);
     outside_.memory->expect(channel == "game" ? "the GameController" : fmt::format("programs of {}", channel));
   }
+  // From the source outwards: history, game log, recording. Only live input passes the history.
   datagrams_.push_back(std::move(source));
   datagrams_.push_back(std::make_unique<RememberedDatagrams>(*datagrams_.back(), outside_.memory->channel(channel)));
   datagrams_.push_back(std::make_unique<RecordedDatagrams>(*datagrams_.back(), log_, channel));
   if (ExternalInputLog::Channel* notes = outside_.channel(channel)) {
     datagrams_.push_back(std::make_unique<NotedDatagrams>(*datagrams_.back(), *notes));
   }
+  MUROSIMF_ASSERT(!datagrams_.empty());
   return *datagrams_.back();
 }
 
@@ -142,6 +147,7 @@ void League::referee_by(Referee& referee) {
   }
   between_steps_ = std::make_unique<BetweenSteps>(*scene_);
   Simulation& simulation = scene_->simulation();
+  MUROSIMF_ASSERT(scene_->parts().spec.rate > 0);
   GameTask::Options options{.place_penalized = spec.league.place_penalized};
   options.ball = scene_->parts().ball;
   for (std::size_t i = 0; i < teams_of_a_game; ++i) {
@@ -153,6 +159,7 @@ void League::referee_by(Referee& referee) {
   task_ = &simulation.attach<GameTask>("game", spec.rate, players_of(*scene_), referee, options);
 }
 
+/// Unknown teams are refused here: their messages would get lost without a sign.
 void League::forward(const TeamLink& link) {
   std::vector<std::string_view> teams;
   for (const scene_file::TeamSpec& team : scene_->spec().teams) teams.push_back(team.name);

@@ -1,4 +1,4 @@
-/// league.h - a scene as a game with the world outside: a GameController that referees, sockets of teams, and a record of what came.
+/// league.h - a scene as a game with external participants: a GameController as referee, sockets of teams, and a log of their input.
 ///
 ///     scene::Scene scene("three_on_three");
 ///     league::League game(scene, {.game_controller = league::UdpAddress{"127.0.0.1", 3838}});
@@ -19,44 +19,43 @@
 
 namespace murosimf::league {
 
-/// Messages of a team leave to a socket and come from one.
+/// Messages of a team go to a socket and come from one.
 struct TeamLink {
   std::string team;
   UdpAddress listen, send_to;
 
-  /// "TEAM=LISTEN,SEND", both as UdpAddress::parse. Throws SetupError that says what it must be.
+  /// "TEAM=LISTEN,SEND", both as UdpAddress::parse. Throws SetupError with the expected form.
   [[nodiscard]] static TeamLink parse(std::string_view text);
 };
 
 struct LeagueOptions {
-  std::optional<UdpAddress> game_controller{};  ///< where it is listened to
+  std::optional<UdpAddress> game_controller{};  ///< address to listen at
   std::vector<TeamLink> team_links{};
-  std::filesystem::path repeat{};  ///< a game log that takes the place of all sockets; empty: none
-  ExternalInputOptions
-      outside{};  ///< the scene's: where it is written down, and a recording that takes the place of all sockets
-  Referee* referee = nullptr;  ///< in the place of the GameController; must outlive the League
+  std::filesystem::path repeat{};  ///< a game log that replaces all sockets; empty: none
+  ExternalInputOptions outside{};  ///< options of the scene: the log, and a recording that replaces all sockets
+  Referee* referee = nullptr;      ///< replaces the GameController; must outlive the League
 };
 
 class League {
  public:
-  /// Before the scene is initialized; must be destroyed after its last step. Throws SetupError: the scene has not the teams for it, an
+  /// Before the scene is initialized; must be destroyed after its last step. Throws SetupError: the scene lacks the teams, an
   /// address is in use, the log cannot be read.
   League(scene::Scene& scene, const LeagueOptions& options);
   ~League();
   League(const League&) = delete;
   League& operator=(const League&) = delete;
 
-  /// All that has come so far.
+  /// All input so far.
   [[nodiscard]] const GameLog& log() const { return log_; }
-  /// Null if nobody referees.
+  /// Null if there is no referee.
   [[nodiscard]] const GameTask* game() const { return task_; }
-  /// Where GameController packets are awaited, as the system has chosen if port 0 was asked for; 0: nowhere.
+  /// Port for GameController packets, as chosen by the system if port 0 was requested; 0: none.
   [[nodiscard]] std::uint16_t game_controller_port() const { return game_port_; }
 
  private:
   class BetweenSteps;
 
-  /// Of a channel: a socket that is recorded, or the log that is repeated.
+  /// The source of a channel: a socket that is logged, or the log that is repeated.
   Datagrams& open(const std::string& channel, const UdpPort::Options& options);
   void referee_by(Referee& referee);
   void forward(const TeamLink& link);

@@ -1,4 +1,4 @@
-/// robot_status.h - what a robot of a game tells of itself: where it takes itself to be, or is, where the ball is, whether it has fallen.
+/// robot_status.h - status of a robot in a game: its estimated or true pose, the ball, and whether it has fallen.
 #pragma once
 
 #include "murosimf/league/game_state.h"
@@ -12,12 +12,12 @@ struct SeenRobot {
   Vec3d position;  ///< [m]
   Mat3d axes;      ///< of the base: x forward, y left, z up
   const Vec3d* estimate =
-      nullptr;  ///< [m, m, rad] x, y and heading as its own software has them; null: it has no opinion, so the truth
-  const Vec3d* ball = nullptr;  ///< [m]; null: there is none
+      nullptr;  ///< [m, m, rad] x, y and heading as estimated by its software; null: no estimate, so the truth
+  const Vec3d* ball = nullptr;  ///< [m]; null: no ball
   double attacks = 1;           ///< +1: its team attacks the goal at positive x; -1: the other one
 };
 
-/// Numbers of team and player are left to the caller. The ball is where it truly is, just seen. Fallen is a robot whose base leans more than
+/// Numbers of team and player are left to the caller. The ball has its true place, and was just seen. Fallen is a robot with a base that leans more than
 /// 60 degrees.
 [[nodiscard]] RobotStatus status_of(const SeenRobot& robot) noexcept;
 

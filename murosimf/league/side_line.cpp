@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/math/scalar.h"
 
 namespace murosimf::league {
@@ -16,6 +17,7 @@ constexpr int most_places = 11;
 
 scene::Placement place_at_side_line(const scene_file::FieldSize& field, double attacks, double side,
                                     const std::vector<Vec3d>& others) {
+  MUROSIMF_ASSERT((attacks == 1 || attacks == -1) && (side == 1 || side == -1));
   const double mark = -attacks * (0.5 * field.length - field.penalty_mark_distance);
   scene::Placement placement{{mark, side * (0.5 * field.width + outside), 0}, -side * pi / 2};
   for (int i = 1; i < most_places; ++i) {

@@ -7,13 +7,14 @@
 #include <fmt/format.h>
 
 #include "murosimf/league/packet_bytes.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::league {
 namespace {
 
 constexpr std::size_t head_bytes = 18, team_head_bytes = 10;
-constexpr int nobody = 255, last_phase = 3;
+constexpr int no_kick_off = 255, last_phase = 3;
 constexpr std::string_view status_magic = "RGrt";
 constexpr int status_version = 4;
 constexpr double mm = 1000;  // [mm/m]
@@ -30,9 +31,11 @@ std::uint8_t penalty_of(int number, int version) {
   if (version == last_soccer_version) {
     return static_cast<std::uint8_t>(checked(number, static_cast<int>(SoccerPenalty::substitute), "penalty"));
   }
+  // checked first: the table has one entry for each number
   return old_penalties[static_cast<std::size_t>(checked(number, old_penalties.size() - 1, "penalty"))];
 }
 
+/// Versions differ in which bytes a player has.
 PlayerState player(const PacketBytes& bytes, int version) {
   PlayerState player{.penalty = penalty_of(bytes.one(0), version), .seconds_left = bytes.one(1)};
   if (version == 19) {
@@ -55,6 +58,7 @@ TeamState team(const PacketBytes& bytes, int version) {
 }
 
 void append_float(std::string& bytes, double value) {
+  static_assert(sizeof(float) == sizeof(std::uint32_t));
   const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(value));
   for (int shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<char>(bits >> shift & 255u));
 }
@@ -63,6 +67,7 @@ void append_float(std::string& bytes, double value) {
 
 std::size_t soccer_bytes(int version) noexcept { return head_bytes + 2 * team_bytes(version); }
 
+/// The size is checked first: all offsets below follow from the version.
 GameState read_soccer_packet(std::string_view packet) {
   const PacketBytes bytes(packet);
   const int version = bytes.one(4);
@@ -79,7 +84,7 @@ GameState read_soccer_packet(std::string_view packet) {
                  .kick_off_team = bytes.one(13),
                  .seconds_left = bytes.signed_two(14),
                  .secondary_seconds_left = bytes.signed_two(16)};
-  if (game.kick_off_team == nobody) game.kick_off_team = no_team;
+  if (game.kick_off_team == no_kick_off) game.kick_off_team = no_team;
   game.secondary_state = set_play == 0 ? game.phase : set_plays[static_cast<std::size_t>(set_play)];
   if (set_play != 0) {
     game.secondary_team = game.kick_off_team;
@@ -100,6 +105,7 @@ std::string to_bytes(const RobotStatus& status) {
        {mm * status.x, mm * status.y, status.heading, status.ball_age, mm * status.ball_x, mm * status.ball_y}) {
     append_float(bytes, value);
   }
+  MUROSIMF_ASSERT(bytes.size() == 32);
   return bytes;
 }
 

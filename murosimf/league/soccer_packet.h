@@ -37,8 +37,8 @@ inline constexpr std::size_t status_bytes = 32;
 /// 118, 198 or 158.
 [[nodiscard]] std::size_t soccer_bytes(int version) noexcept;
 
-/// Of a packet that begins as one of these versions (game_packet.h). Throws SetupError in one line: another length, a state, set play or
-/// penalty that there is none of.
+/// For a packet that begins as one of these versions (game_packet.h). Throws SetupError in one line: another length, an invalid state, set play or
+/// penalty.
 [[nodiscard]] GameState read_soccer_packet(std::string_view bytes);
 
 /// Lengths in mm, the heading in rad, as floats.

@@ -1,4 +1,4 @@
-/// team_forwarder.h - messages of one or more teams go to real sockets and come from there (connect/team_gateway.h).
+/// team_forwarder.h - connects messages of one or more teams to real sockets (connect/team_gateway.h).
 #pragma once
 
 #include <map>
@@ -12,7 +12,7 @@ namespace murosimf::league {
 
 class TeamForwarder final : public connect::TeamGateway {
  public:
-  /// Messages of `team` are datagrams there; they must outlive it.
+  /// Messages of `team` are datagrams there; these must outlive it.
   void add(const std::string& team, Datagrams& datagrams) { teams_.emplace(team, &datagrams); }
   [[nodiscard]] bool empty() const { return teams_.empty(); }
 

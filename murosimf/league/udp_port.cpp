@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::league {
@@ -61,7 +62,8 @@ UdpPort::UdpPort(const Options& options)
     throw SetupError(fmt::format("no datagrams at {}:{}: {}", options.listen.host, options.listen.port, why));
   };
   const sockaddr_in address = socket_address(host_of(options.listen), options.listen.port);
-  // Of what is broadcast, every program of a machine gets its own copy; of what is sent to one address, only one would.
+  // A broadcast reaches every program of a machine with the same port; a datagram to one address only one of them: hence sharing
+  // for broadcasts only.
   const int shared = host_of(options.listen) == INADDR_ANY && options.listen.port != 0 ? 1 : 0;
   (void)setsockopt(socket_, SOL_SOCKET, SO_REUSEADDR, &shared, sizeof shared);
   if (socket_ < 0 || bind(socket_, generic(address), sizeof address) != 0) fail();
@@ -82,6 +84,7 @@ std::uint16_t UdpPort::port() const {
   return ntohs(address.sin_port);
 }
 
+/// Bounded, so that a flood of datagrams does not stop the step.
 std::vector<std::string> UdpPort::take(Duration) {
   std::vector<std::string> taken;
   std::array<char, longest_datagram> bytes;
@@ -90,6 +93,7 @@ std::vector<std::string> UdpPort::take(Duration) {
     socklen_t size = sizeof from;
     const ssize_t count = recvfrom(socket_, bytes.data(), bytes.size(), 0, reinterpret_cast<sockaddr*>(&from), &size);
     if (count < 0) break;
+    MUROSIMF_ASSERT(static_cast<std::size_t>(count) <= bytes.size());
     taken.emplace_back(bytes.data(), static_cast<std::size_t>(count));
     if (answer_port_ == 0) continue;
     to_host_ = from.sin_addr.s_addr;

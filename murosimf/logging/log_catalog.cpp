@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/value.h"
 #include "murosimf/sensors/reading.h"
 
@@ -18,7 +19,7 @@ std::vector<std::string> split(std::string_view text, std::string_view separator
   }
 }
 
-/// Names of a property's numbers, as notation.md has them; counted where there are none.
+/// Names of a property's numbers, as in notation.md; indices where there are none.
 std::vector<std::string> labels_of(const ColumnBase& column) {
   const auto& type = column.type();
   if (column.numbers() == 1) return {""};
@@ -62,6 +63,7 @@ void append_property(std::vector<LoggedNumber>& numbers, Entity& entity, std::st
 std::vector<std::string> path_parts(std::string_view path) { return split(path, "."); }
 
 std::string unit_of(std::string_view units, std::size_t index, std::size_t numbers, bool prismatic) {
+  MUROSIMF_ASSERT(numbers > 0 && index < numbers);
   const auto kinds = split(units, " | ");
   const auto parts = split(kinds.size() == 2 && prismatic ? kinds[1] : kinds[0], ", ");
   return numbers % parts.size() == 0 ? parts[index / (numbers / parts.size())] : std::string(units);
@@ -85,6 +87,7 @@ std::vector<LoggedNumber> numbers_of_sensors(Entity& entity) {
   return numbers;
 }
 
+/// In the order of the model, then of the properties: columns of a log are in the same order in every run.
 std::vector<LoggedNumber> numbers_of_properties(Entity& entity) {
   std::vector<LoggedNumber> numbers;
   for (const std::string_view object : entity.model().object_names()) {

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::logging {
 namespace {
 
@@ -20,12 +22,13 @@ std::string quoted_cell(const std::string& text) {
 
 void append_number(std::string& text, double number) {
   if (std::isnan(number)) {
-    text += "nan";  // without the sign that it may have
+    text += "nan";  // without its sign, which has no meaning
   } else {
     fmt::format_to(std::back_inserter(text), "{}", number);
   }
 }
 
+/// Series have different rates: each row has the numbers of all that have a sample at its instant.
 std::optional<Duration> earliest(const std::vector<const LogSeries*>& series, const Places& places) {
   std::optional<Duration> first;
   for (std::size_t s = 0; s < series.size(); ++s) {
@@ -35,8 +38,10 @@ std::optional<Duration> earliest(const std::vector<const LogSeries*>& series, co
   return first;
 }
 
+/// Empty cells where the series has no sample at this instant.
 void append_cells(std::string& text, const LogSeries& series, Duration time, std::size_t& place) {
   const std::size_t width = series.names.size();
+  MUROSIMF_ASSERT(series.values.size() == series.times.size() * width);
   const bool has_row = place < series.times.size() && series.times[place] == time;
   for (std::size_t i = 0; i < width; ++i) {
     text += ',';
@@ -54,6 +59,7 @@ std::string to_csv(const std::vector<const LogSeries*>& series) {
   }
   text += '\n';
   Places places(series.size());
+  // a merge of the series by time; equal instants share a row
   while (const auto time = earliest(series, places)) {
     append_number(text, static_cast<double>(time->count()) / 1e9);  // the quotient is the nearest double
     for (std::size_t s = 0; s < series.size(); ++s) append_cells(text, *series[s], *time, places[s]);

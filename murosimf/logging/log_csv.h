@@ -1,4 +1,4 @@
-/// log_csv.h - what was recorded during a run, and its table of comma-separated values (CSV).
+/// log_csv.h - numbers recorded during a run, and their table of comma-separated values (CSV).
 #pragma once
 
 #include <span>
@@ -16,9 +16,9 @@ struct LogSeries {
   std::vector<double> values;      ///< row by row
 };
 
-/// One table as of RFC 4180 (with "\n" at the ends of lines): a header, `time [s]` and the columns of all series in their
-/// order, and one row for each instant that any of them has, by time. A cell is empty where a series has no row at that
-/// instant. Numbers have the fewest digits that give the same double back; others are nan, inf, -inf.
+/// One table by RFC 4180 (with "\n" at the ends of lines): a header, `time [s]` and the columns of all series in their
+/// order, and one row for each instant of any of them, ordered by time. A cell is empty where a series has no row at that
+/// instant. Numbers have the fewest digits that reproduce the same double; others are nan, inf, -inf.
 [[nodiscard]] std::string to_csv(const std::vector<const LogSeries*>& series);
 
 }  // namespace murosimf::logging

@@ -8,20 +8,22 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::logging {
 namespace {
 
 constexpr std::size_t before_header = 12;  // bytes: mark, version, length
-constexpr std::size_t alignment = 64;      // of what follows the header
+constexpr std::size_t alignment = 64;      // of the data after the header
 
 template <class T>
-void append(std::string& bytes, T number) {  // little end first
+void append(std::string& bytes, T number) {  // little-endian
   for (std::size_t i = 0; i < sizeof(T); ++i) bytes += static_cast<char>(number >> (8 * i) & 0xff);
 }
 
 void append(std::string& bytes, double number) { append(bytes, std::bit_cast<std::uint64_t>(number)); }
 
-/// As Python writes a text.
+/// A text as a literal of Python.
 std::string python_text(std::string_view text) {
   std::string literal = "'";
   for (const char c : text) {
@@ -31,6 +33,7 @@ std::string python_text(std::string_view text) {
   return literal + "'";
 }
 
+/// Every instant once, although several series have samples at it.
 std::vector<Duration> instants(const std::vector<const LogSeries*>& series) {
   std::vector<Duration> times;
   for (const LogSeries* one : series) times.insert(times.end(), one->times.begin(), one->times.end());
@@ -46,11 +49,14 @@ std::string header_of(const std::vector<const LogSeries*>& series, std::size_t r
   }
   header += fmt::format("], 'fortran_order': False, 'shape': ({},), }}", rows);
   header.append(alignment - (before_header + header.size() + 1) % alignment, ' ');
+  MUROSIMF_ASSERT((before_header + header.size() + 1) % alignment == 0);
   return header + '\n';
 }
 
+/// NaN where the series has no sample at this instant: all rows of the array have the same size.
 void append_row(std::string& bytes, const LogSeries& series, Duration time, std::size_t& place) {
   const std::size_t width = series.names.size();
+  MUROSIMF_ASSERT(series.values.size() == series.times.size() * width);
   const bool has_row = place < series.times.size() && series.times[place] == time;
   for (std::size_t i = 0; i < width; ++i) {
     append(bytes, has_row ? series.values[place * width + i] : std::numeric_limits<double>::quiet_NaN());

@@ -1,4 +1,4 @@
-/// log_npy.h - what was recorded during a run as a file of NumPy (NPY): the table of log_csv.h, in binary.
+/// log_npy.h - numbers recorded during a run as a file of NumPy (NPY): the table of log_csv.h, in binary.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +13,7 @@ namespace murosimf::logging {
 /// no row at that instant. numpy.load(file)["blue1.imu.gyroscope.x [rad/s]"]
 [[nodiscard]] std::string to_npy(const std::vector<const LogSeries*>& series);
 
-/// Whether a name ends as those of such files do.
+/// Whether the name has the extension of such files.
 [[nodiscard]] bool is_named_npy(const std::filesystem::path& file);
 
 }  // namespace murosimf::logging

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/logging/log_catalog.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/scene_file/setting_targets.h"
 #include "murosimf/sensors/reading.h"
@@ -22,7 +23,7 @@ bool matches(const std::string& pattern, const std::string& name) {
   return fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
 }
 
-/// A pattern for one entity: the parts behind its name.
+/// A pattern for one entity: the parts after its name.
 struct Search {
   Entity* entity = nullptr;
   std::vector<std::string> parts;
@@ -31,6 +32,7 @@ struct Search {
 std::vector<Search> searches(const World& world, const std::vector<std::string>& parts) {
   std::vector<Search> found;
   for (const auto& entity : world.entities()) {
+    MUROSIMF_ASSERT(!parts.empty());
     if (matches(parts[0], entity->name())) found.push_back({entity.get(), {parts.begin() + 1, parts.end()}});
   }
   if (!found.empty() || parts.size() < 2) return found;
@@ -44,14 +46,15 @@ std::vector<Search> searches(const World& world, const std::vector<std::string>&
   return found;
 }
 
-/// What is left out at the end of the pattern matches all.
+/// A pattern that ends early matches everything below.
 bool means(const Search& search, const LoggedNumber& number) {
+  MUROSIMF_ASSERT(!number.path.empty());
   const auto path = number.path.begin() + 1;
   return search.parts.size() < number.path.size() &&
          std::equal(search.parts.begin(), search.parts.end(), path, matches);
 }
 
-/// Of a property's number the pattern has to name the property.
+/// The pattern must include the name of the property, else it would denote all properties of an object.
 bool names_property(const Search& search, const LoggedNumber& number) {
   const auto property = std::find(number.path.begin() + 2, number.path.end(), number.property);
   return search.parts.size() >= static_cast<std::size_t>(property - number.path.begin());
@@ -78,7 +81,7 @@ std::vector<LoggedNumber> properties_meant(const std::vector<Search>& all) {
   return meant;
 }
 
-/// "blue1.joint_torque": of all its joints, each by its own name, in the order of the model.
+/// "blue1.joint_torque": numbers of all its joints, each by its own name, in the order of the model.
 std::vector<LoggedNumber> numbers_of_joints(const Search& search) {
   const auto& objects = search.entity->model().objects();
   std::vector<LoggedNumber> numbers = numbers_of_properties(*search.entity);
@@ -108,7 +111,7 @@ std::vector<LoggedNumber> joints_meant(const std::vector<Search>& all) {
   return meant;
 }
 
-/// Throws if no path of `numbers` goes on as the pattern does: says where it ends, and what there is.
+/// Throws if no path in `numbers` matches the pattern: names the part that fails, and the alternatives.
 void refuse_where_it_ends(const Search& search, std::vector<LoggedNumber> numbers,
                           const std::array<std::string_view, 3>& kinds) {
   if (numbers.empty()) throw SetupError(fmt::format("'{}' has no numbers that change", search.entity->name()));
@@ -192,6 +195,7 @@ std::string LoggedNumber::name() const {
   return unit.empty() || unit == "-" ? text : fmt::format("{} [{}]", text, unit);
 }
 
+/// Patterns may overlap: every number is logged once.
 std::vector<LoggedNumber> find_logged(const World& world, const std::vector<std::string>& patterns) {
   std::vector<LoggedNumber> logged;
   std::set<std::tuple<const Entity*, std::string, int, std::string, std::size_t>> known;

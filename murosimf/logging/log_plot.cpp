@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/logging/log_catalog.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::logging {
@@ -16,7 +17,7 @@ constexpr std::size_t most_curves = 32, most_panels = 16;
 
 using Parts = std::vector<std::string>;
 
-/// Columns that share a panel.
+/// Columns of one panel.
 struct Group {
   std::string key;
   std::vector<const files::CsvColumn*> columns;
@@ -49,6 +50,7 @@ std::string key_of(const files::CsvColumn& column) {
   return fmt::format("{}.{} {}", parts[0], parts[1], column.unit);
 }
 
+/// Columns of the same quantity share a panel.
 std::vector<Group> groups_of(const std::vector<const files::CsvColumn*>& columns) {
   std::vector<Group> groups;
   for (const files::CsvColumn* column : columns) {
@@ -60,8 +62,9 @@ std::vector<Group> groups_of(const std::vector<const files::CsvColumn*>& columns
   return groups;
 }
 
-/// What all names of a panel begin with, in whole parts, but never all of one.
+/// Number of leading parts common to all names of a panel, but never all parts of one.
 std::size_t common_parts(const std::vector<Parts>& names) {
+  MUROSIMF_ASSERT(!names.empty() && !names[0].empty());
   std::size_t common = names[0].size() - 1;
   for (const Parts& parts : names) {
     const auto most = static_cast<std::ptrdiff_t>(std::min(common, parts.size() - 1));
@@ -78,7 +81,7 @@ bool of_many_objects(const std::vector<Parts>& names) {
   });
 }
 
-/// What stands at the axis, and what is left for each curve.
+/// Label of the axis, and the rest of the name for each curve.
 struct PanelNames {
   std::string label;
   std::vector<std::string> curves;
@@ -107,12 +110,14 @@ Panel panel_of(const Group& group) {
   const std::string& unit = group.columns[0]->unit;
   Panel panel{.y_label = names.label, .curves = {}};
   if (!unit.empty()) panel.y_label += names.label.empty() ? unit : fmt::format(" [{}]", unit);
+  MUROSIMF_ASSERT(names.curves.size() == group.columns.size());
   for (std::size_t i = 0; i < group.columns.size(); ++i) {
     panel.curves.push_back({names.curves[i], group.columns[i]->times, group.columns[i]->values});
   }
   return panel;
 }
 
+/// A plot of hundreds of curves shows nothing.
 void check_sizes(const std::vector<Group>& groups) {
   constexpr const char* advice = "name those to draw, like 'murosimf plot FILE";
   if (groups.size() > most_panels) {

@@ -8,6 +8,7 @@
 
 #include "murosimf/files/child_process.h"
 #include "murosimf/files/output_file.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::logging {
@@ -15,7 +16,7 @@ namespace {
 
 const std::vector<std::string> gnuplot{"gnuplot", "-d", "-"};  // -d: no start-up files of the user
 
-/// A text of gnuplot's in single quotes, where everything but the quote is taken as it is.
+/// A single-quoted text of gnuplot, in which everything but the quote is literal.
 std::string as_text(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -58,6 +59,7 @@ void check(const Plot& plot) {
 std::string block_name(std::size_t panel, std::size_t curve) { return fmt::format("$data_{}_{}", panel, curve); }
 
 void write_data(std::string& script, const std::string& block, const Curve& curve) {
+  MUROSIMF_ASSERT(curve.x.size() == curve.y.size());
   script += block + " << END\n";
   for (std::size_t i = 0; i < curve.x.size(); ++i) {
     // an empty line breaks the curve
@@ -71,11 +73,11 @@ void write_data(std::string& script, const std::string& block, const Curve& curv
 constexpr std::array plot_colors{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"};
 constexpr std::array plot_dashes{"1", "(12,5)", "(3,3)", "(14,4,3,4)", "(24,6)"};
 
-// Sizes in pixels of what is written in the font below.
+// Sizes in pixels of text in the font below.
 constexpr int letter = 7, legend_row = 17, legend_sample = 60, title_height = 40;
 constexpr std::size_t longest_name = 60;  // letters
 
-/// Keeps beginning and end of what is too long.
+/// Keeps the beginning and the end of a long name.
 std::string shortened(const std::string& name) {
   if (name.size() <= longest_name) return name;
   return name.substr(0, longest_name / 2) + "..." + name.substr(name.size() - longest_name / 2 + 3);
@@ -104,12 +106,12 @@ int rows_in_legend(const Panel& panel) {
       std::ranges::count_if(panel.curves, [](const Curve& c) { return !c.name.empty() && can_be_drawn(c); }));
 }
 
-/// High enough for its legend.
+/// Height of a panel, including its legend.
 int height_of(const Plot& plot, const Panel& panel) {
   return std::max(plot.panel_height, legend_row * rows_in_legend(panel) + 100);
 }
 
-/// Room at the right for the widest legend, the same in all panels.
+/// Width at the right for the widest legend, the same in all panels.
 int legend_width(const Plot& plot) {
   std::size_t longest = 0;
   for (const Panel& panel : plot.panels) {
@@ -118,7 +120,7 @@ int legend_width(const Plot& plot) {
   return longest == 0 ? 0 : legend_sample + letter * static_cast<int>(longest);
 }
 
-/// In lines of at most `most` letters, broken after a dot or at a space; a longer word is a line of its own.
+/// Breaks a text into lines of at most `most` letters, after a dot or at a space; a longer word is a line of its own.
 std::vector<std::string> broken(const std::string& text, std::size_t most) {
   std::vector<std::string> words{""}, lines{""};
   for (const char c : text) {
@@ -132,7 +134,7 @@ std::vector<std::string> broken(const std::string& text, std::size_t most) {
   return lines;
 }
 
-/// A text that may have several lines.
+/// A text of several lines.
 std::string as_lines(const std::vector<std::string>& lines) {
   std::string result;
   for (const std::string& line : lines) result += (result.empty() ? "" : ".\"\\n\".") + as_text(line);
@@ -147,7 +149,7 @@ void write_panel(std::string& script, const Panel& panel, std::size_t index, int
   script += plot_command(panel, index);
 }
 
-/// One above the other, as high as each needs.
+/// Places the panels one above the other, each as high as required.
 void write_panels(std::string& script, const Plot& plot, int height) {
   int top = height - title_height;
   for (std::size_t p = 0; p < plot.panels.size(); ++p) {
@@ -162,6 +164,7 @@ void write_panels(std::string& script, const Plot& plot, int height) {
 
 }  // namespace
 
+/// Panels without a curve are left out: gnuplot refuses an empty plot.
 std::string gnuplot_script(const Plot& all) {
   Plot plot = all;
   std::erase_if(plot.panels, [](const Panel& panel) { return !can_be_drawn(panel); });
@@ -189,6 +192,7 @@ void check_gnuplot() {
   throw SetupError("plots need the program gnuplot, which does not start here (Debian and Ubuntu: gnuplot-nox)");
 }
 
+/// The picture comes through gnuplot's output: a failed run leaves no part of a file.
 void write_plot(const std::filesystem::path& file, const Plot& plot) {
   check(plot);
   files::check_writable(file);

@@ -36,7 +36,7 @@ RunLog::RunLog(Simulation& simulation, const std::vector<std::string>& patterns,
   for (const LoggedNumber& number : logged) {
     if (number.sensor.empty()) add_property(number);
   }
-  // later than the simulation's schedule is made: a state that is loaded knows nothing of the log
+  // scheduled after the simulation's own events: a loaded state does not contain the log
   if (!properties_.empty()) {
     simulation_.after_start([this] { simulation_.at(Duration{}, [this] { note_properties(); }); });
   }
@@ -57,6 +57,7 @@ void RunLog::attach_sensor_logs(const std::vector<LoggedNumber>& logged, double 
   }
 }
 
+/// Numbers of one property follow each other: they share one series, whose row is read at once.
 void RunLog::add_property(const LoggedNumber& number) {
   const bool next = properties_.empty() || properties_.back().entity != number.entity ||
                     properties_.back().object != number.object || properties_.back().property != number.property;

@@ -1,4 +1,4 @@
-/// run_log.h - records chosen numbers of a run: samples of sensors as they come, properties at a rate of its own.
+/// run_log.h - records chosen numbers of a run: samples of sensors as they arrive, properties at a separate rate.
 ///
 ///     logging::RunLog log(scene.simulation(), {"blue1.imu.*"}, {.step_rate = scene.spec().rate});
 ///     scene.simulation().run(10s);
@@ -19,21 +19,21 @@ namespace murosimf::logging {
 
 struct RunLogOptions {
   double step_rate = 1000;     ///< [Hz] of the simulation
-  double property_rate = 100;  ///< [Hz] at which properties are noted: by the first step at or after each instant
+  double property_rate = 100;  ///< [Hz] at which properties are recorded: by the first step at or after each instant
 };
 
-/// Must live as long as the run lasts. Logging changes no result.
+/// Must outlive the run. Logging changes no result.
 class RunLog {
  public:
-  /// To be called when everything else is attached, before the first step. Throws SetupError as find_logged does, and for
+  /// Construct when everything else is attached, before the first step. Throws SetupError as find_logged does, and for
   /// an impossible rate.
   RunLog(Simulation& simulation, const std::vector<std::string>& patterns, const RunLogOptions& options = {});
   RunLog(const RunLog&) = delete;  // the simulation calls back
   RunLog& operator=(const RunLog&) = delete;
 
-  /// What has been noted so far (log_csv.h).
+  /// The numbers recorded so far (log_csv.h).
   [[nodiscard]] std::string csv() const { return to_csv(noted()); }
-  /// The same to a file, which is whole or not there at all; as an array for NumPy (log_npy.h) if its name ends with .npy.
+  /// Writes them to a file, which is complete or absent; as an array for NumPy (log_npy.h) if its name ends with .npy.
   /// Throws SetupError.
   void write(const std::filesystem::path& file) const;
 
@@ -52,7 +52,7 @@ class RunLog {
 
   Simulation& simulation_;
   double property_rate_;                       // [Hz]
-  std::int64_t notes_ = 0;                     // of properties
+  std::int64_t notes_ = 0;                     // number of recorded rows of properties
   std::vector<const SensorLog*> sensor_logs_;  // one per entity
   std::deque<PropertyLog> properties_;
 };

@@ -25,6 +25,7 @@ void SensorLog::forget_from(Duration time) {
   }
 }
 
+/// A sensor samples less often than the world steps: its count of samples tells whether there is a new one.
 void SensorLog::step(const Instant& instant) noexcept {
   if (begins_) forget_from(instant.now);
   begins_ = false;

@@ -1,6 +1,6 @@
-/// sensor_log.h - algorithm: notes every sample of sensors of one entity.
+/// sensor_log.h - algorithm: records every sample of sensors of one entity.
 ///
-/// Attached last, at the rate of the simulation's steps; a sample is noted in the step in which it arrives, under the
+/// Attached last, at the rate of the simulation's steps; a sample is recorded in the step in which it arrives, with the
 /// instant at which it was taken.
 #pragma once
 
@@ -16,7 +16,7 @@
 
 namespace murosimf::logging {
 
-/// What is noted of one sensor.
+/// Recorded numbers of one sensor.
 struct LoggedSensor {
   std::string sensor;
   std::vector<std::size_t> numbers;  ///< indices of its values
@@ -32,14 +32,14 @@ class SensorLog final : public Algorithm {
   void initialize() override;
   void step(const Instant& instant) noexcept override;
 
-  /// One per sensor; they do not move. They grow with the run.
+  /// One per sensor; addresses are stable. They grow with the run.
   [[nodiscard]] const std::deque<LogSeries>& series() const { return series_; }
 
  private:
   struct Source {
     const sensors::Reading& reading;
     std::vector<std::size_t> numbers;
-    std::uint64_t samples = 0;  // that are noted
+    std::uint64_t samples = 0;  // recorded
   };
 
   void forget_from(Duration time);

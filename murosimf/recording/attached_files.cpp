@@ -25,7 +25,8 @@ AttachedFiles files_now(const std::vector<std::filesystem::path>& files, const R
                     .contents = {}};
   for (const std::filesystem::path& file : files) {
     const std::string path = paths.reduced(file);
-    std::string bytes = files::read_input_file(file, std::numeric_limits<std::int64_t>::max());
+    std::string bytes = files::read_input_file(
+        file, std::numeric_limits<std::int64_t>::max());  // read once: hash and attachment are of the same bytes
     now.list.values[path] = size_and_hash(bytes);
     if (bytes.size() > most_attached_bytes) continue;
     now.contents.push_back({.log_time = 0,
@@ -43,6 +44,7 @@ void attach_files(McapWriter& out, const AttachedFiles& files) {
   if (!files.folders.values.empty()) out.add(files.folders);
 }
 
+/// Attachments are copied as they are: their hashes are in the metadata.
 void copy_files(McapWriter& out, const McapReader& from) {
   for (const AttachmentIndex& one : from.contents().attachments) {
     if (one.name.starts_with(files_prefix)) out.attach(from.attachment(one));

@@ -1,4 +1,4 @@
-/// attached_files.h - the files that a scene was read from, in its recording: which they were, and what stood in them.
+/// attached_files.h - the files that a scene was read from, in its recording: their names and contents.
 #pragma once
 
 #include <filesystem>
@@ -12,13 +12,13 @@
 
 namespace murosimf::recording {
 
-/// [byte] Files up to this size are attached whole: scenes, models, tables. Of larger ones, like meshes, there is the hash alone.
+/// [byte] Files up to this size are attached completely: scenes, models, tables. Of larger ones, like meshes, only the hash is stored.
 inline constexpr std::uintmax_t most_attached_bytes = 256'000;
 
-/// Of attachments: what was at /PATH, as RecordedPaths says it, is "files/PATH".
+/// Name of attachments: the file at /PATH, as named by RecordedPaths, is "files/PATH".
 inline constexpr std::string_view files_prefix = "files/";
 
-/// Files as they are now.
+/// Files in their present state.
 struct AttachedFiles {
   Metadata list;     ///< "files", from path to "SIZE bytes, hash HASH" (content_hash())
   Metadata folders;  ///< "folders", RecordedPaths::folders()
@@ -28,10 +28,10 @@ struct AttachedFiles {
 [[nodiscard]] AttachedFiles files_now(const std::vector<std::filesystem::path>& files, const RecordedPaths& paths);
 void attach_files(McapWriter& out, const AttachedFiles& files);
 
-/// Adds those of another recording.
+/// Adds the files of another recording.
 void copy_files(McapWriter& out, const McapReader& from);
 
-/// What the metadata "files" says of a file with these bytes.
+/// The entry of the metadata "files" for a file with these bytes.
 [[nodiscard]] std::string size_and_hash(const std::string& bytes);
 
 /// 16 hexadecimal digits (math/hash.h); not for security.

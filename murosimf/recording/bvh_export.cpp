@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/math/transform.h"
 #include "murosimf/model/error.h"
 #include "murosimf/recording/foxglove_messages.h"
@@ -22,13 +23,13 @@ namespace murosimf::recording {
 namespace {
 
 constexpr double centimetres = 100, degrees = 180 / std::numbers::pi;
-constexpr double digits = 1e-6;               // of what is written, and no -0
-constexpr double slides = 0.001;              // [m] from the mean: far more than steps of what is recorded
-constexpr double stub = 0.05;                 // [m] of an end that has no direction
+constexpr double digits = 1e-6;               // of written numbers; rounding removes -0
+constexpr double slides = 0.001;              // [m] from the mean: far more than the resolution of recordings
+constexpr double stub = 0.05;                 // [m] of an end without a direction
 constexpr std::size_t most_frames = 1000000;  // nearly three hours at 100 Hz
 constexpr std::size_t most_joints = 1000;
 
-/// y, z and x: axes of BVH.
+/// Converts to the axes of BVH: y, z and x.
 Vec3d in_bvh(const Vec3d& v) { return {v.y, v.z, v.x}; }
 Mat3d in_bvh(const Mat3d& R) { return {in_bvh(R.y), in_bvh(R.z), in_bvh(R.x)}; }
 
@@ -37,7 +38,7 @@ struct Joint {
   std::size_t parent = 0;
   std::vector<std::size_t> children;
   Vec3d low, high, sum;  // [m] places in the parent's frame
-  Vec3d angles;          // [rad] the last ones
+  Vec3d angles;          // [rad] of the last frame
 };
 
 struct MotionFrame {
@@ -52,6 +53,7 @@ struct ReadLink {
   Transformd pose;
 };
 
+/// A transform of two named frames.
 ReadLink read_link(ProtobufReader in) {
   ReadLink link;
   while (in.next()) {
@@ -65,7 +67,7 @@ ReadLink read_link(ProtobufReader in) {
 
 std::string owner_of(std::string_view frame) { return std::string(frame.substr(0, frame.find('/'))); }
 
-/// Robots with joints; everybody else is only a root.
+/// Robots are entities with joints; all others have only a root.
 std::string robot_of(const std::map<std::string, std::size_t>& links, const std::string& wanted) {
   std::vector<std::string_view> names, robots;
   for (const auto& [name, count] : links) {
@@ -79,6 +81,7 @@ std::string robot_of(const std::map<std::string, std::size_t>& links, const std:
   return wanted;
 }
 
+/// The frames of all messages: a link may be absent at the start.
 std::map<std::string, std::size_t> links_by_owner(const McapReader& file) {
   std::map<std::string, std::set<std::string, std::less<>>> links;
   visit_topics(file, {"/tf"}, [&](const std::string&, const Message& message, std::size_t) {
@@ -94,6 +97,7 @@ std::map<std::string, std::size_t> links_by_owner(const McapReader& file) {
   return counts;
 }
 
+/// The rate of the recording, if it has one: BVH has equal steps of time.
 Duration period_of(const McapReader& file) {
   for (const MetadataIndex& index : file.contents().metadata) {
     const Metadata all = file.metadata(index);
@@ -144,7 +148,7 @@ class Motion {
     frames_.push_back(std::move(frame));
   }
 
-  /// Of the joint of a link; the first frame has all of them, parents first.
+  /// Index of the joint of a link; the first frame has all of them, parents first.
   std::size_t index_of(const ReadLink& link) {
     const auto known = by_frame_.find(link.child);
     if (known != by_frame_.end()) return known->second;
@@ -170,6 +174,7 @@ class Motion {
     return index;
   }
 
+  /// BVH has joints that turn only.
   void check_sliding(const McapReader& file, const std::string& robot) const {
     for (const Channel& channel : file.contents().channels) {
       if (channel.topic != "/joints") continue;
@@ -185,13 +190,14 @@ class Motion {
     throw SetupError(fmt::format("joint '{}' of '{}' slides; BVH has only joints that turn", joint, robot));
   }
 
-  /// [m] how far its place was from the mean.
+  /// [m] Largest distance of its place from the mean.
   [[nodiscard]] double moved(const Joint& joint) const {
     const Vec3d mean = offset(joint);
     return std::max(norm(joint.high - mean), norm(joint.low - mean));
   }
   [[nodiscard]] Vec3d offset(const Joint& joint) const {
     if (&joint == joints_.data()) return {};
+    MUROSIMF_ASSERT(!frames_.empty());
     return (1.0 / static_cast<double>(frames_.size())) * joint.sum;
   }
 
@@ -203,7 +209,7 @@ class Motion {
     text += fmt::format("{}CHANNELS {}Zrotation Xrotation Yrotation\n", inner,
                         index == 0 ? "6 Xposition Yposition Zposition " : "3 ");
     for (const std::size_t child : joint.children) put_joint(text, child, depth + 1);
-    if (joint.children.empty()) {  // goes on by half of what led to it
+    if (joint.children.empty()) {  // extends its parent's bone by half
       const Vec3d way = 0.5 * offset(joint);
       text += fmt::format("{}End Site\n{}{{\n", inner, inner);
       put_offset(text, inner + "  ", norm(way) > 0 ? way : Vec3d{stub, 0, 0});
@@ -218,6 +224,7 @@ class Motion {
   }
 
   void put_motion(std::string& text, Duration period) const {
+    MUROSIMF_ASSERT(period > Duration{} && !frames_.empty());
     const Duration begin = frames_.front().time;
     if (seconds(frames_.back().time) - seconds(begin) > static_cast<double>(most_frames) * seconds(period))
       throw SetupError(fmt::format("it lasts longer than {} frames, as many as become BVH", most_frames));
@@ -237,13 +244,14 @@ class Motion {
     text += line;
   }
 
-  /// Joints as they stand in the file.
+  /// Joints in the order of the hierarchy, which is that of the channels.
   void put_order(std::vector<std::size_t>& order, std::size_t index) const {
     order.push_back(index);
     for (const std::size_t child : joints_[index].children) put_order(order, child);
   }
 
   static std::string line_of(const MotionFrame& frame, const std::vector<std::size_t>& order) {
+    MUROSIMF_ASSERT(frame.angles.size() == order.size());
     const Vec3d place = rounded(centimetres * in_bvh(frame.place), digits);
     std::string line = fmt::format("{:.5f} {:.5f} {:.5f}", place.x, place.y, place.z);
     for (const std::size_t joint : order) {

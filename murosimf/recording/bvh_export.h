@@ -1,4 +1,4 @@
-/// bvh_export.h - one robot of a recording as motion capture: the BVH file (Biovision hierarchy) that Blender and others read.
+/// bvh_export.h - motion capture of one robot of a recording: the BVH file (Biovision hierarchy) that Blender and others read.
 ///
 ///     files::write_file("blue1.bvh", bvh_of(McapReader("game.mcap"), "blue1"));
 ///
@@ -16,8 +16,8 @@
 
 namespace murosimf::recording {
 
-/// `robot`: its name; empty: the only one that has joints. One frame for each of the recording's period from the robot's first on, which
-/// is the last one where some are missing. Throws SetupError: no such robot, a joint slides, no poses, a damaged file.
+/// `robot`: its name; empty: the only one with joints. One frame for each of the recording's period from the robot's first on;
+/// missing frames repeat the previous one. Throws SetupError: no such robot, a joint slides, no poses, a damaged file.
 [[nodiscard]] std::string bvh_of(const McapReader& recording, const std::string& robot);
 
 /// (a, b, c) [rad] of Rz(a) Rx(b) Ry(c) = R.

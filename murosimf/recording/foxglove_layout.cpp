@@ -1,4 +1,4 @@
-// The layout that is shipped with recordings (recorder.h).
+// The layout that is supplied with recordings (recorder.h).
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -14,7 +14,7 @@ json split(const char* direction, const json& first, const json& second, int sha
   return {{"direction", direction}, {"first", first}, {"second", second}, {"splitPercentage", share}};
 }
 
-/// The first joint of the first robot: as commanded, and as it is.
+/// The first joint of the first robot: commanded and actual position.
 json curves(const std::vector<std::string>& robots) {
   json paths = json::array();
   if (robots.empty()) return paths;
@@ -28,6 +28,7 @@ json curves(const std::vector<std::string>& robots) {
 
 }  // namespace
 
+/// The panels that are useful for any recording, filled with its topics.
 std::string foxglove_layout(const std::vector<std::string>& robots) {
   json layout;
   layout["configById"]["3D!bodies"] = {{"followTf", "world"},

@@ -2,9 +2,12 @@
 
 #include <cmath>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::recording {
 
 double rounded(double value, double step) noexcept {
+  MUROSIMF_ASSERT(step > 0);
   return std::nearbyint(value * (1 / step)) * step + 0.0;  // no -0
 }
 
@@ -27,6 +30,7 @@ void put_vector(ProtobufWriter& out, int field, const Vec3d& v) {
   });
 }
 
+/// Rounded, so that recordings compress well; readers normalize quaternions.
 void put_rotation(ProtobufWriter& out, int field, const Mat3d& R, double step) {
   const Quaterniond q = from_matrix(R);
   out.message(field, [&](ProtobufWriter& in) {
@@ -53,6 +57,7 @@ void put_color(ProtobufWriter& out, int field, const Color& color) {
   });
 }
 
+/// Fields may be missing: a number that is 0 is not written.
 Duration read_time(ProtobufReader in) {
   std::uint64_t seconds = 0, nanoseconds = 0;
   while (in.next()) {
@@ -72,6 +77,7 @@ Vec3d read_vector(ProtobufReader in) {
   return v;
 }
 
+/// All numbers 0 is an absent quaternion, which means no rotation.
 Mat3d read_rotation(ProtobufReader in) {
   Quaterniond q{0, 0, 0, 0};
   while (in.next()) {

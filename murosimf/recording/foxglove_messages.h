@@ -1,6 +1,6 @@
 /// foxglove_messages.h - poses, colors and instants as parts of Foxglove's messages.
 ///
-/// Numbers are rounded to powers of two: what is beyond is noise that no compression makes smaller.
+/// Numbers are rounded to multiples of powers of two: smaller digits are noise that does not compress.
 #pragma once
 
 #include <string_view>
@@ -13,15 +13,15 @@
 
 namespace murosimf::recording {
 
-// Steps of what is recorded.
+// Resolution of recorded numbers.
 inline constexpr double pose_step = 0x1p-15;     ///< [m], [1] of quaternions: 0.03 mm, 0.06 mrad
-inline constexpr double joint_step = 0x1p-14;    ///< [rad | m] 0.06 mrad: a 25th of what a 12 bit encoder tells
-inline constexpr double velocity_step = 0x1p-5;  ///< [rad/s | m/s] about what servos tell
+inline constexpr double joint_step = 0x1p-14;    ///< [rad | m] 0.06 mrad: a 25th of the resolution of a 12 bit encoder
+inline constexpr double velocity_step = 0x1p-5;  ///< [rad/s | m/s] about the resolution of servos
 inline constexpr double torque_step = 0x1p-6;    ///< [N m | N]
 inline constexpr double point_step = 0x1p-11;    ///< [m] of contacts: 0.5 mm
 inline constexpr double force_step = 0x1p-4;     ///< [N] of contacts
 
-/// To the nearest multiple of `step`. NaN and infinities stay.
+/// Rounds to the nearest multiple of `step`. NaN and infinities are unchanged.
 [[nodiscard]] double rounded(double value, double step) noexcept;
 [[nodiscard]] Vec3d rounded(const Vec3d& v, double step) noexcept;
 

@@ -5,6 +5,7 @@
 #include <ranges>
 #include <utility>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/recording/foxglove_messages.h"
 #include "murosimf/recording/mcap/protobuf.h"
@@ -41,14 +42,17 @@ FrameReader::FrameReader(const McapReader& file, const std::vector<RecordedEntit
   begin_ = read(first).frames.begin()->first;
   end_ = read(last - 1).frames.rbegin()->first;
   if (begin_ > end_) refuse_index();
+  MUROSIMF_ASSERT(begin_ <= end_);
 }
 
-/// What the index says of chunks' times is not what their messages say.
+/// Called if the index of chunks contradicts the times of their messages.
 void FrameReader::refuse_index() const {
   throw SetupError(file_.file().string() + ": its index of times is wrong; 'murosimf repair' mends it");
 }
 
+/// The last chunks are kept: neighboring frames are mostly in the same one.
 const FrameReader::Chunk& FrameReader::read(std::size_t index) {
+  MUROSIMF_ASSERT(index < chunks_.size());
   const auto known = std::ranges::find(kept_, index, &Chunk::index);
   if (known != kept_.end()) {
     kept_.splice(kept_.begin(), kept_, known);
@@ -81,6 +85,7 @@ const RecordedFrame& FrameReader::at(Duration time) {
     return Duration(static_cast<Duration::rep>(file_.contents().chunks[chunk].start_time));
   };
   auto index = static_cast<std::size_t>(std::ranges::upper_bound(chunks_, wanted, {}, begins) - chunks_.begin());
+  // backwards: the first chunk before the time may have no pose until then
   while (index > 0) {
     const Chunk& chunk = read(--index);
     const auto later = chunk.frames.upper_bound(wanted);
@@ -101,6 +106,7 @@ const RecordedFrame& FrameReader::at(Duration time) {
   refuse_index();
 }
 
+/// The first message after the time: in this chunk or the next one that has any.
 std::optional<Duration> FrameReader::after(Duration time) {
   if (time >= end_) return std::nullopt;
   const auto ends = [&](std::size_t chunk) {
@@ -127,14 +133,15 @@ void FrameReader::take_transforms(std::string_view data) {
       if (in.field() == 5) pose.orientation = read_rotation(in.message());
     }
     const auto link = links_.find(child);
-    if (link == links_.end()) continue;      // of somebody who came later
-    const auto outer = links_.find(parent);  // parents come first
+    if (link == links_.end()) continue;      // of an entity that was added later
+    const auto outer = links_.find(parent);  // parents are written first
     if (outer != links_.end()) pose = frame_.poses[outer->second.index] * pose;
     frame_.poses[link->second.index] = pose;
     frame_.present[link->second.entity] = 1;
   }
 }
 
+/// Joints are found by name: other programs may write them in another order.
 void FrameReader::take_joints(std::string_view data, bool targets) {
   for (ProtobufReader all(data); all.next();) {
     if (all.field() != 2) continue;
@@ -152,6 +159,7 @@ void FrameReader::take_joints(std::string_view data, bool targets) {
   }
 }
 
+/// Bodies of contacts are not needed for pictures.
 void FrameReader::take_contacts(std::string_view data) {
   for (ProtobufReader all(data); all.next();) {
     if (all.field() != 2) continue;

@@ -1,9 +1,9 @@
-/// frame_reader.h - the frames of a recording, from any instant on: what FrameWriter wrote (frame_writer.h), read again.
+/// frame_reader.h - reads the frames of a recording, from any instant on, as written by FrameWriter (frame_writer.h).
 ///
 ///     FrameReader frames(file, entities);
 ///     for (std::optional<Duration> time = frames.begin(); time; time = frames.after(*time)) show(frames.at(*time));
 ///
-/// Only the chunks about an instant are read, and a few of them are kept.
+/// Only the chunks near an instant are read, and a few of them are cached.
 #pragma once
 
 #include <cstddef>
@@ -26,14 +26,14 @@ class FrameReader {
   /// Both must outlive it. Throws SetupError: there are no poses in the file, or it is damaged.
   FrameReader(const McapReader& file, const std::vector<RecordedEntity>& entities);
 
-  /// Of the first and of the last frame.
+  /// Times of the first and of the last frame.
   [[nodiscard]] Duration begin() const { return begin_; }
   [[nodiscard]] Duration end() const { return end_; }
 
-  /// The last frame until then, or else the first one: poses, and as far as the file has them joints and contacts. Joints that it does
-  /// not have are NaN; whoever is absent has poses of no meaning. Valid until the next call. Throws SetupError: the file is damaged.
+  /// The last frame until then, or else the first one: poses, and, as far as recorded, joints and contacts. Joints without
+  /// a record are NaN; poses of absent entities are undefined. Valid until the next call. Throws SetupError: the file is damaged.
   const RecordedFrame& at(Duration time);
-  /// When the next frame after that is.
+  /// Time of the next frame after that.
   [[nodiscard]] std::optional<Duration> after(Duration time);
 
  private:
@@ -54,7 +54,7 @@ class FrameReader {
   const std::vector<RecordedEntity>& entities_;
   std::map<std::uint16_t, std::string> channels_;
   std::vector<std::size_t> chunks_;  // of the file, with poses, by time
-  std::list<Chunk> kept_;            // the last one that was asked for first
+  std::list<Chunk> kept_;            // most recently used first
   struct Place {
     std::size_t entity = 0, index = 0;  // of a link in RecordedFrame::poses, of a joint in `joints`
   };

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/model.h"
 #include "murosimf/recording/foxglove_messages.h"
 #include "murosimf/recording/recorded_external_input.h"
@@ -15,12 +16,12 @@
 namespace murosimf::recording {
 namespace {
 
-constexpr Duration scene_period = std::chrono::seconds(5);        // seeks in files far away look for the one before
-constexpr Duration arrow_period = std::chrono::milliseconds(50);  // eyes need no more
+constexpr Duration scene_period = std::chrono::seconds(5);        // after a seek, viewers search back for the last one
+constexpr Duration arrow_period = std::chrono::milliseconds(50);  // enough for display
 constexpr std::size_t most_named = 16;                            // numbers of an output
 constexpr int log_info = 2, log_warning = 3;                      // foxglove.Log.Level
 
-/// As names of fields may be.
+/// Converts a text to a valid name of a field.
 std::string identifier(std::string text) {
   for (char& c : text) {
     if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
@@ -28,7 +29,7 @@ std::string identifier(std::string text) {
   return text.empty() || std::isdigit(static_cast<unsigned char>(text.front())) != 0 ? "_" + text : text;
 }
 
-/// In the frame of `outer`, both in the world.
+/// Pose relative to `outer`, both in the world.
 Transformd seen_from(const Transformd& outer, const Transformd& inner) {
   return {transposed_times(outer.orientation, inner.position - outer.position),
           transpose(outer.orientation) * inner.orientation};
@@ -45,6 +46,7 @@ void put_transform(ProtobufWriter& out, const std::string& time, std::string_vie
   });
 }
 
+/// A joint without torque has no such field: readers distinguish it from 0.
 void put_joint(ProtobufWriter& out, const std::string& name, const JointNumbers& joint) {
   out.message(2, [&](ProtobufWriter& in) {
     in.text(1, name);
@@ -61,7 +63,7 @@ void put_target(ProtobufWriter& out, const std::string& name, const JointNumbers
   });
 }
 
-/// Those whose positions are lengths: their units.
+/// Units of prismatic joints, which have lengths as positions.
 TextMap prismatic_joints(const std::vector<RecordedEntity>& entities) {
   TextMap units;
   for (const RecordedEntity& entity : entities) {
@@ -73,7 +75,7 @@ TextMap prismatic_joints(const std::vector<RecordedEntity>& entities) {
   return units;
 }
 
-/// What a field of a sensor's messages is called in logs, by its number: "2" is "gyroscope.x [rad/s]". A list has all names, by lines.
+/// Names of a sensor's fields in logs, by number of the field: "2" is "gyroscope.x [rad/s]". A list has all names, by lines.
 TextMap names_of(const RecordedSensor& sensor) {
   TextMap names;
   const auto unit = [](const sensors::Output& output) {
@@ -116,6 +118,7 @@ void put_state(std::string& bytes, Duration time, std::uint64_t hash, std::span<
   if (!state.empty()) out.bytes(3, {reinterpret_cast<const char*>(state.data()), state.size()});
 }
 
+/// Each sensor has a schema of its own, with the names of its outputs as fields.
 MessageSchema sensor_schema(const RecordedSensor& sensor) {
   MessageSchema schema{.name = fmt::format("murosimf.sensors.{}_{}", identifier(sensor.entity),
                                            identifier(sensor.reading->info->name)),
@@ -195,6 +198,7 @@ void FrameWriter::write(const RecordedFrame& frame) {
   for (const SensorSample& sample : frame.samples) write_sample(sample);
   write_state(frame);
   if (!frame.of_poses) return;
+  // repeated for readers that start in the middle, and at once when an entity leaves or enters
   const bool repeat = !scene_written_ || frame.time - *scene_written_ >= scene_period;
   if (scene_ && looks_ && (repeat || frame.present != scene_present_)) {
     file_.write(*scene_, frame.time, looks_->message(frame.time, frame.present));
@@ -208,6 +212,7 @@ void FrameWriter::write(const RecordedFrame& frame) {
   if (contacts_) write_contacts(frame);
 }
 
+/// Hashes alone in each frame; whole states are much larger, and less frequent.
 void FrameWriter::write_state(const RecordedFrame& frame) {
   if (!frame.hash) return;
   bytes_.clear();
@@ -219,7 +224,9 @@ void FrameWriter::write_state(const RecordedFrame& frame) {
   file_.write(late_channel(states_, "/state", "murosimf.State"), frame.time, bytes_);
 }
 
+/// Absent entities have no transforms, so that viewers do not show them.
 void FrameWriter::write_transforms(const RecordedFrame& frame) {
+  MUROSIMF_ASSERT(frame.present.size() == entities_.size());
   std::string time;
   ProtobufWriter clock(time);
   clock.varint(1, static_cast<std::uint64_t>(frame.time.count() / 1'000'000'000));
@@ -239,10 +246,13 @@ void FrameWriter::write_transforms(const RecordedFrame& frame) {
       }
     }
   }
+  MUROSIMF_ASSERT(pose == frame.poses.data() + frame.poses.size());
   file_.write(*transforms_, frame.time, bytes_);
 }
 
+/// Measured numbers or targets, in messages of the same form.
 void FrameWriter::write_joints(const RecordedFrame& frame, bool targets) {
+  MUROSIMF_ASSERT(frame.present.size() == entities_.size());
   bytes_.clear();
   ProtobufWriter out(bytes_);
   put_time(out, 1, frame.time);
@@ -253,6 +263,7 @@ void FrameWriter::write_joints(const RecordedFrame& frame, bool targets) {
       (targets ? put_target : put_joint)(out, entities_[i].joints[k].name, joint[k]);
     }
   }
+  MUROSIMF_ASSERT(joint == frame.joints.data() + frame.joints.size());
   file_.write(targets ? *targets_ : *joints_, frame.time, bytes_);
 }
 
@@ -272,7 +283,9 @@ void FrameWriter::write_contacts(const RecordedFrame& frame) {
   file_.write(*forces_, frame.time, force_arrows(frame.time, frame.contacts));
 }
 
+/// With the instant of the sample, which lies before the one at which it arrives.
 void FrameWriter::write_sample(const SensorSample& sample) {
+  MUROSIMF_ASSERT(sample.sensor < sensors_.size() && sample.sensor < samples_.size());
   bytes_.clear();
   ProtobufWriter out(bytes_);
   put_time(out, 1, sample.taken);
@@ -287,6 +300,7 @@ void FrameWriter::write_sample(const SensorSample& sample) {
       for (const double one : values) out.number(field++, one);
     }
   }
+  MUROSIMF_ASSERT(value == sample.values.data() + sample.values.size());
   file_.write(samples_[sample.sensor], sample.arrived, bytes_);
 }
 

@@ -1,21 +1,21 @@
-/// frame_writer.h - frames of a simulation as messages, each on its topic, of an MCAP file or for viewers.
+/// frame_writer.h - frames of a simulation as messages, each on its topic, for an MCAP file or for viewers.
 ///
 /// | topic | message |
 /// |---|---|
-/// | `/tf` | foxglove.FrameTransforms: all links of all who are there, each in the frame of its parent; bases in `world` |
-/// | `/scene` | foxglove.SceneUpdate: what all of it looks like |
-/// | `/joints`, `/targets` | foxglove.JointStates of all robots, by names like `blue1/left_knee`: as they are, and as they should be |
+/// | `/tf` | foxglove.FrameTransforms: all links of all present entities, each in the frame of its parent; bases in `world` |
+/// | `/scene` | foxglove.SceneUpdate: appearance of all entities |
+/// | `/joints`, `/targets` | foxglove.JointStates of all robots, by names like `blue1/left_knee`: actual and commanded |
 /// | `/contacts`, `/contact_forces` | murosimf.Contacts: points and forces; foxglove.SceneUpdate: the same as arrows, every 50 ms |
 /// | `/sensors/ROBOT/SENSOR` | its outputs, a type of its own |
 /// | `/events`, `/warnings` | foxglove.Log |
-/// | `/commands` | foxglove.Log: what was asked of the scene while it ran, as Scene::post takes it |
-/// | `/outside` | murosimf.Outside, if somebody else takes part |
+/// | `/commands` | foxglove.Log: changes of the scene while it ran, in the form of Scene::post |
+/// | `/outside` | murosimf.Outside, if there are external participants |
 /// | `/state_hash` | murosimf.StateHash |
-/// | `/state` | murosimf.State: all of it, as Scene::save has it |
+/// | `/state` | murosimf.State: the whole state, as of Scene::save |
 ///
-/// Beside them stand pictures (recorded_picture.h) and drawings (recorded_drawings.h).
+/// In addition there are pictures (recorded_picture.h) and drawings (recorded_drawings.h).
 ///
-/// Every message stands alone: nothing of an earlier one is needed to understand it. Metadata of channels have the names that logs use.
+/// Every message is self-contained: it can be interpreted without earlier ones. Metadata of channels contain the names used in logs.
 #pragma once
 
 #include <map>
@@ -32,27 +32,27 @@
 
 namespace murosimf::recording {
 
-/// What can be recorded, in the words of --record-what: "poses", "scene", "joints", "contacts", "sensors", "events", "hashes",
+/// Recordable data, in the words of --record-what: "poses", "scene", "joints", "contacts", "sensors", "events", "hashes",
 /// "states", "drawings", "pictures".
 [[nodiscard]] const std::vector<std::string>& recordable();
-/// What is recorded unless somebody says otherwise: all but sensors, which are as many bytes again, and pictures, which are far more.
+/// Default selection: all but sensors, which double the size, and pictures, which are far larger.
 [[nodiscard]] std::set<std::string> usually_recorded();
 
 class FrameWriter {
  public:
-  /// `what`: of recordable(). All of it outlives the writer.
+  /// `what`: of recordable(). All arguments outlive the writer.
   FrameWriter(MessageSink& file, const std::vector<RecordedEntity>& entities,
               const std::vector<RecordedSensor>& sensors, const SceneLooks* looks, const std::set<std::string>& what);
 
   void write(const RecordedFrame& frame);
-  /// For others, who write into it themselves.
+  /// Channels for other writers to the same sink.
   [[nodiscard]] std::uint16_t add_channel(const std::string& topic, const std::string& schema,
                                           const TextMap& metadata = {});
 
  private:
   [[nodiscard]] std::uint16_t channel(const std::string& topic, const MessageSchema& schema,
                                       const TextMap& metadata = {});
-  /// One that is there as soon as it is needed.
+  /// A channel that is created at its first use.
   [[nodiscard]] std::uint16_t late_channel(std::optional<std::uint16_t>& known, const std::string& topic,
                                            const std::string& schema);
   [[nodiscard]] std::optional<std::uint16_t> channel_if(const std::string& what, const std::string& topic,
@@ -81,7 +81,7 @@ class FrameWriter {
 /// The message murosimf.State, without a state murosimf.StateHash.
 void put_state(std::string& bytes, Duration time, std::uint64_t hash, std::span<const std::byte> state);
 
-/// The type of a sensor's messages: `timestamp`, and a number for each of its outputs and labels ("gyroscope_x"); outputs of more than 16
+/// The type of a sensor's messages: `timestamp`, and a number for each of its outputs and labels ("gyroscope_x"); outputs with more than 16
 /// are lists.
 [[nodiscard]] MessageSchema sensor_schema(const RecordedSensor& sensor);
 

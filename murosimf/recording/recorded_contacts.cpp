@@ -16,7 +16,7 @@ void ContactWatch::add(const World& world, std::vector<ContactMark>& marks) {
     const Entity& entity = *world.entities()[i];
     Known& known = known_[i];
     if (known.entity != &entity || known.level != entity.level) {
-      const std::shared_ptr<ColumnBase> before = std::move(known.kept);  // until it is looked up again
+      const std::shared_ptr<ColumnBase> before = std::move(known.kept);  // kept alive until the new lookup
       known = {.entity = &entity,
                .level = entity.level,
                .kept = entity.columns().share(collision::contacts.name),

@@ -1,4 +1,4 @@
-/// recorded_contacts.h - where things touch, as scene::add_contact_marks has it, for who looks at every instant.
+/// recorded_contacts.h - contacts, as of scene::add_contact_marks, for repeated use at every instant.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace murosimf::recording {
 
-/// Looks columns up only where another level moves an entity (RecordedColumns).
+/// Looks up columns only after a change of the entity's level (RecordedColumns).
 class ContactWatch {
  public:
   void add(const World& world, std::vector<ContactMark>& marks);
@@ -21,9 +21,9 @@ class ContactWatch {
     const Entity* entity = nullptr;
     std::string level;
     std::shared_ptr<ColumnBase> kept;
-    const Column<collision::ContactSet>* column = nullptr;  // null: it has none
+    const Column<collision::ContactSet>* column = nullptr;  // null: no contacts
   };
-  std::vector<Known> known_;  // by place in the world
+  std::vector<Known> known_;  // by index in the world
 };
 
 }  // namespace murosimf::recording

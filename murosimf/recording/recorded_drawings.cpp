@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "murosimf/drawing/drawn.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/recording/foxglove_messages.h"
 #include "murosimf/recording/frame_writer.h"
@@ -22,8 +23,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr Duration repeat_period = std::chrono::seconds(5);  // seeks in files find one soon
-constexpr std::size_t most_kept_chunks = 32;                 // chunks: more than a repetition
+constexpr Duration repeat_period = std::chrono::seconds(5);  // limits the search after a seek
+constexpr std::size_t most_kept_chunks = 32;                 // chunks: longer than a repetition
 constexpr std::string_view topics = "/drawings/", shape_key = "shape";
 constexpr std::string_view drawn_by = "drawn_by", others = "others";  // metadata of channels
 constexpr double thin = 2;                                            // [px] of lines without a width
@@ -54,6 +55,7 @@ void put_line(ProtobufWriter& out, const DrawnShape& shape, const std::vector<Ve
   });
 }
 
+/// A ball of any kind is a sphere of the viewer.
 void put_ball(ProtobufWriter& out, const DrawnShape& shape, const Vec3d& center, double width) {
   out.message(drawn_spheres, [&](ProtobufWriter& in) {
     put_pose(in, 1, {center, {}}, pose_step);
@@ -62,6 +64,7 @@ void put_ball(ProtobufWriter& out, const DrawnShape& shape, const Vec3d& center,
   });
 }
 
+/// Viewers draw triangles only.
 void put_area(ProtobufWriter& out, const DrawnShape& shape) {
   std::vector<std::uint32_t> corners_of_triangles;
   for (const auto& triangle : render::polygon_triangles(shape.points)) {
@@ -109,6 +112,7 @@ void put_shape(ProtobufWriter& out, const DrawnShape& shape) {
   }
 }
 
+/// The exact shape, beside the viewer's primitives, from which it could not be read again.
 std::string to_json(const DrawnShape& shape) {
   json points = json::array();
   for (const Vec3d& point : shape.points) points.push_back({point.x, point.y, point.z});
@@ -142,7 +146,7 @@ DrawnShape read_shape(std::string_view text) {
   }
 }
 
-/// Who has drawn it.
+/// Name of the author.
 std::string name_of(const DrawingTopic& topic) {
   return topic.by_others ? std::string(drawing::others_name) : topic.robot;
 }
@@ -165,7 +169,7 @@ void put_group(ProtobufWriter& out, const FrameDrawings& drawn, const DrawnGroup
     put_time(entity, 1, group.time);
     entity.text(2, group.of_robot && !drawn.base.empty() ? std::string_view(drawn.base) : "world");
     entity.text(3, name_of(drawn.topic) + "/" + group.name);
-    entity.varint(5, 1);  // moves with its frame, so that nobody looks for poses of the time when it was drawn
+    entity.varint(5, 1);  // frame_locked: moves with its frame, else viewers need poses of the time when it was drawn
     for (const DrawnShape& shape : group.shapes) {
       entity.message(6, [&](ProtobufWriter& pair) {
         pair.text(1, shape_key);
@@ -184,7 +188,7 @@ void read_metadata(ProtobufReader in, DrawnGroup& group) {
   }
 }
 
-DrawnGroup read_group(ProtobufReader in, const std::string& whose) {
+DrawnGroup read_group(ProtobufReader in, const std::string& owner) {
   DrawnGroup group;
   while (in.next()) {
     if (in.field() == 1) group.time = read_time(in.message());
@@ -192,8 +196,8 @@ DrawnGroup read_group(ProtobufReader in, const std::string& whose) {
     if (in.field() == 3) group.name = in.bytes();
     if (in.field() == 6) read_metadata(in.message(), group);
   }
-  if (!group.name.starts_with(whose + "/")) throw SetupError("a drawing is of another robot than its topic says");
-  group.name.erase(0, whose.size() + 1);
+  if (!group.name.starts_with(owner + "/")) throw SetupError("a drawing is of another robot than its topic says");
+  group.name.erase(0, owner.size() + 1);
   return group;
 }
 
@@ -204,7 +208,7 @@ void SketchWatch::take(const std::vector<RecordedEntity>& entities, RecordedFram
     const Column<Drawings>* drawn = entities[i].columns.drawings;
     if (!drawn) continue;
     const bool present = entities[i].entity->present();
-    const std::uint64_t now = present ? drawn->values[0].changes + 1 : 0;  // who is absent shows nothing
+    const std::uint64_t now = present ? drawn->values[0].changes + 1 : 0;  // an absent robot shows nothing
     const auto [seen, is_new] = seen_.try_emplace(i, present ? 1 : 0);
     if (seen->second == now && !(is_new && clears_)) continue;
     seen->second = now;
@@ -235,6 +239,7 @@ void DrawingWriter::write(const RecordedFrame& frame) {
   }
 }
 
+/// All that was drawn before is deleted first: a message has the whole sheet.
 std::string drawing_message(Duration time, const FrameDrawings& drawn) {
   std::string bytes;
   ProtobufWriter out(bytes);
@@ -274,6 +279,7 @@ std::set<std::string> DrawingReader::robots() const {
 }
 
 const DrawingReader::Chunk& DrawingReader::read(std::size_t index) {
+  MUROSIMF_ASSERT(index < chunks_.size());
   const auto known = std::ranges::find(kept_, index, &Chunk::index);
   if (known != kept_.end()) {
     kept_.splice(kept_.begin(), kept_, known);
@@ -289,7 +295,7 @@ const DrawingReader::Chunk& DrawingReader::read(std::size_t index) {
   return kept_.front();
 }
 
-/// The last ones until then; none is older than a repetition.
+/// The last messages until then; none is older than a repetition.
 std::map<DrawingTopic, std::string> DrawingReader::messages_at(Duration time) {
   const auto begins = [&](std::size_t chunk) {
     return Duration(static_cast<Duration::rep>(file_.contents().chunks[chunk].start_time));

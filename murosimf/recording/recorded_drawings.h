@@ -1,9 +1,9 @@
-/// recorded_drawings.h - what control software and others draw (model/drawing.h), as Foxglove shows it, and read back.
+/// recorded_drawings.h - debug drawings of control software and other programs (model/drawing.h), as shown by Foxglove, and read back.
 ///
-/// On the topic `/drawings/ROBOT` stands a foxglove.SceneUpdate whenever something is new, and every 5 s: everything on the topic is deleted,
-/// and all groups that are there are drawn, each an entity of its name in the frame of the robot's base or the world. The entity's
-/// metadata have each shape as JSON, with all digits; that is what is read back. What others draw (recorded_external_drawings.h) stands on
-/// `/drawings/roboviz`, what they draw at a robot on `/drawings/roboviz/ROBOT`; the channel's metadata tell them from a robot of that name.
+/// The topic `/drawings/ROBOT` has a foxglove.SceneUpdate after every change, and every 5 s: everything on the topic is deleted,
+/// and all present groups are drawn, each as an entity of its name in the frame of the robot's base or the world. The entity's
+/// metadata have each shape as JSON, with all digits, which is used for reading back. Drawings of other programs (recorded_external_drawings.h) are on
+/// `/drawings/roboviz`, those at a robot on `/drawings/roboviz/ROBOT`; the channel's metadata distinguish them from a robot of that name.
 #pragma once
 
 #include <cstddef>
@@ -24,21 +24,21 @@ namespace murosimf::recording {
 
 class FrameWriter;
 
-/// In the simulation's thread: looks for what is new.
+/// In the simulation's thread: detects changes.
 class SketchWatch {
  public:
-  /// `clears`: at first it also says where nothing is drawn, for who has shown something there.
+  /// `clears`: the first call also reports empty drawings, for viewers that still show older ones.
   explicit SketchWatch(bool clears = false) : clears_(clears) {}
 
-  /// After take_numbers(), which finds the columns.
+  /// After take_numbers(), which looks up the columns.
   void take(const std::vector<RecordedEntity>& entities, RecordedFrame& frame);
 
  private:
   bool clears_;
-  std::map<std::size_t, std::uint64_t> seen_;  // changes and 1, by entity; 0: it is absent
+  std::map<std::size_t, std::uint64_t> seen_;  // changes and 1, by entity; 0: absent
 };
 
-/// In the thread that writes: topics are there as soon as somebody draws.
+/// In the thread that writes: topics are created at the first drawing.
 class DrawingWriter {
  public:
   DrawingWriter(MessageSink& file, FrameWriter& frames) : file_(file), frames_(frames) {}
@@ -55,19 +55,19 @@ class DrawingWriter {
   std::map<DrawingTopic, Sheet> sheets_;
 };
 
-/// One message.
+/// Encodes one message.
 [[nodiscard]] std::string drawing_message(Duration time, const FrameDrawings& drawn);
-/// What it says. Throws SetupError.
+/// Decodes it. Throws SetupError.
 [[nodiscard]] std::vector<DrawnGroup> read_drawing_message(std::string_view bytes, const DrawingTopic& topic);
 
-/// For who shows a recording, at any time and in any order.
+/// Drawings of a recording, at any time and in any order.
 class DrawingReader {
  public:
   /// The file must outlive it.
   explicit DrawingReader(const McapReader& file);
-  /// Robots whose software draws.
+  /// Robots with drawings of their software.
   [[nodiscard]] std::set<std::string> robots() const;
-  /// What is drawn at a time, of topics that are not as after the last call. Throws SetupError: the file is damaged there.
+  /// Drawings at a time, of topics that differ from those of the last call. Throws SetupError: the file is damaged there.
   [[nodiscard]] std::map<DrawingTopic, std::vector<DrawnGroup>> news(Duration time);
 
  private:
@@ -86,7 +86,7 @@ class DrawingReader {
   const McapReader& file_;
   std::map<std::uint16_t, DrawingTopic> topics_;  // by channel
   std::vector<std::size_t> chunks_;               // of the file, with drawings, by time
-  std::list<Chunk> kept_;                         // the last one that was asked for first
+  std::list<Chunk> kept_;                         // most recently used first
   std::map<DrawingTopic, std::string> shown_;     // messages
 };
 

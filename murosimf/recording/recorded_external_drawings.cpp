@@ -3,14 +3,18 @@
 #include <cstddef>
 #include <utility>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::recording {
 
+/// Numbers of entities are those of this world: they differ after another scene was loaded.
 void OthersWatch::meet(const World& world, const std::vector<RecordedEntity>& entities) {
   teams_ = drawing::teams_of(world);
   names_.assign(teams_.size(), {});
   frames_.assign(teams_.size(), {});
   for (const RecordedEntity& one : entities) {
     const auto place = static_cast<std::size_t>(world.index_of(one.entity));
+    MUROSIMF_ASSERT(place < names_.size());
     names_[place] = one.name;
     if (!one.links.empty()) frames_[place] = one.links.front().frame;
   }
@@ -25,10 +29,11 @@ void OthersWatch::take(const drawing::ExternalDrawings& others, RecordedFrame& f
   if (changes_ == others.changes) return;
   changes_ = others.changes;
   std::map<std::string, FrameDrawings> now;
-  for (const auto& [robot, groups] : drawn_) now[robot];  // nothing, unless it is there below
+  for (const auto& [robot, groups] : drawn_) now[robot];  // empty, unless filled below: reports removals
   for (drawing::Drawn& drawn : drawing::external_drawings(others, teams_)) {
     const auto entity = static_cast<std::size_t>(drawn.entity);
-    if (drawn.entity >= 0 && names_[entity].empty()) continue;  // nobody sees where it is
+    MUROSIMF_ASSERT(drawn.entity < 0 || entity < names_.size());
+    if (drawn.entity >= 0 && names_[entity].empty()) continue;  // its pose is not recorded
     FrameDrawings& sheet = now[drawn.entity < 0 ? "" : names_[entity]];
     if (drawn.entity >= 0) sheet.base = frames_[entity];
     sheet.groups = std::move(drawn.groups);
@@ -51,6 +56,7 @@ RecordedExternalDrawings::RecordedExternalDrawings(const World& world) {
   }
 }
 
+/// Each topic has the whole sheet: it replaces the one before.
 bool RecordedExternalDrawings::take(const std::map<DrawingTopic, std::vector<DrawnGroup>>& news) {
   bool any = false;
   for (const auto& [topic, groups] : news) {
@@ -70,7 +76,7 @@ drawing::ExternalDrawings RecordedExternalDrawings::shown() const {
     }
     const auto place = places_.find(robot);
     if (place == places_.end() || groups.empty() || groups.front().shapes.empty())
-      continue;  // of somebody who came later
+      continue;  // of an entity that was added later
     const DrawnShape& text = groups.front().shapes.front();
     all.notes.push_back(
         {.team = place->second.team, .number = place->second.number, .color = text.color, .text = text.words});

@@ -1,7 +1,7 @@
-/// recorded_external_drawings.h - what programs draw that are no software of a robot (drawing/debug_draw_source.h): on its way into a recording, and
-/// as it was then.
+/// recorded_external_drawings.h - drawings of programs other than a robot's software (drawing/debug_draw_source.h): for a recording, and
+/// read back.
 ///
-/// They send it when they like: it is recorded with the simulated time at which it was seen, and nothing hangs on it.
+/// They arrive at any time: they are recorded with the simulated time at which they were received, and have no effect on the run.
 #pragma once
 
 #include <cstdint>
@@ -17,30 +17,30 @@
 
 namespace murosimf::recording {
 
-/// Looks for what is new.
+/// Detects changes.
 class OthersWatch {
  public:
-  /// Who is there, between two steps: before the first take(), and when others have come.
+  /// Sets the entities, between two steps: before the first take(), and after additions.
   void meet(const World& world, const std::vector<RecordedEntity>& entities);
-  /// In any thread.
+  /// From any thread.
   void take(const drawing::ExternalDrawings& others, RecordedFrame& frame);
-  /// The next take() takes all of it, also what is there no more.
+  /// The next take() reports everything, including removed drawings.
   void say_again();
 
  private:
   std::vector<std::string> teams_;           // of entities of the world
   std::vector<std::string> names_, frames_;  // likewise; empty: without poses
-  std::optional<std::uint64_t> changes_;     // that were taken
+  std::optional<std::uint64_t> changes_;     // processed so far
   bool again_ = false;
   std::map<std::string, std::vector<DrawnGroup>> drawn_;  // by robot
 };
 
-/// What was drawn then, put together again.
+/// The recorded drawings, assembled again.
 class RecordedExternalDrawings {
  public:
-  /// `world`: in which robots have their numbers.
+  /// `world`: defines the numbers of robots.
   explicit RecordedExternalDrawings(const World& world);
-  /// News of a DrawingReader; whether something of them is by others.
+  /// Takes changes of a DrawingReader; returns whether any are of other programs.
   bool take(const std::map<DrawingTopic, std::vector<DrawnGroup>>& news);
   [[nodiscard]] drawing::ExternalDrawings shown() const;
 

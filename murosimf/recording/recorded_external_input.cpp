@@ -12,6 +12,7 @@ namespace murosimf::recording {
 
 void put_outside(std::string& bytes, const std::string& channel, const ExternalInput& note) {
   ProtobufWriter out(bytes);
+  // times before the run are negative, which messages cannot have: field 3 keeps the exact time
   put_time(out, 1, std::max(note.time, Duration{}));
   out.text(2, channel);
   out.varint(3, static_cast<std::uint64_t>(note.time.count()));
@@ -32,7 +33,7 @@ std::shared_ptr<const ExternalInputLog> recorded_external_input(const McapReader
     }
     notes->channel(channel).push_back(std::move(note));
   });
-  for (const std::string& name : notes->names()) {  // what lasts may come later in the file (Recorder)
+  for (const std::string& name : notes->names()) {  // lasting input may be written later (Recorder)
     std::ranges::stable_sort(notes->channel(name), {}, &ExternalInput::time);
   }
   return notes;

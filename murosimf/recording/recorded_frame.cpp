@@ -3,15 +3,18 @@
 #include <limits>
 #include <utility>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::recording {
 namespace {
 
 double number_at(const Column<double>* column, int object) {
+  MUROSIMF_ASSERT(!column || static_cast<std::size_t>(object) < column->values.size());
   return column ? column->values[static_cast<std::size_t>(object)] : std::numeric_limits<double>::quiet_NaN();
 }
 
+/// Columns are found once: frames are taken in each step.
 RecordedEntity recorded(const Entity& entity) {
   RecordedEntity result{.entity = &entity, .name = entity.name(), .links = {}, .joints = {}, .columns = {}};
   const Model& model = entity.model();
@@ -28,6 +31,7 @@ RecordedEntity recorded(const Entity& entity) {
 
 }  // namespace
 
+/// Everything that has a pose.
 std::vector<RecordedEntity> recorded_entities(const World& world) {
   std::vector<RecordedEntity> result;
   for (const auto& entity : world.entities()) {
@@ -55,7 +59,7 @@ const Column<T>* RecordedColumns::keep(const Entity& entity, const Property<T>& 
 
 void RecordedColumns::follow(const Entity& entity) {
   if (level_ == entity.level) return;
-  std::vector<std::shared_ptr<ColumnBase>> before = std::move(kept_);  // until they are looked up again
+  std::vector<std::shared_ptr<ColumnBase>> before = std::move(kept_);  // kept alive until the new lookup
   kept_.clear();
   position = keep(entity, properties::position);
   orientation = keep(entity, properties::orientation);
@@ -75,7 +79,7 @@ void RecordedFrame::begin_anew(Duration at) {
   anew.joints = std::move(joints);
   anew.contacts = std::move(contacts);
   anew.present.clear();
-  anew.contacts.clear();  // all poses and joints are written anew
+  anew.contacts.clear();  // poses and joints are overwritten
   *this = std::move(anew);
 }
 
@@ -89,7 +93,7 @@ void take_numbers(std::vector<RecordedEntity>& entities, RecordedFrame& frame) {
   frame.present.reserve(entities.size());
   frame.poses.resize(links);
   frame.joints.resize(joints);
-  // Written in place: a temporary is stored by halves and loaded whole, for which a processor waits.
+  // Written in place: a temporary is stored in halves and loaded whole, which defeats store forwarding of the processor.
   Transformd* pose = frame.poses.data();
   JointNumbers* numbers = frame.joints.data();
   for (RecordedEntity& one : entities) {

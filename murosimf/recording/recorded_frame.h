@@ -1,4 +1,4 @@
-/// recorded_frame.h - what a recording takes of a simulation at one instant: copied between two steps, written by another thread.
+/// recorded_frame.h - data that a recording takes from a simulation at one instant: copied between two steps, written by another thread.
 #pragma once
 
 #include <compare>
@@ -17,13 +17,13 @@
 
 namespace murosimf::recording {
 
-/// The columns of an entity that are recorded, looked up only where another level moves it: nothing else makes columns come and go.
-/// They are kept, so that one that is dropped and made again is the same (model/column_store.h).
+/// The recorded columns of an entity, looked up only after a change of its level: nothing else adds or removes columns.
+/// They are kept alive, so that a column that is dropped and created again is the same (model/column_store.h).
 class RecordedColumns {
  public:
   void follow(const Entity& entity);
 
-  // Null: nobody has it.
+  // Null: no such column.
   const Column<Vec3d>* position = nullptr;
   const Column<Mat3d>* orientation = nullptr;
   const Column<double>*joint_position = nullptr, *joint_velocity = nullptr, *joint_torque = nullptr,
@@ -38,12 +38,12 @@ class RecordedColumns {
   std::vector<std::shared_ptr<ColumnBase>> kept_;
 };
 
-/// What is recorded of one entity that moves.
+/// Recorded data of one moving entity.
 struct RecordedEntity {
   const Entity* entity = nullptr;
   std::string name;
   struct Link {
-    int object = 0;     ///< of the model
+    int object = 0;     ///< index in the model
     int parent = -1;    ///< index of its parent among the links
     std::string frame;  ///< "blue1/left_knee"
   };
@@ -56,14 +56,14 @@ struct RecordedEntity {
   RecordedColumns columns;
 };
 
-/// Those that have poses, in the order of the world; to be called when all columns are there.
+/// Entities with poses, in the order of the world; call when all columns exist.
 [[nodiscard]] std::vector<RecordedEntity> recorded_entities(const World& world);
 
-/// A sensor whose samples are recorded.
+/// A sensor with recorded samples.
 struct RecordedSensor {
   std::string entity;
   const sensors::Reading* reading = nullptr;
-  std::uint64_t samples = 0;  ///< that are recorded
+  std::uint64_t samples = 0;  ///< recorded so far
 };
 [[nodiscard]] std::vector<RecordedSensor> recorded_sensors(const World& world);
 
@@ -73,7 +73,7 @@ struct SensorSample {
   std::vector<double> values;
 };
 
-/// What a camera has shown: colors or a mosaic.
+/// A picture of a camera: colors or a mosaic.
 struct CameraPicture {
   std::size_t camera = 0;  ///< index of the RecordedCamera
   Duration taken{};
@@ -83,28 +83,28 @@ struct CameraPicture {
   imaging::LabelImage labels;
 };
 
-/// Whose drawings they are: of a robot's software, or of others (drawing/debug_draw_source.h), at that robot or in the world.
+/// The author of drawings: a robot's software, or another program (drawing/debug_draw_source.h), at that robot or in the world.
 struct DrawingTopic {
   bool by_others = false;
   std::string robot;  ///< its name; empty: in the world
   friend auto operator<=>(const DrawingTopic&, const DrawingTopic&) = default;
 };
 
-/// What somebody draws, from this frame on: all of the topic.
+/// The drawings of a topic from this frame on: all of them.
 struct FrameDrawings {
   DrawingTopic topic;
-  std::string base;  ///< frame of the robot's base, "blue1/trunk"; empty: there is none
+  std::string base;  ///< frame of the robot's base, "blue1/trunk"; empty: none
   std::vector<DrawnGroup> groups;
 };
 
 struct JointNumbers {
   double position = 0, velocity = 0;  ///< [rad | m], [rad/s | m/s]
-  double torque = 0, target = 0;      ///< [N m | N], [rad | m]; NaN: its level has none
+  double torque = 0, target = 0;      ///< [N m | N], [rad | m]; NaN: not provided by its level
 };
 
 struct RecordedFrame {
   Duration time{};
-  bool of_poses = false;  ///< false: nothing but samples and lines
+  bool of_poses = false;  ///< false: only samples and lines
   // by entity
   std::vector<char> present{};
   std::vector<Transformd> poses{};     ///< [m] of all links of all entities, to the world
@@ -116,13 +116,13 @@ struct RecordedFrame {
   std::vector<std::pair<Duration, std::string>> events{}, warnings{}, commands{};  ///< new ones
   std::vector<std::pair<std::string, ExternalInput>> outside{};                    ///< by channel, new ones
   std::optional<std::uint64_t> hash{};                                             ///< of the state
-  std::vector<std::byte> state{};  ///< all of it (Scene::save); empty: not kept
+  std::vector<std::byte> state{};  ///< the whole state (Scene::save); empty: not recorded
 
-  /// As a new one of that instant, but with the memory of numbers that it has.
+  /// Resets it to a new frame of that instant, but keeps allocated memory.
   void begin_anew(Duration at);
 };
 
-/// Adds poses and joints of now.
+/// Adds the present poses and joints.
 void take_numbers(std::vector<RecordedEntity>& entities, RecordedFrame& frame);
 
 }  // namespace murosimf::recording

@@ -21,7 +21,7 @@ constexpr std::string_view program = "/program", user = "/user";
 
 fs::path whole(const fs::path& file) { return fs::absolute(file).lexically_normal(); }
 
-/// Empty: there is none that says anything.
+/// The home folder; empty if there is no usable one.
 fs::path home() {
   const char* folder = std::getenv("HOME");
   const fs::path path = folder ? fs::path(folder).lexically_normal() : fs::path{};
@@ -32,7 +32,7 @@ bool is_below(const fs::path& file, const fs::path& folder) {
   return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first == folder.end();
 }
 
-/// Somebody's home folder, or the top one: above it, folders have nothing to do with each other.
+/// A home folder, or a top-level one: folders of different areas are unrelated.
 fs::path area_of(const fs::path& folder) {
   if (!home().empty() && is_below(folder, home())) return home();
   auto part = folder.begin();
@@ -49,11 +49,12 @@ fs::path common(const fs::path& a, const fs::path& b) {
   return both;
 }
 
-/// Of a key of files::look_up_key.
+/// The parts of a key of files::look_up_key.
 struct LookUp {
   std::string name, kind, extension, folder;
 };
 
+/// The inverse of the key's text: parts are separated by line ends.
 LookUp parse_key(const std::string& key) {
   LookUp look_up;
   std::string* const fields[] = {&look_up.name, &look_up.kind, &look_up.extension, &look_up.folder};
@@ -68,7 +69,7 @@ LookUp parse_key(const std::string& key) {
   return look_up;
 }
 
-/// Packages of ROS are found by the names of their folders.
+/// Packages of ROS are found by the names of their folders, which therefore must be kept.
 bool is_in_package(const std::vector<fs::path>& files, const fs::path& folder) {
   return std::ranges::any_of(files, [&](const fs::path& file) {
     return file.extension() == ".urdf" && is_below(whole(file), folder);
@@ -80,7 +81,7 @@ bool is_of_name(char c) {
          std::string_view("._-~/").find(c) != std::string_view::npos;
 }
 
-/// Wherever a name begins with `folder`, with `name` there.
+/// Replaces `folder` by `name` at the beginning of every file name in the text.
 std::string with_name(const std::string& text, const std::string& folder, const std::string& name) {
   std::string changed;
   std::size_t done = 0;
@@ -102,7 +103,7 @@ RecordedPaths::RecordedPaths() {
 }
 
 RecordedPaths::RecordedPaths(const std::vector<fs::path>& files, const files::FoundNames& names) : RecordedPaths() {
-  std::vector<std::pair<fs::path, fs::path>> areas;  // and what all of its files share
+  std::vector<std::pair<fs::path, fs::path>> areas;  // with the common folder of its files
   const auto meet = [&](const fs::path& folder) {
     if (folder.empty() || reduced(folder).starts_with(program)) return;
     const fs::path area = area_of(folder);
@@ -131,9 +132,11 @@ void RecordedPaths::add(const fs::path& folder, const std::string& name) {
   const std::string path = folder.has_filename() ? folder.string() : folder.parent_path().string();
   if (std::ranges::find(roots_, path, &std::pair<std::string, std::string>::first) != roots_.end()) return;
   roots_.emplace_back(path, name);
+  // longer folders first: the innermost one gives the shortest name
   std::ranges::stable_sort(roots_, std::greater{}, [](const auto& root) { return root.first.size(); });
 }
 
+/// The first root that contains the file: roots are ordered from the innermost one.
 std::string RecordedPaths::reduced(const fs::path& file) const {
   const fs::path path = whole(file);
   for (const auto& [folder, name] : roots_) {
@@ -150,6 +153,7 @@ std::string RecordedPaths::in_text(const std::string& text) const {
   return home().empty() ? changed : with_name(changed, home().string(), "~");
 }
 
+/// Paths within a command line may be quoted or part of an option.
 std::string RecordedPaths::in_command_line(const std::string& line) const {
   const std::string text = in_text(line);
   const auto ends = [](char c) { return std::string_view(" '\"=:,;[]()").find(c) != std::string_view::npos; };
@@ -177,7 +181,7 @@ RunDescription RecordedPaths::in_description(RunDescription run) const {
     const LookUp look_up = parse_key(key);
     const std::string folder = look_up.folder.empty() ? "" : reduced(look_up.folder);
     const std::string file = found.empty() ? "" : reduced(found);
-    // as files say it that are recorded as they are, and as the description says it
+    // names in files are recorded unchanged, those in the description are reduced: both forms must be found
     for (const std::string& name : {look_up.name, in_text(look_up.name)}) {
       const std::string now = files::look_up_key(name, look_up.kind, look_up.extension, folder);
       names[name == look_up.name ? files::hidden_key(now) : now] = file;
@@ -200,7 +204,7 @@ TextMap RecordedPaths::folders() const {
     if (!home().empty() && is_below(folder, home())) {
       all[name] += "~/" + seen_from(home());
     } else if (!error && here != "/" && is_below(folder, here)) {
-      all[name] += seen_from(here);  // below a home folder it would name that
+      all[name] += seen_from(here);  // not below a home folder: the path would reveal its name
     }
   }
   return all;
@@ -213,7 +217,7 @@ std::vector<fs::path> places_of(const fs::path& reduced, const fs::path& recordi
     for (const fs::path& folder : files::data_folders()) places.push_back(folder / reduced.lexically_relative(program));
     return places;
   }
-  if (!text.starts_with(user)) return {reduced};  // recordings of before
+  if (!text.starts_with(user)) return {reduced};  // recordings of older versions
   fs::path inner = reduced.relative_path();
   inner = inner.lexically_relative(*inner.begin());
   for (const auto& [name, lines] : folders) {

@@ -7,6 +7,7 @@
 
 #include "murosimf/imaging/depth_numbers.h"
 #include "murosimf/imaging/lens_fit.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/recording/foxglove_messages.h"
 #include "murosimf/recording/frame_writer.h"
 #include "murosimf/render/image_png.h"
@@ -14,7 +15,7 @@
 namespace murosimf::recording {
 namespace {
 
-/// In OpenCV's words, which Foxglove knows.
+/// Distortion by a model of OpenCV, as Foxglove expects.
 struct Distortion {
   std::string model;
   std::vector<double> coefficients;
@@ -22,8 +23,9 @@ struct Distortion {
 };
 
 Distortion distortion_of(const imaging::Lens& lens) {
-  constexpr std::size_t plane = 5, angles = 4;  // coefficients that readers expect
+  constexpr std::size_t plane = 5, angles = 4;  // numbers of coefficients that readers expect
   Distortion told{lens.spec().model, lens.spec().coefficients, lens.spec()};
+  // a lens by table has no model of OpenCV: the nearest equidistant one is recorded
   if (told.model == "ray_polynomial") {
     told.lens = imaging::fit_lens(lens, "equidistant").spec;
     told.coefficients = told.lens.coefficients;
@@ -49,7 +51,7 @@ std::string message_of(const RecordedCamera& camera, const CameraPicture& pictur
   return bytes;
 }
 
-/// foxglove.RawImage, of numbers whose lower byte comes first
+/// foxglove.RawImage, of little-endian numbers
 std::string message_of(const RecordedCamera& camera, Duration taken, const imaging::NumberImage& image) {
   std::string bytes, numbers;
   numbers.reserve(2 * image.pixels().size());
@@ -68,7 +70,7 @@ std::string message_of(const RecordedCamera& camera, Duration taken, const imagi
   return bytes;
 }
 
-/// The fields of foxglove.CameraCalibration but its time.
+/// The fields of foxglove.CameraCalibration except its time.
 std::string calibration_of(const RecordedCamera& camera) {
   const Distortion told = distortion_of(camera.shown->info->lens);
   const imaging::LensSpec& lens = told.lens;
@@ -85,7 +87,7 @@ std::string calibration_of(const RecordedCamera& camera) {
   return bytes;
 }
 
-/// The fields of foxglove.FrameTransform but its time.
+/// The fields of foxglove.FrameTransform except its time.
 std::string place_of(const RecordedCamera& camera) {
   const sensors::CameraInfo& info = *camera.shown->info;
   std::string bytes;
@@ -97,7 +99,7 @@ std::string place_of(const RecordedCamera& camera) {
   return bytes;
 }
 
-/// The field `timestamp`, which every one of them begins with.
+/// The field `timestamp`, with which each of them begins.
 std::string stamp(Duration time) {
   std::string bytes;
   ProtobufWriter out(bytes);
@@ -107,6 +109,7 @@ std::string stamp(Duration time) {
 
 }  // namespace
 
+/// Cameras are drawn only if something reads them: the recording does.
 void want_pictures(World& world) {
   for (const auto& entity : world.entities()) {
     for (const sensors::CameraFrame* frame : sensors::frames_of(*entity)) {
@@ -115,6 +118,7 @@ void want_pictures(World& world) {
   }
 }
 
+/// Cameras are placed relative to the link that carries them.
 std::vector<RecordedCamera> recorded_cameras(const std::vector<RecordedEntity>& entities) {
   std::vector<RecordedCamera> cameras;
   for (const RecordedEntity& one : entities) {
@@ -136,7 +140,7 @@ void take_pictures(std::vector<RecordedCamera>& cameras, RecordedFrame& frame) {
     if (shown.number == cameras[i].number) continue;
     cameras[i].number = shown.number;
     if (shown.color.empty() && shown.mosaic.empty() && shown.depth.empty() && shown.labels.empty())
-      continue;  // nothing can be drawn here
+      continue;  // drawing is impossible here
     frame.pictures.push_back({.camera = i,
                               .taken = shown.time,
                               .color = shown.color,
@@ -166,6 +170,7 @@ PictureWriter::PictureWriter(MessageSink& file, FrameWriter& frames, const std::
 
 void PictureWriter::write(const RecordedFrame& frame) {
   for (const CameraPicture& picture : frame.pictures) {
+    MUROSIMF_ASSERT(picture.camera < told_.size());
     const Told& told = told_[picture.camera];
     const std::string time = stamp(picture.taken);
     std::string placed;

@@ -1,10 +1,10 @@
-/// recorded_picture.h - what cameras show, as Foxglove's messages: pictures (PNG), calibrations, and where cameras are on their robots.
+/// recorded_picture.h - pictures of cameras as Foxglove's messages: pictures (PNG), calibrations, and places of cameras on their robots.
 ///
 /// | topic | message |
 /// |---|---|
 /// | `/cameras/ROBOT/CAMERA/image` | foxglove.CompressedImage: colors, or the mosaic in shades of gray |
 /// | `/cameras/ROBOT/CAMERA/depth` | foxglove.RawImage, 16UC1: [mm] along the optical axis, 0: nothing (imaging/depth_numbers.h) |
-/// | `/cameras/ROBOT/CAMERA/labels` | foxglove.RawImage, 16UC1; what they mean is in the metadata of the channel, as JSON |
+/// | `/cameras/ROBOT/CAMERA/labels` | foxglove.RawImage, 16UC1; their meaning is in the metadata of the channel, as JSON |
 /// | `/cameras/ROBOT/CAMERA/calibration` | foxglove.CameraCalibration, with every picture |
 /// | `/cameras/tf` | foxglove.FrameTransforms: the camera's optical frame on its link, with every picture |
 #pragma once
@@ -21,28 +21,28 @@
 
 namespace murosimf::recording {
 
-/// A camera whose pictures are recorded.
+/// A camera with recorded pictures.
 struct RecordedCamera {
   std::string topic;  ///< "/cameras/blue1/camera"
   std::string frame;  ///< of transforms: its optical axes, "blue1/camera/optical"
-  std::string link;   ///< what it moves with: "blue1/head"
+  std::string link;   ///< link that it is mounted on: "blue1/head"
   const sensors::CameraFrame* shown = nullptr;
-  std::uint64_t number = 0;  ///< of its frames that are recorded
+  std::uint64_t number = 0;  ///< of its last recorded frame
 };
 
-/// Before the scene is initialized: all cameras draw from then on, which changes no result.
+/// Before the scene is initialized: requests pictures of all cameras, which changes no result.
 void want_pictures(World& world);
 [[nodiscard]] std::vector<RecordedCamera> recorded_cameras(const std::vector<RecordedEntity>& entities);
 
-/// Adds the pictures that have come since the last time.
+/// Adds the pictures since the last call.
 void take_pictures(std::vector<RecordedCamera>& cameras, RecordedFrame& frame);
 
 class FrameWriter;
 
-/// Writes their messages beside a FrameWriter's.
+/// Writes their messages along with those of a FrameWriter.
 class PictureWriter {
  public:
-  /// `label_table`: as JSON (scene/scene_labels.h); nothing: neither depths nor labels are written. All else outlives the writer.
+  /// `label_table`: as JSON (scene/scene_labels.h); nothing: neither depths nor labels are written. All other arguments outlive the writer.
   PictureWriter(MessageSink& file, FrameWriter& frames, const std::vector<RecordedCamera>& cameras,
                 const std::optional<std::string>& label_table = {});
   void write(const RecordedFrame& frame);
@@ -50,8 +50,8 @@ class PictureWriter {
  private:
   struct Told {
     std::uint16_t calibration = 0;
-    std::optional<std::uint16_t> picture, depth, labels;  // channels of the layers that it has
-    std::string calibrated, placed;                       // messages, without their time
+    std::optional<std::uint16_t> picture, depth, labels;  // channels of existing layers
+    std::string calibrated, placed;                       // messages without time
   };
   MessageSink& file_;
   const std::vector<RecordedCamera>& cameras_;

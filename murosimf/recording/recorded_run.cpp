@@ -12,6 +12,7 @@
 namespace murosimf::recording {
 namespace {
 
+/// Recordings without a description can be looked at, but not repeated.
 RunDescription description_of(const McapReader& file) {
   return with_context(file.file().string(), [&] {
     const std::string json = attached_text(file, "run.json");
@@ -21,14 +22,14 @@ RunDescription description_of(const McapReader& file) {
   });
 }
 
-/// A scene with those who take part in it.
+/// A scene with its external participants.
 struct RepeatedScene {
   RepeatedScene(const std::string& file, const scene::SceneOptions& options) : scene(file, options) {}
   scene::Scene scene;
-  std::optional<league::League> league{};  // goes first
+  std::optional<league::League> league{};  // destroyed first
 };
 
-/// Whether somebody took part by a channel whose name begins so.
+/// Whether there is a participant with a channel that begins like this.
 bool takes_part(const RunDescription& run, std::string_view begin) {
   return std::ranges::any_of(run.channels, [&](const std::string& name) { return name.starts_with(begin); });
 }
@@ -43,6 +44,7 @@ RecordedRun::RecordedRun(const std::filesystem::path& file)
   end_ = Duration(static_cast<Duration::rep>(file_.contents().statistics.end_time));
 }
 
+/// Everything that could make the repeated run another one is refused here.
 std::shared_ptr<scene::Scene> RecordedRun::build(const RepeatOptions& options) const {
   const RunDescription& run = description_;
   return with_context(file_.file().string(), [&] {
@@ -91,6 +93,7 @@ std::unique_ptr<scene::Scene> RecordedRun::build_to_show(const RepeatOptions& op
   });
 }
 
+/// Software outside of the program is repeated from what it sent, which must be in the recording.
 void RecordedRun::check_repeatable(const scene::Scene& scene) const {
   for (const scene_file::RobotSpec& robot : scene.spec().robots) {
     if (robot.controller != "tcp" && robot.controller != "serial") continue;
@@ -105,6 +108,7 @@ void RecordedRun::initialize(scene::Scene& scene) const {
   scene.simulation().initialize();
 }
 
+/// From the last state before the time; the rest of the way is stepped.
 void RecordedRun::begin(scene::Scene& scene, Duration time, bool states) const {
   initialize(scene);
   const Duration start = description_.start;

@@ -1,9 +1,9 @@
-/// recorded_run.h - a recording as a run that can be repeated, from the file alone: the scene is built anew from the files that are
-/// attached to it, goes on from any of its states, and gets the commands that came.
+/// recorded_run.h - a recording as a run that can be repeated from the file alone: the scene is rebuilt from the attached
+/// files, continues from any recorded state, and gets the recorded commands.
 ///
 ///     const RecordedRun run("game.mcap");
 ///     const auto scene = run.build({});
-///     run.begin(*scene, 12s);                               // at the last state that is recorded until then
+///     run.begin(*scene, 12s);                               // at the last recorded state until then
 ///     scene->simulation().run(12s - scene->simulation().now());
 #pragma once
 
@@ -21,20 +21,20 @@
 
 namespace murosimf::recording {
 
-/// How a run is built again; none of it changes a result.
+/// Options for rebuilding a run; none of them changes a result.
 struct RepeatOptions {
   int threads = 1;
   bool lanes = true;
-  bool libraries = false;  ///< control software that the scene names may be loaded, if it was allowed to then
+  bool libraries = false;  ///< control software of the scene may be loaded, if that was permitted in the run
   std::optional<bool> cameras{};
-  bool recorded = false;                 ///< the repetition is recorded itself
-  std::vector<std::string> overrides{};  ///< besides those of the run: of what is only looked at
+  bool recorded = false;                 ///< whether the repetition is recorded
+  std::vector<std::string> overrides{};  ///< in addition to those of the run: for display only
   StopRequest stop{};
 };
 
 class RecordedRun {
  public:
-  /// Throws SetupError: no recording, or not one that says how it was begun.
+  /// Throws SetupError: no recording, or one without a description of its run.
   explicit RecordedRun(const std::filesystem::path& file);
 
   [[nodiscard]] const McapReader& file() const { return file_; }
@@ -42,15 +42,15 @@ class RecordedRun {
   [[nodiscard]] Duration end() const { return end_; }
   [[nodiscard]] const RecordedStates& states() const { return states_; }
 
-  /// Throws SetupError: a file is missing or has changed that was too large for the recording; the run needs what cannot be repeated.
-  /// What came from outside comes again, from the recording.
+  /// Throws SetupError: a file is missing or has changed that was too large for the recording; the run cannot be repeated.
+  /// External input is repeated from the recording.
   [[nodiscard]] std::shared_ptr<scene::Scene> build(const RepeatOptions& options) const;
-  /// For who shows what was recorded, and makes no steps: of every run, whatever took part in it. Only `threads` and `stop` count.
+  /// For display without steps: works for every run with any participants. Only `threads` and `stop` apply.
   [[nodiscard]] std::unique_ptr<scene::Scene> build_to_show(const RepeatOptions& options) const;
-  /// With its files, unlike Simulation::initialize().
+  /// Initializes with the recorded files, unlike Simulation::initialize().
   void initialize(scene::Scene& scene) const;
-  /// Initializes, goes to the last whole state until `time`, or to the start, and has the commands from then on carried out when
-  /// their time comes. Without `states` to the first one: where the run began.
+  /// Initializes, goes to the last whole state until `time`, or to the start, and schedules the later commands.
+  /// Without `states` to the first one: the beginning of the run.
   void begin(scene::Scene& scene, Duration time, bool states = true) const;
 
  private:
@@ -60,7 +60,7 @@ class RecordedRun {
   RunDescription description_;
   UnpackedFiles files_;
   RecordedStates states_;
-  std::shared_ptr<const ExternalInputLog> outside_;  // null: nobody else took part
+  std::shared_ptr<const ExternalInputLog> outside_;  // null: no external participants
   Duration end_{};
 };
 

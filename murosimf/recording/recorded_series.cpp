@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/logging/log_plot.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/recording/foxglove_messages.h"
 #include "murosimf/recording/mcap/byte_string.h"
@@ -23,19 +24,19 @@ using logging::LogSeries;
 
 std::string without_unit(const std::string& name) { return name.substr(0, name.find(" [")); }
 
-/// "blue1/left_knee" as in logs.
+/// "blue1/left_knee" in the notation of logs.
 std::string dotted(std::string_view frame) {
   std::string name(frame);
   std::ranges::replace(name, '/', '.');
   return name;
 }
 
-/// Gathers those numbers that somebody wants.
+/// Collects the requested numbers.
 class Gathering {
  public:
   explicit Gathering(const std::vector<std::string>& patterns) : patterns_(patterns), found_(patterns.size(), false) {}
 
-  /// Where the numbers of this name go; null: nobody wants them. Stays valid.
+  /// Destination of the numbers of this name; null: not requested. Its address is stable.
   LogSeries* want(const std::string& name) {
     const auto [known, is_new] = by_name_.try_emplace(name, nullptr);
     if (!is_new) return known->second;
@@ -51,6 +52,7 @@ class Gathering {
     return known->second = &series_.back().series;
   }
 
+  /// A pattern without a number is an error, since it is most likely misspelled.
   [[nodiscard]] std::vector<LogSeries> take() {
     for (std::size_t i = 0; i < patterns_.size(); ++i) {
       if (!found_[i]) throw SetupError(unknown_name("number", patterns_[i], {names_.begin(), names_.end()}));
@@ -63,7 +65,7 @@ class Gathering {
 
  private:
   struct Wanted {
-    std::size_t pattern = 0;  // the first that means it
+    std::size_t pattern = 0;  // the first that denotes it
     LogSeries series;
   };
   const std::vector<std::string>& patterns_;
@@ -79,7 +81,7 @@ void note(LogSeries* series, Duration time, double value) {
   series->values.push_back(value);
 }
 
-/// Numbers of messages, by what these are.
+/// Dispatches messages by topic.
 class MessageNumbers {
  public:
   MessageNumbers(const McapContents& contents, const std::vector<std::string>& patterns) : gathering_(patterns) {
@@ -123,7 +125,7 @@ class MessageNumbers {
       if (in.field() == 4) pose.position = read_vector(in.message());
       if (in.field() == 5) pose.orientation = read_rotation(in.message());
     }
-    const auto outer = poses_.find(parent);  // parents come first
+    const auto outer = poses_.find(parent);  // parents are written first
     if (outer != poses_.end()) pose = outer->second * pose;
     poses_.emplace(child, pose);
     const Axes& axes = remembered(axes_, child, [&] {
@@ -141,6 +143,7 @@ class MessageNumbers {
     }
   }
 
+  /// The name comes before the numbers, as the writer writes it.
   void take_joint(ProtobufReader in, Duration time, const Channel& channel, bool target) {
     const Joint* joint = nullptr;
     while (in.next()) {
@@ -164,7 +167,7 @@ class MessageNumbers {
     });
   }
 
-  /// Fields that are zero are not in the message.
+  /// Fields with the value zero are missing in the message.
   void take_sample(ProtobufReader in, const Channel& channel) {
     const auto& fields = remembered(sensors_, channel.topic, [&] { return fields_of(channel); });
     std::map<int, std::vector<double>> values;
@@ -193,7 +196,7 @@ class MessageNumbers {
   std::map<int, std::vector<LogSeries*>> fields_of(const Channel& channel) {
     std::map<int, std::vector<LogSeries*>> fields;
     const std::string sensor = dotted(std::string_view(channel.topic).substr(9));
-    std::map<int, std::string> names_of_fields;  // by number, as sensors have them
+    std::map<int, std::string> names_of_fields;  // sorted by number, which is the order of the sensor's outputs
     for (const auto& [number, names] : channel.metadata) names_of_fields[std::atoi(number.c_str())] = names;
     for (const auto& [number, names] : names_of_fields) {
       std::vector<LogSeries*>& series = fields[number];
@@ -208,7 +211,7 @@ class MessageNumbers {
 
   Gathering gathering_;
   std::map<std::uint16_t, const Channel*> channels_;
-  std::map<std::string, Transformd, std::less<>> poses_;  // of one message
+  std::map<std::string, Transformd, std::less<>> poses_;  // of the present message
   std::map<std::string, Axes, std::less<>> axes_;
   std::map<std::string, Joint, std::less<>> joints_, targets_;
   std::map<std::string, std::map<int, std::vector<LogSeries*>>, std::less<>> sensors_;
@@ -219,12 +222,13 @@ class MessageNumbers {
 bool is_recording(const std::filesystem::path& file) {
   std::error_code unknown;
   if (!std::filesystem::is_regular_file(file, unknown))
-    return false;  // opening a pipe would wait for who writes into it
+    return false;  // opening a pipe would block until there is a writer
   std::string begin(mcap_magic.size(), '\0');
   std::ifstream(file, std::ios::binary).read(begin.data(), static_cast<std::streamsize>(begin.size()));
   return begin == mcap_magic;
 }
 
+/// Chunk by chunk: recordings may be larger than the memory.
 std::vector<LogSeries> series_of(const McapReader& recording, const std::vector<std::string>& patterns) {
   MessageNumbers numbers(recording.contents(), patterns);
   for (const ChunkIndex& chunk : recording.contents().chunks) {
@@ -233,9 +237,11 @@ std::vector<LogSeries> series_of(const McapReader& recording, const std::vector<
   return with_context(recording.file().string(), [&] { return numbers.all(); });
 }
 
+/// Series have times of their own: each becomes a column with gaps.
 files::CsvTable table_of(const std::vector<LogSeries>& series) {
   files::CsvTable table{.time = "time [s]", .columns = {}};
   for (const LogSeries& one : series) {
+    MUROSIMF_ASSERT(one.names.size() == 1 && one.times.size() == one.values.size());
     const std::string& name = one.names.front();
     files::CsvColumn column{.name = without_unit(name), .unit = {}, .times = {}, .values = one.values};
     if (const auto unit = name.find(" ["); unit != std::string::npos) {

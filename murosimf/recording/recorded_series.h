@@ -1,8 +1,8 @@
-/// recorded_series.h - numbers of a recording as tables, by the names that logs have (logging/log_paths.h).
+/// recorded_series.h - numbers of a recording as tables, by their names in logs (logging/log_paths.h).
 ///
-///     blue1.j_l_foot.position.x [m]       of the frame of each link, world
+///     blue1.j_l_foot.position.x [m]       of each link's frame, world
 ///     blue1.j_l_shin.joint_position [rad]  and joint_velocity, joint_torque, joint_target
-///     blue1.imu.gyroscope.x [rad/s]        of sensors, if these are recorded
+///     blue1.imu.gyroscope.x [rad/s]        of sensors, if recorded
 #pragma once
 
 #include <filesystem>
@@ -15,11 +15,11 @@
 
 namespace murosimf::recording {
 
-/// Whether a file begins as recordings do.
+/// Whether a file begins like a recording.
 [[nodiscard]] bool is_recording(const std::filesystem::path& file);
 
-/// One number each, in the order of the patterns that mean them, as for logging::plot_of, and then of their first coming; all, if there are no patterns.
-/// Throws SetupError for a pattern that means nothing, and for a file that is damaged or no recording of ours.
+/// One number each, in the order of the patterns that denote them, as for logging::plot_of, and then of their first appearance; all, if there are no patterns.
+/// Throws SetupError for a pattern without a number, and for a file that is damaged or no recording of this program.
 [[nodiscard]] std::vector<logging::LogSeries> series_of(const McapReader& recording,
                                                         const std::vector<std::string>& patterns = {});
 

@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/drawing.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
@@ -20,7 +21,7 @@
 namespace murosimf::recording {
 namespace {
 
-constexpr std::string_view arrow = " -> ";  // of an event that says: another level
+constexpr std::string_view arrow = " -> ";  // in events about a change of level
 
 template <class T>
 Column<T>* column_of(Entity& entity, const Property<T>& property) {
@@ -28,7 +29,7 @@ Column<T>* column_of(Entity& entity, const Property<T>& property) {
 }
 
 void set_number(Entity& entity, const Property<double>& property, int object, double value) {
-  if (std::isnan(value)) return;
+  if (std::isnan(value)) return;  // not recorded
   if (Column<double>* column = column_of(entity, property)) column->values[static_cast<std::size_t>(object)] = value;
 }
 
@@ -57,6 +58,7 @@ RecordedSource::RecordedSource(std::shared_ptr<const recording::RecordedRun> run
 
 RecordedSource::~RecordedSource() = default;
 
+/// Lines are few: all of them are read at the start.
 void RecordedSource::read_lines() {
   recording::visit_topics(run_->file(), {"/events", "/warnings"},
                           [&](const std::string& topic, const recording::Message& message, std::size_t) {
@@ -73,7 +75,7 @@ void RecordedSource::read_lines() {
   find_levels();
 }
 
-/// As the events say: "blue1: kinematic_walking -> full_dynamics".
+/// Levels from events: "blue1: kinematic_walking -> full_dynamics".
 void RecordedSource::find_levels() {
   for (std::size_t i = 0; i < entities_.size(); ++i) levels_.push_back({{}, i, entities_[i].entity->level});
   for (const Event& event : events_) {
@@ -91,7 +93,7 @@ void RecordedSource::begin() {
   poses.contacts_from([this](const World&, std::vector<ContactMark>& contacts) {
     contacts.insert(contacts.end(), contacts_.begin(), contacts_.end());
   });
-  poses.complete_by({});  // columns are as they were recorded
+  poses.complete_by({});  // columns are complete as recorded
   if (others_) others_->pin({});
   show(frames_->begin());
 }
@@ -121,6 +123,7 @@ void RecordedSource::change(const std::vector<std::string>& changes) {
       fmt::format("{}: this is a recording; 'murosimf branch' goes on from it with changes", fmt::join(changes, "; ")));
 }
 
+/// A recording is one branch that cannot be left.
 std::vector<session::BranchView> RecordedSource::branches() const {
   return {{.number = 0,
            .parent = {},
@@ -134,6 +137,7 @@ bool RecordedSource::has_grown() { return !std::exchange(told_, true); }
 
 void RecordedSource::show(Duration time) {
   const recording::RecordedFrame& frame = frames_->at(time);
+  MUROSIMF_ASSERT(frame.present.size() == entities_.size());
   std::size_t link = 0, joint = 0;
   for (std::size_t i = 0; i < entities_.size(); ++i) {
     show_entity(i, frame, link, joint);
@@ -145,6 +149,7 @@ void RecordedSource::show(Duration time) {
   show_levels(frame.time);
   const auto events = std::ranges::upper_bound(events_, frame.time, {}, &Event::time) - events_.begin();
   const auto warnings = std::ranges::upper_bound(warnings_, frame.time, {}, &std::pair<Duration, std::string>::first);
+  // only the difference to the last instant is added: it may be earlier or later
   warnings_so_far_.resize(std::min(warnings_so_far_.size(), static_cast<std::size_t>(warnings - warnings_.begin())));
   for (auto next = warnings_.begin() + static_cast<std::ptrdiff_t>(warnings_so_far_.size()); next != warnings; ++next) {
     warnings_so_far_.push_back(next->second);
@@ -183,7 +188,7 @@ void RecordedSource::show_drawings(Duration time) {
   if (others_then_->take(news) && others_) others_->pin(others_then_->shown());
   for (auto& [topic, groups] : news) {
     const auto known = std::ranges::find(entities_, topic.robot, &recording::RecordedEntity::name);
-    if (topic.by_others || known == entities_.end()) continue;  // of somebody who came later
+    if (topic.by_others || known == entities_.end()) continue;  // of an entity that was added later
     Column<Drawings>* column = column_of(scene_->simulation().world().entity(topic.robot), properties::drawings);
     if (!column) continue;
     Drawings& drawn = column->values[0];

@@ -1,12 +1,12 @@
-/// recorded_source.h - plays a recording in a session: what viewers and servers show is what the file has of each instant; nothing is
+/// recorded_source.h - plays a recording in a session: viewers and servers show the recorded data of each instant; nothing is
 /// computed.
 ///
 ///     const auto run = std::make_shared<const recording::RecordedRun>("game.mcap");
 ///     session::Session session(std::make_unique<recording::RecordedSource>(run), {.speed = 1.0});
 ///     session.run(run->end());
 ///
-/// Shown are poses, joints, contacts, drawings, events, warnings and levels of detail. Nobody can change anything; whoever came into the scene
-/// after its start is not shown.
+/// Shown are poses, joints, contacts, drawings, events, warnings and levels of detail. Changes are refused; entities added
+/// after the start are not shown.
 #pragma once
 
 #include <cstddef>
@@ -26,7 +26,7 @@ namespace murosimf::recording {
 
 class RecordedSource final : public session::PlaybackSource {
  public:
-  /// `others`: where is seen what other programs drew then; null: nobody looks. Throws SetupError: the file has no poses, or its scene
+  /// `others`: receives the recorded drawings of other programs; null: not shown. Throws SetupError: the file has no poses, or its scene
   /// cannot be built.
   explicit RecordedSource(std::shared_ptr<const recording::RecordedRun> run,
                           const recording::RepeatOptions& options = {},
@@ -69,10 +69,10 @@ class RecordedSource final : public session::PlaybackSource {
   recording::DrawingReader drawings_;
   std::shared_ptr<drawing::DebugDrawBuffer> others_;
   std::optional<recording::RecordedExternalDrawings> others_then_;
-  std::vector<Event> events_;                               // of all of it, by time
+  std::vector<Event> events_;                               // of the whole run, by time
   std::vector<std::pair<Duration, std::string>> warnings_;  // likewise
   std::vector<std::string> warnings_so_far_;
-  std::vector<LevelChange> levels_;  // first those of the start, then by time
+  std::vector<LevelChange> levels_;  // those of the start, then by time
   std::vector<ContactMark> contacts_;
   std::vector<std::string> known_;
   bool told_ = false;

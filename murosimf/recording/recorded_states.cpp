@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/recording/mcap/protobuf.h"
 #include "murosimf/recording/topics.h"
@@ -29,7 +30,7 @@ StateMessage read_state(std::string_view data) {
   return message;
 }
 
-/// Of two at the end the later one: between them somebody changed something.
+/// Of two states at one instant the later one counts: between them the run was changed.
 void add(std::map<Duration, RecordedState>& states, const RecordedState& state) {
   const auto [known, is_new] = states.try_emplace(state.time, state);
   if (!is_new && (state.chunk || state.hash != known->second.hash)) known->second = state;
@@ -49,6 +50,7 @@ TextMap described(const McapReader& file, const std::string& name) {
   return found == all.end() ? TextMap{} : file.metadata(*found).values;
 }
 
+/// The states themselves stay in the file: only where they are is kept.
 RecordedStates::RecordedStates(const McapReader& file) : file_(&file) {
   std::map<Duration, RecordedState> states;
   visit_topics(file, {"/state_hash", "/state", "/commands"},
@@ -75,7 +77,9 @@ const RecordedState* RecordedStates::last_until(Duration time) const {
   return last;
 }
 
+/// Read when it is needed: a state may have many megabytes.
 std::string RecordedStates::bytes_of(const RecordedState& state) const {
+  MUROSIMF_ASSERT(state.chunk.has_value());
   std::string bytes;
   file_->visit_messages(file_->contents().chunks[state.chunk.value()], [&](const Message& message) {
     if (time_of(message) != state.time) return;
@@ -90,10 +94,10 @@ std::string RecordedStates::bytes_of(const RecordedState& state) const {
 void RecordedStates::load(scene::Scene& scene, const RecordedState& state) const {
   const TextMap run = described(*file_, "murosimf");
   const auto value = [&](const std::string& key) { return run.contains(key) ? run.at(key) : "?"; };
-  const std::string whose = fmt::format("{}: state of '{}' at {:.3f} s by {}", file_->file().string(), value("scene"),
-                                        seconds(state.time), value("program"));
+  const std::string origin = fmt::format("{}: state of '{}' at {:.3f} s by {}", file_->file().string(), value("scene"),
+                                         seconds(state.time), value("program"));
   const std::string bytes = bytes_of(state);
-  with_context(whose, [&] { scene.load(std::as_bytes(std::span(bytes))); });
+  with_context(origin, [&] { scene.load(std::as_bytes(std::span(bytes))); });
 }
 
 }  // namespace murosimf::recording

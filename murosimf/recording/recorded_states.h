@@ -1,4 +1,4 @@
-/// recorded_states.h - what a recording has of states: hashes, whole states, and the commands that came between.
+/// recorded_states.h - states in a recording: hashes, whole states, and the commands between them.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ namespace murosimf::recording {
 struct RecordedState {
   Duration time{};
   std::uint64_t hash = 0;
-  std::optional<std::size_t> chunk;  ///< where all of it is; nothing: only the hash is recorded
+  std::optional<std::size_t> chunk;  ///< chunk of the whole state; nothing: only the hash is recorded
 };
 
 class RecordedStates {
@@ -26,13 +26,13 @@ class RecordedStates {
   explicit RecordedStates(const McapReader& file);
 
   [[nodiscard]] const McapReader& file() const { return *file_; }
-  // In the order of time.
+  // Ordered by time.
   [[nodiscard]] const std::vector<RecordedState>& all() const { return states_; }
   [[nodiscard]] const std::vector<Command>& commands() const { return commands_; }
-  /// The last whole one until then; null: there is none.
+  /// The last whole state until then; null: none.
   [[nodiscard]] const RecordedState* last_until(Duration time) const;
 
-  /// Scene::load with it. Throws SetupError that says whose state it is, and what does not fit.
+  /// Loads it by Scene::load. Throws SetupError with the origin of the state, and the mismatch.
   void load(scene::Scene& scene, const RecordedState& state) const;
 
  private:
@@ -43,7 +43,7 @@ class RecordedStates {
   std::vector<Command> commands_;
 };
 
-/// What is attached under this name; empty if nothing is.
+/// The attachment of this name; empty if there is none.
 [[nodiscard]] std::string attached_text(const McapReader& file, const std::string& name);
 /// The values of its metadata of this name; empty if there are none.
 [[nodiscard]] TextMap described(const McapReader& file, const std::string& name);

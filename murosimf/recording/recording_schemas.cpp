@@ -166,6 +166,7 @@ std::vector<MessageSchema> all_schemas() {
 }  // namespace
 
 const MessageSchema& find_schema(const std::string& name) {
+  // built once: parsing all types takes longer than writing a short recording
   static const std::vector<MessageSchema> schemas = all_schemas();
   const auto found = std::ranges::find(schemas, name, &MessageSchema::name);
   if (found == schemas.end()) throw SetupError(fmt::format("there is no type of messages '{}'", name));

@@ -1,4 +1,4 @@
-/// recording_schemas.h - the types of messages in recordings: Foxglove's, with its names and numbers, and a few of our own.
+/// recording_schemas.h - the types of messages in recordings: Foxglove's, with its names and numbers, and a few additional ones.
 #pragma once
 
 #include <string>

@@ -3,6 +3,8 @@
 #include <exception>
 #include <utility>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::recording {
 
 RecordingThread::RecordingThread(std::function<void(const Batch&)> write)
@@ -16,9 +18,10 @@ void RecordingThread::push(Batch&& batch) {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return waiting_.size() < most_waiting; });
     waiting_.push_back(std::move(batch));
+    MUROSIMF_ASSERT(waiting_.size() <= most_waiting);
     waiting = waiting_.size();
   }
-  if (waiting >= worth_waking) changed_.notify_all();  // who is woken finds the mutex free
+  if (waiting >= worth_waking) changed_.notify_all();  // after unlocking, so that the woken thread finds the mutex free
 }
 
 RecordingThread::Batch RecordingThread::spent() {
@@ -26,6 +29,7 @@ RecordingThread::Batch RecordingThread::spent() {
   return std::exchange(spent_, {});
 }
 
+/// Everything that was given is written before the thread ends.
 void RecordingThread::finish() {
   {
     const std::lock_guard lock(mutex_);
@@ -46,6 +50,7 @@ void RecordingThread::run() {
     if (waiting_.empty()) changed_.wait(lock, [this] { return ends_ || waiting_.size() >= worth_waking; });
     if (waiting_.empty()) return;
     Batch batch = std::move(waiting_.front());
+    // written without the lock: the simulation continues to queue meanwhile
     waiting_.pop_front();
     const bool good = trouble_.empty();
     lock.unlock();
@@ -56,6 +61,7 @@ void RecordingThread::run() {
   }
 }
 
+/// An error ends the recording, not the simulation; its reason is kept.
 void RecordingThread::write(const Batch& batch) {
   try {
     write_(batch);

@@ -1,8 +1,8 @@
-/// recording_thread.h - writes what is recorded in a thread of its own.
+/// recording_thread.h - writes recorded data in a separate thread.
 ///
-/// At most `most_waiting` batches wait for it. When there are as many, who brings one more waits until there is room: nothing is ever
-/// left out, and a simulation that runs as fast as it can is slowed down to what the disk takes. The thread is woken when two
-/// wait: waking it takes the simulation longer than to copy what a batch has.
+/// At most `most_waiting` batches are queued. With a full queue push() waits: nothing is ever dropped,
+/// and a simulation at full speed is slowed down to the speed of the disk. The thread is woken when two
+/// batches are queued: waking it takes the simulation longer than copying a batch.
 #pragma once
 
 #include <condition_variable>
@@ -21,18 +21,18 @@ class RecordingThread {
  public:
   using Batch = std::vector<RecordedFrame>;
 
-  /// `write` is called in the thread. Once it has thrown a SetupError, all batches to come are thrown away.
+  /// `write` is called in the thread. After it has thrown a SetupError, all further batches are discarded.
   explicit RecordingThread(std::function<void(const Batch&)> write);
   ~RecordingThread();
   RecordingThread(const RecordingThread&) = delete;
   RecordingThread& operator=(const RecordingThread&) = delete;
 
   void push(Batch&& batch);
-  /// One that was written, for who fills the next one in its memory, which caches still know; empty if there is none.
+  /// A written batch, for reuse of its memory, which is still in the caches; empty if there is none.
   [[nodiscard]] Batch spent();
-  /// Waits until all is written.
+  /// Waits until everything is written.
   void finish();
-  /// What has gone wrong; empty: nothing.
+  /// The error, if any; empty: none.
   [[nodiscard]] std::string trouble() const;
 
   static constexpr std::size_t most_waiting = 3;

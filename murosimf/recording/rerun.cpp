@@ -4,13 +4,14 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/runtime/clock.h"
 
 namespace murosimf::recording {
 namespace {
 
-/// A repetition that is compared while it runs.
+/// A repetition with comparisons.
 class Repetition {
  public:
   Repetition(const RecordedRun& run, const RerunOptions& options)
@@ -24,17 +25,17 @@ class Repetition {
     Simulation& simulation = scene->simulation();
     simulation.stop_if([&] { return ends_ || (options_.repeat.stop && options_.repeat.stop()); });
     result_.begin = simulation.now();
-    // a recording with an end has a last look, after the last step; one that was cut off has not
+    // a complete recording has a final check after the last step; one that was cut off has none
     const bool has_end = !attached_text(reference_.file(), "report.json").empty();
     const Duration end = has_end ? run_.end() : run_.end() + simulation.tick();
-    // as the recorder looks: after the scene's own events of that time, before the commands
+    // at the same point of a step as in the recorder: after the scene's own events of that time, before the commands
     for (const RecordedState& state : reference_.all()) {
       if (state.time < end && state.time >= simulation.now())
-        simulation.at(state.time, [this, &state] { look(state); });
+        simulation.at(state.time, [this, &state] { compare(state); });
     }
     Clock clock(std::nullopt);
     simulation.run(std::max(Duration{}, end - simulation.now()), clock, options_.progress);
-    if (has_end && simulation.now() == end) look_at_the_end();
+    if (has_end && simulation.now() == end) compare_at_end();
     if (options_.finish) options_.finish(*scene);
     result_.end = simulation.now();
     result_.stopped = options_.repeat.stop && options_.repeat.stop();
@@ -42,18 +43,19 @@ class Repetition {
   }
 
  private:
-  /// What somebody changed after the last step comes before.
-  void look_at_the_end() {
+  /// Changes after the last step precede the final check.
+  void compare_at_end() {
     const Duration end = scene_->simulation().now();
     const auto& commands = run_.states().commands();
     if (std::ranges::find(commands, end, &Command::time) != commands.end()) scene_->simulation().carry_out_commands();
     for (const RecordedState& state : reference_.all()) {
-      if (state.time == end) look(state);
+      if (state.time == end) compare(state);
     }
   }
 
-  void look(const RecordedState& state) {
-    if (result_.difference) return look_closer(state);
+  void compare(const RecordedState& state) {
+    MUROSIMF_ASSERT(scene_ != nullptr);
+    if (result_.difference) return compare_numbers(state);
     ++result_.compared;
     if (scene_->simulation().state_hash() == state.hash) {
       same_ = state.time;
@@ -65,11 +67,11 @@ class Repetition {
                                     .looked = state.time,
                                     .what = {},
                                     .unlike = {}};
-    look_closer(state);
+    compare_numbers(state);
   }
 
-  /// The numbers, at the first state from the difference on that is recorded.
-  void look_closer(const RecordedState& state) {
+  /// Compares the numbers, at the first whole state from the difference on.
+  void compare_numbers(const RecordedState& state) {
     Divergence& difference = *result_.difference;
     if (!state.chunk || difference.what || !difference.unlike.empty()) return;
     difference.looked = state.time;
@@ -96,6 +98,7 @@ class Repetition {
 
 }  // namespace
 
+/// Without hashes there is nothing to compare with.
 RerunResult rerun(const RecordedRun& run, const RerunOptions& options) {
   const RecordedStates& reference = options.reference ? *options.reference : run.states();
   if (reference.all().empty()) {

@@ -1,4 +1,4 @@
-// What a repetition has shown, for people and programs.
+// Results of a repetition, for people and programs.
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -10,6 +10,7 @@ namespace {
 
 std::string s(Duration time) { return fmt::format("{:.6g} s", seconds(time)); }
 
+/// How exact the instant is depends on how often hashes were recorded.
 std::string when(const Divergence& difference) {
   if (!difference.same) return fmt::format("differs at {}, the first instant that was compared", s(difference.differs));
   if (difference.is_one_step()) {

@@ -43,7 +43,7 @@ RunDescription parse_run_description(const std::string& json) {
     document.at("lenient").get_to(run.lenient);
     document.at("cameras").get_to(run.cameras);
     document.at("pushable").get_to(run.pushable);
-    if (document.contains("channels")) document.at("channels").get_to(run.channels);  // older ones have none
+    if (document.contains("channels")) document.at("channels").get_to(run.channels);  // missing in older recordings
     document.at("outside").get_to(run.outside);
     run.start = Duration(document.at("start_ns").get<Duration::rep>());
     document.at("names").get_to(run.names);

@@ -1,4 +1,4 @@
-/// run_description.h - how a recorded run was begun: with its files, all that is needed to repeat it.
+/// run_description.h - start parameters of a recorded run: with its files, everything needed to repeat it.
 #pragma once
 
 #include <cstdint>
@@ -11,17 +11,16 @@
 namespace murosimf::recording {
 
 struct RunDescription {
-  std::string scene;  ///< as its user named it
+  std::string scene;  ///< as named by its user
   std::uint64_t seed = 0;
   std::vector<std::string> overrides, events, pushes;  ///< as in scene/scene_options.h
   std::vector<std::string> plugins;                    ///< files
   bool libraries = false, lenient = false, cameras = true;
-  bool pushable = false;  ///< everybody who moves, not only whom its file pushes: it was steered
-  std::vector<std::string>
-      channels{};  ///< by which others took part, what came is recorded (runtime/external_input_log.h)
-  std::vector<std::string> outside{};  ///< what else acted on it and is not recorded: "a GameController"
-  Duration start{};                    ///< later than 0 if it went on from a state
-  files::FoundNames names{};           ///< which files its names have meant
+  bool pushable = false;  ///< all moving entities, not only those pushed in its file: the run was controlled by others
+  std::vector<std::string> channels{};  ///< of external participants with recorded input (runtime/external_input_log.h)
+  std::vector<std::string> outside{};   ///< other participants without a record: "a GameController"
+  Duration start{};                     ///< later than 0 if it continued from a state
+  files::FoundNames names{};            ///< files that its names denoted
 };
 
 /// JSON, the attachment "run.json" of a recording.

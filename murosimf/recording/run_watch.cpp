@@ -23,6 +23,7 @@ std::vector<std::string> RunWatch::look() {
   for (std::size_t i = entities_.size(); i < all.size(); ++i) entities_.push_back({.entity = all[i]});
   for (Watched& one : entities_) {
     const Column<double>* column = one.entity->find(properties::falls);
+    // the first call only takes the present values: falls before it are no events
     const double falls = column ? column->values[0] : 0;
     const bool frozen = one.entity->frozen();
     if (begun_ && falls > one.falls && what_.contains("fall")) happened.push_back(one.entity->name() + " fell");
@@ -37,6 +38,7 @@ std::vector<std::string> RunWatch::look() {
   return happened;
 }
 
+/// Behind the line, between the posts and below the bar.
 bool RunWatch::ball_in_goal() const {
   const Entity* ball = scene_.parts().ball;
   if (!ball || !ball->present() || !scene_.spec().ball) return false;

@@ -1,4 +1,4 @@
-/// run_watch.h - notices falls, goals and freezing while a scene runs.
+/// run_watch.h - detects falls, goals and freezing while a scene runs.
 #pragma once
 
 #include <set>
@@ -14,7 +14,7 @@ class RunWatch {
   /// `what`: of watchable(). The scene must outlive it.
   RunWatch(const scene::Scene& scene, std::set<std::string> what);
 
-  /// What has happened since it was last asked, in words. Between two steps, of a scene that is initialized.
+  /// Events since the last call, as texts. Between two steps, of an initialized scene.
   [[nodiscard]] std::vector<std::string> look();
 
  private:
@@ -31,8 +31,8 @@ class RunWatch {
   bool in_goal_ = false, begun_ = false;
 };
 
-/// "fall": a base tilted over 60 degrees. "goal": all of the ball is over a goal line, between the posts and under the crossbar.
-/// "freeze": numbers of somebody went bad. "asked": Recorder::ask, of which RunWatch knows nothing.
+/// "fall": a base tilted over 60 degrees. "goal": the whole ball is behind a goal line, between the posts and under the crossbar.
+/// "freeze": an entity was frozen because of invalid numbers. "asked": Recorder::ask, which is handled outside of RunWatch.
 [[nodiscard]] const std::vector<std::string>& watchable();
 
 }  // namespace murosimf::recording

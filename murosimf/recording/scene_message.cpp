@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/appearance/entity_appearance.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/recording/foxglove_messages.h"
 #include "murosimf/render/render_scene.h"
@@ -30,6 +31,7 @@ void put_solid(ProtobufWriter& out, SceneField field, const Transformd& place, c
   });
 }
 
+/// Corners in each triangle: viewers need no indices then.
 void put_triangles(ProtobufWriter& out, const Transformd& place, const render::RenderMesh& mesh, const Color& color) {
   out.message(triangles, [&](ProtobufWriter& in) {
     put_pose(in, 1, place);
@@ -46,12 +48,13 @@ void put_drawable(ProtobufWriter& out, const render::Drawable& drawable, const T
   const Vec3d size = 2.0 * drawable.scale;
   switch (drawable.form) {
     case render::Form::sphere:
-    case render::Form::half_sphere:  // the end of a capsule: its other half is within
+    case render::Form::half_sphere:  // the end of a capsule: its other half is inside of the tube
       return put_solid(out, spheres, place, size, drawable.color);
     case render::Form::tube:
     case render::Form::cylinder: return put_solid(out, cylinders, place, size, drawable.color);
     case render::Form::box: return put_solid(out, cubes, place, size, drawable.color);
     case render::Form::mesh:
+      MUROSIMF_ASSERT(static_cast<std::size_t>(drawable.mesh) < meshes.size());
       return put_triangles(out, place, meshes[static_cast<std::size_t>(drawable.mesh)], drawable.color);
   }
 }
@@ -64,8 +67,9 @@ void put_stroke(ProtobufWriter& out, const Stroke& stroke) {
   });
 }
 
-/// The turn that takes x to the direction of `v`.
+/// The rotation that maps x to the direction of `v`.
 Mat3d along(const Vec3d& v) {
+  MUROSIMF_ASSERT(norm(v) > 0);
   const Vec3d x = (1 / norm(v)) * v;
   const Vec3d helper = std::abs(x.z) < 0.9 ? Vec3d{0, 0, 1} : Vec3d{1, 0, 0};
   const Vec3d side = cross(helper, x);
@@ -74,7 +78,8 @@ Mat3d along(const Vec3d& v) {
 }
 
 void put_arrow(ProtobufWriter& out, const ContactMark& contact) {
-  constexpr double meters_per_newton = 1.0 / 500, thickness = 0.006;  // a standing robot's are as long as its feet
+  constexpr double meters_per_newton = 1.0 / 500,
+                   thickness = 0.006;  // those of a standing robot are about as long as its feet
   const double length = norm(contact.force);
   if (!(length > 0)) return;
   out.message(arrows, [&](ProtobufWriter& in) {
@@ -109,6 +114,7 @@ SceneLooks::SceneLooks(const scene::Scene& scene, const std::vector<RecordedEnti
     const Entity* owner = looks.owner(drawable);
     const auto moving = std::ranges::find(entities, owner, &RecordedEntity::entity);
     const bool moves = moving != entities.end();
+    MUROSIMF_ASSERT(owner != nullptr);
     const FixedObject at = owner->model().placement(drawable.object);
     const Transformd in_link = Transformd{at.offset, at.turn} * drawable.place;
     std::string& contents = moves ? part_named(static_cast<int>(moving - entities.begin()),
@@ -127,12 +133,13 @@ std::string SceneLooks::message(Duration time, const std::vector<char>& present)
   std::string bytes;
   ProtobufWriter out(bytes);
   for (const Part& part : parts_) {
+    MUROSIMF_ASSERT(part.entity < 0 || static_cast<std::size_t>(part.entity) < present.size());
     const bool there = part.entity < 0 || present[static_cast<std::size_t>(part.entity)] != 0;
     if (there) {
       std::string entity;
       ProtobufWriter in(entity);
       put_head(in, time, part.frame, part.id);
-      in.varint(5, 1);  // moves with its frame
+      in.varint(5, 1);  // frame_locked: moves with its frame
       out.bytes(2, entity + part.contents);
     } else {
       out.message(1, [&](ProtobufWriter& deletion) {
@@ -144,6 +151,7 @@ std::string SceneLooks::message(Duration time, const std::vector<char>& present)
   return bytes;
 }
 
+/// One entity of the message: it replaces the arrows of the frame before.
 std::string force_arrows(Duration time, const std::vector<ContactMark>& contacts) {
   std::string bytes;
   ProtobufWriter(bytes).message(2, [&](ProtobufWriter& entity) {

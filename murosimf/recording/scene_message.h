@@ -1,4 +1,4 @@
-/// scene_message.h - what everything looks like, as one foxglove.SceneUpdate: primitives and triangles on the frames of links.
+/// scene_message.h - the appearance of a scene, as one foxglove.SceneUpdate: primitives and triangles on the frames of links.
 #pragma once
 
 #include <string>
@@ -10,21 +10,21 @@
 
 namespace murosimf::recording {
 
-/// Of a scene that is initialized. Meshes that cannot be read are left out, as in pictures.
+/// For an initialized scene. Unreadable meshes are left out, as in pictures.
 
 class SceneLooks {
  public:
   SceneLooks(const scene::Scene& scene, const std::vector<RecordedEntity>& entities);
 
-  /// foxglove.SceneUpdate for this instant. Who is absent in `present` (by entity) is deleted.
+  /// foxglove.SceneUpdate for this instant. Entities absent in `present` are deleted.
   [[nodiscard]] std::string message(Duration time, const std::vector<char>& present) const;
 
  private:
   struct Part {
-    int entity = -1;       // index of the RecordedEntity; -1: never moves
+    int entity = -1;       // index of the RecordedEntity; -1: static
     std::string id;        // of the SceneEntity
-    std::string frame;     // in which it stands
-    std::string contents;  // its fields besides time, frame, id
+    std::string frame;     // that it is attached to
+    std::string contents;  // its fields except time, frame, id
   };
   std::vector<Part> parts_;
 };

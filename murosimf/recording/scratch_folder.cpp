@@ -21,9 +21,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view name_of_all = "murosimf_scratch.", six = "XXXXXX";
-constexpr std::time_t young = 60;  // [s] one that is this new may not be locked yet
+constexpr std::time_t young = 60;  // [s] a younger folder may not be locked yet
 
-/// A descriptor that holds the lock; -1: somebody else has it, or it cannot be had.
+/// A descriptor that holds the lock; -1: it is held by another process, or not available.
 int locked(const fs::path& folder) {
   const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
   if (file >= 0 && ::flock(file, LOCK_EX | LOCK_NB) == 0) return file;
@@ -36,6 +36,7 @@ bool is_old_and_ours(int folder) {
   return ::fstat(folder, &about) == 0 && about.st_uid == ::geteuid() && about.st_mtime + young < std::time(nullptr);
 }
 
+/// Folders of processes that were killed; those in use are locked.
 void remove_left_ones(const fs::path& where) {
   std::error_code ignored;
   for (fs::directory_iterator all(where, ignored), end; !ignored && all != end; all.increment(ignored)) {
@@ -51,6 +52,7 @@ void remove_left_ones(const fs::path& where) {
 
 }  // namespace
 
+/// The name is new: no other process can have prepared the folder.
 ScratchFolder::ScratchFolder() {
   std::error_code error;
   const fs::path where = fs::temp_directory_path(error);

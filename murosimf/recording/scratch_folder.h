@@ -1,6 +1,6 @@
-/// scratch_folder.h - a new folder for files that nobody needs later.
+/// scratch_folder.h - a new folder for temporary files.
 ///
-/// It is locked as long as its process lives. What a process has left that was killed is removed by the next one that needs such a folder.
+/// It is locked during the lifetime of its process. Folders of processes that were killed are removed by the next one that needs such a folder.
 #pragma once
 
 #include <filesystem>
@@ -9,9 +9,9 @@ namespace murosimf::recording {
 
 class ScratchFolder {
  public:
-  /// Where temporary files are on this machine. Throws SetupError.
+  /// In the machine's folder for temporary files. Throws SetupError.
   ScratchFolder();
-  /// Removes it with all that is in it.
+  /// Removes it with its contents.
   ~ScratchFolder();
   ScratchFolder(const ScratchFolder&) = delete;
   ScratchFolder& operator=(const ScratchFolder&) = delete;
@@ -20,7 +20,7 @@ class ScratchFolder {
 
  private:
   std::filesystem::path path_;
-  int lock_ = -1;  // of the folder; ends with the process, however that ends
+  int lock_ = -1;  // of the folder; released by the system when the process ends
 };
 
 }  // namespace murosimf::recording

@@ -8,7 +8,7 @@
 namespace murosimf::recording {
 namespace {
 
-/// Notes the first difference and counts the others.
+/// Keeps the first difference and counts the others.
 class Differences {
  public:
   void compare(const Entity& first, const Entity& second) {
@@ -30,6 +30,7 @@ class Differences {
 
   std::optional<StateDifference> result;
 
+  /// The first difference is enough: all others mostly follow from it.
  private:
   void compare(const Entity& entity, const ColumnBase& first, const ColumnBase& second) {
     const std::string property(first.info().name);
@@ -48,6 +49,7 @@ class Differences {
   void compare(const Entity& entity, const ColumnBase& first, const ColumnBase& second, std::size_t row,
                std::size_t i) {
     const double a = first.get(row, i), b = second.get(row, i);
+    // bit for bit, as the hash: -0 differs from 0, and equal NaN do not differ
     if (std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b)) return;
     const auto& objects = entity.model().objects();
     const std::string object = of_every_object(first.info().scope) && row < objects.size() ? objects[row].name : "";

@@ -8,6 +8,7 @@
 
 #include "murosimf/files/input_file.h"
 #include "murosimf/files/output_file.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/recording/frame_writer.h"
 #include "murosimf/recording/recorded_series.h"
@@ -27,6 +28,7 @@ Metadata run_metadata(const scene::Scene& scene, const std::string& program, con
 }
 
 Attachment text_attachment(const std::string& name, const std::string& text, Duration time) {
+  MUROSIMF_ASSERT(time >= Duration{});
   return {.log_time = static_cast<std::uint64_t>(time.count()),
           .create_time = 0,
           .name = name,
@@ -34,6 +36,7 @@ Attachment text_attachment(const std::string& name, const std::string& text, Dur
           .data = text};
 }
 
+/// Through a file, since the writer needs one; its folder goes with it.
 std::string state_bytes(scene::Scene& scene, const StateFileOptions& options) {
   const Duration now = scene.simulation().now();
   const ScratchFolder folder;
@@ -63,6 +66,7 @@ void load_state_bytes(scene::Scene& scene, const std::string& bytes, const std::
   load_state(scene, folder.path() / name);
 }
 
+/// Older files do not say it.
 std::optional<bool> was_pushable(const std::filesystem::path& file) {
   if (!is_recording(file)) return std::nullopt;
   const McapReader reader(file);
@@ -72,6 +76,7 @@ std::optional<bool> was_pushable(const std::filesystem::path& file) {
   return parse_run_description(attached_text(reader, "run.json")).pushable;
 }
 
+/// Plain states of older versions have no container.
 void load_state(scene::Scene& scene, const std::filesystem::path& file) {
   if (!is_recording(file)) {
     const std::string bytes = files::read_input_file(file, files::most_state_bytes);

@@ -1,5 +1,5 @@
-/// state_file.h - the state of a run at an instant as a file from which it can go on: a recording of nothing but that, with the
-/// scene, its files, and how the run was begun.
+/// state_file.h - the state of a run at an instant as a file from which it can continue: a recording with that state only, the
+/// scene, its files, and the start parameters of the run.
 #pragma once
 
 #include <filesystem>
@@ -18,22 +18,22 @@ struct StateFileOptions {
   AttachedFiles files;
 };
 
-/// What stands in such a file. Between two steps. Throws SetupError.
+/// The contents of such a file. Between two steps. Throws SetupError.
 [[nodiscard]] std::string state_bytes(scene::Scene& scene, const StateFileOptions& options);
-/// The file is whole or not there at all.
+/// The file is complete or absent.
 void write_state(scene::Scene& scene, const std::filesystem::path& file, const StateFileOptions& options);
 
-/// Goes on from the last whole state of such a file, of a recording, or of bytes of Scene::save. Throws SetupError that says what does
-/// not fit, and changes nothing then.
+/// Continues from the last whole state of such a file, of a recording, or of bytes of Scene::save. Throws SetupError with the
+/// mismatch, and changes nothing then.
 void load_state(scene::Scene& scene, const std::filesystem::path& file);
 
-/// The same of such a file's bytes, which messages call `name`.
+/// The same for such a file's bytes, called `name` in messages.
 void load_state_bytes(scene::Scene& scene, const std::string& bytes, const std::string& name);
 
-/// SceneOptions::pushable of the run; nothing if the file does not say it.
+/// SceneOptions::pushable of the run; nothing if the file does not contain it.
 [[nodiscard]] std::optional<bool> was_pushable(const std::filesystem::path& file);
 
-/// What recordings and states say of their run: the metadata "murosimf".
+/// Description of the run in recordings and states: the metadata "murosimf".
 [[nodiscard]] Metadata run_metadata(const scene::Scene& scene, const std::string& program,
                                     const std::string& command_line);
 [[nodiscard]] Attachment text_attachment(const std::string& name, const std::string& text, Duration time);

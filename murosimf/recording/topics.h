@@ -1,4 +1,4 @@
-/// topics.h - messages of a recording by their topics.
+/// topics.h - access to messages of a recording by their topics.
 #pragma once
 
 #include <algorithm>
@@ -14,10 +14,10 @@
 
 namespace murosimf::recording {
 
-/// The channels of these topics, by their numbers.
+/// The channels of these topics, by id.
 [[nodiscard]] std::map<std::uint16_t, std::string> channels_of(const McapReader& file,
                                                                const std::set<std::string>& topics);
-/// Whether there may be messages of one of these channels, by their numbers, in a chunk.
+/// Whether a chunk can contain messages of one of these channels, by id.
 template <class Of>
 [[nodiscard]] bool has_any(const ChunkIndex& chunk, const std::map<std::uint16_t, Of>& channels) {
   return chunk.message_indexes.empty() ||
@@ -42,7 +42,7 @@ void visit_topics(const McapReader& file, const std::set<std::string>& topics, c
   return Duration(static_cast<Duration::rep>(message.log_time));
 }
 
-/// Of a foxglove.Log.
+/// The text of a foxglove.Log.
 [[nodiscard]] std::string text_of_log(std::string_view data);
 
 }  // namespace murosimf::recording

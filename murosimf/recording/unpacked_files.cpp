@@ -21,6 +21,7 @@ UnpackedFiles::UnpackedFiles(const McapReader& file) {
   with_context(file.file().string(), [&] { unpack(file); });
 }
 
+/// Names are checked against the folder: a recording must not write outside of it.
 void UnpackedFiles::unpack(const McapReader& file) {
   const TextMap list = described(file, "files");
   std::set<std::string> written;
@@ -40,7 +41,7 @@ void UnpackedFiles::unpack(const McapReader& file) {
   }
 }
 
-/// Nothing is written outside of the folder, whatever a file says.
+/// Checks the path: a recording must not be able to write outside of the folder.
 fs::path UnpackedFiles::place_of(const fs::path& path) const {
   if (!path.is_absolute() || path != path.lexically_normal() || !path.has_filename()) {
     throw SetupError(fmt::format("it has a file of the impossible name '{}'", path.string()));
@@ -57,7 +58,7 @@ void UnpackedFiles::write(const fs::path& path, const std::string& bytes) const 
   files::write_file(place_of(path), bytes);
 }
 
-/// The first place with a file of this hash.
+/// Links the first place with a file of this hash.
 void UnpackedFiles::link(const fs::path& path, const std::string& size_and_hash_then, const McapReader& file) const {
   constexpr auto most = static_cast<std::uintmax_t>(std::numeric_limits<std::int64_t>::max());
   const fs::path place = place_of(path);

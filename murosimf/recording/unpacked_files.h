@@ -1,4 +1,4 @@
-/// unpacked_files.h - the files of a recorded run in a folder of their own, as long as somebody needs them.
+/// unpacked_files.h - the files of a recorded run, unpacked into a folder for the lifetime of this object.
 #pragma once
 
 #include <filesystem>
@@ -10,9 +10,9 @@ namespace murosimf::recording {
 
 class UnpackedFiles {
  public:
-  /// What was at /PATH is at folder()/PATH: from the recording, or, where that has only a hash, a link to the file on this machine
+  /// The file at /PATH is at folder()/PATH: from the recording, or, where that has only a hash, a link to the file on this machine
   /// (places_of() in recorded_paths.h).
-  /// Throws SetupError that says which file is missing or has changed.
+  /// Throws SetupError with the file that is missing or has changed.
   explicit UnpackedFiles(const McapReader& file);
 
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_.path(); }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/robot/robot_reader.h"
 
 namespace murosimf::scene {
@@ -12,6 +13,7 @@ Assets::RobotKey Assets::key_of(const std::filesystem::path& file, const robot_f
 
 std::shared_ptr<const RobotKind> Assets::robot(const std::filesystem::path& file,
                                                const robot_formats::ReaderOptions& options) {
+  // The lock is held while a file is read: two scenes that need the same robot read it once.
   const std::lock_guard lock(mutex_);
   std::shared_ptr<const RobotKind>& known = robots_[key_of(file, options)];
   if (known) return known;
@@ -26,11 +28,14 @@ std::shared_ptr<const RobotKind> Assets::robot(const std::filesystem::path& file
 }
 
 void Assets::put(const std::filesystem::path& file, const robot_formats::ReaderOptions& options, RobotKind kind) {
+  MUROSIMF_ASSERT(kind.model != nullptr);
   const std::lock_guard lock(mutex_);
   robots_[key_of(file, options)] = std::make_shared<const RobotKind>(std::move(kind));
 }
 
+/// Made under the lock: scenes that are built at the same time must share one model.
 ModelPtr Assets::model(const std::string& key, const std::function<ModelPtr()>& make) {
+  MUROSIMF_ASSERT(make != nullptr);
   const std::lock_guard lock(mutex_);
   ModelPtr& known = models_[key];
   if (!known) known = make();

@@ -1,9 +1,9 @@
-/// assets.h - what scenes of one process share, so that the next scene costs little: robots that were read from their files, and fields.
+/// assets.h - data shared by the scenes of one process, which makes further scenes cheap: robots read from their files, and fields.
 ///
 ///     auto assets = std::make_shared<scene::Assets>();
 ///     for (int i = 0; i < 1000; ++i) worlds.push_back(std::make_unique<scene::Scene>("walk", {.assets = assets}));
 ///
-/// Any number of threads may build scenes with the same assets. Files are read once: what changes on the disk later is seen by new
+/// Any number of threads may build scenes with the same assets. Files are read once: later changes on the disk are seen by new
 /// Assets only.
 #pragma once
 
@@ -22,25 +22,25 @@
 
 namespace murosimf::scene {
 
-/// A robot as its files say.
+/// A robot as described by its files.
 struct RobotKind {
   ModelPtr model;
   std::vector<sensors::SensorSpec> sensors;
   std::vector<std::string> warnings;  ///< of reading
-  std::vector<std::string> unused;    ///< words of the file that have no effect (robot_formats::Unused), each once
+  std::vector<std::string> unused;    ///< words of the file without effect (robot_formats::Unused), each once
 };
 
 class Assets {
  public:
-  /// Of the options those count that scenes have: lenient, body, xacro. Throws SetupError: no such file, an error in it; nothing is kept
-  /// then.
+  /// Of the options only those of scenes matter: lenient, body, xacro. Throws SetupError: no such file, an error in it; then nothing is
+  /// cached.
   [[nodiscard]] std::shared_ptr<const RobotKind> robot(const std::filesystem::path& file,
                                                        const robot_formats::ReaderOptions& options);
 
-  /// What robot() returns for this file and these options from now on, whatever stands in it: a robot that is not quite as its file says.
+  /// Sets the result of robot() for this file and these options, whatever the file contains: for a robot that differs from its file.
   void put(const std::filesystem::path& file, const robot_formats::ReaderOptions& options, RobotKind kind);
 
-  /// What `make` returns for the first who asks with this key, from which it must follow. Throws what make() throws.
+  /// Returns the result of `make` at its first call with this key, which must identify it. Throws what make() throws.
   [[nodiscard]] ModelPtr model(const std::string& key, const std::function<ModelPtr()>& make);
 
  private:

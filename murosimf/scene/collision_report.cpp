@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "murosimf/files/json_document.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::scene {
 namespace {
@@ -16,6 +17,7 @@ constexpr int bar_width = 50;
 
 /// One line for each bin up to the last that is not empty; `width` tests or percent each.
 std::string bars(const auto& steps, std::int64_t width, const std::string& unit) {
+  MUROSIMF_ASSERT(std::begin(steps) != std::end(steps));
   std::size_t last = steps.size();
   while (last > 1 && steps[last - 1] == 0) --last;
   const double most = static_cast<double>(*std::max_element(steps.begin(), steps.end()));
@@ -69,12 +71,14 @@ TestHistogram histogram_of(const std::vector<std::int64_t>& tests) {
   const std::int64_t most = tests.empty() ? 0 : *std::max_element(tests.begin(), tests.end());
   constexpr std::array<std::int64_t, 3> nice{1, 2, 5};
   std::int64_t power = 1;
+  // the narrowest round bin width with which all counts fit into `bins` bins
   for (std::size_t i = 0; most / histogram.bin >= CollisionReport::bins; histogram.bin = power * nice[i]) {
     if (++i == nice.size()) {
       i = 0;
       power *= 10;
     }
   }
+  MUROSIMF_ASSERT(most >= 0 && most / histogram.bin < CollisionReport::bins);
   histogram.steps.resize(static_cast<std::size_t>(most / histogram.bin) + 1);
   for (const std::int64_t count : tests) ++histogram.steps[static_cast<std::size_t>(count / histogram.bin)];
   return histogram;

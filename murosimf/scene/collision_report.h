@@ -1,4 +1,4 @@
-/// collision_report.h - what collision detection costs in a scene: tests per step, and time.
+/// collision_report.h - cost of collision detection in a scene: tests per step, and time.
 #pragma once
 
 #include <array>
@@ -8,9 +8,9 @@
 
 namespace murosimf::scene {
 
-/// How many steps made how many tests.
+/// Number of steps by their number of tests.
 struct TestHistogram {
-  std::int64_t bin = 1;             ///< width: 1, 2 or 5 times a power of ten, so that there are no more than 20
+  std::int64_t bin = 1;             ///< width: 1, 2 or 5 times a power of ten, chosen so that there are at most 20
   std::vector<std::int64_t> steps;  ///< by bin, from 0 tests on
 };
 
@@ -23,16 +23,16 @@ struct CollisionReport {
   std::string scene;
   int robots = 0;
   std::int64_t steps = 0;
-  std::int64_t naive_tests = 0;  ///< of every shape against every other, and against field and ground
+  std::int64_t naive_tests = 0;  ///< every shape against every other, and against field and ground
   double mean_volume_tests = 0, mean_object_tests = 0;
-  double mean_volume_tests_anew = 0;              ///< if no neighbors were remembered from step to step
+  double mean_volume_tests_anew = 0;              ///< without reuse of neighbors from the previous step
   TestHistogram volume_tests_anew, object_tests;  ///< the paper's Fig. 13
   double worst_share = 0;                         ///< of the naive tests, in a step
   std::array<std::int64_t, bins> histogram{};     ///< steps by their share of the naive tests, in bins of 5 %
   double mean_contacts = 0;                       ///< points
-  double pairs_us = 0;                            ///< a step: all transforms and tests among robots and ball, median
-  double ground_us = 0;                           ///< a step: the same with goals and ground, median
-  double detection_us = 0;                        ///< a step: all transforms and tests, median
+  double pairs_us = 0;                            ///< per step: all transforms and tests among robots and ball, median
+  double ground_us = 0;                           ///< per step: the same with goals and ground, median
+  double detection_us = 0;                        ///< per step: all transforms and tests, median
   double step_us = 0;                             ///< the whole simulation, mean
 
   [[nodiscard]] double mean_share() const {

@@ -16,6 +16,7 @@ void add_contact_marks(const World& world, std::vector<ContactMark>& marks) {
     if (ground) add(ground->values[0].points, number);
     ++number;
   }
+  // forces between entities belong to two of them: -1
   if (const auto* pairs = world.common().find(collision::pair_contacts)) add(pairs->values[0].points, -1);
 }
 

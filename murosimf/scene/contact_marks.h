@@ -1,4 +1,4 @@
-/// contact_marks.h - where things of a world touch, as points and forces to be shown.
+/// contact_marks.h - the contacts of a world, as points and forces for display.
 #pragma once
 
 #include <vector>

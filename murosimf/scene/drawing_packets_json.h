@@ -1,4 +1,4 @@
-/// drawing_packets_json.h - what reports say of packets with drawings.
+/// drawing_packets_json.h - packets with drawings, as part of reports.
 #pragma once
 
 #include <optional>

@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/world.h"
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/multibody/kinematics.h"
@@ -9,11 +10,13 @@
 namespace murosimf::scene {
 
 void work_out_poses(const World& world, PoseFrame& frame) {
+  MUROSIMF_ASSERT(frame.first.size() > world.entities().size());
   for (std::size_t i = 0; i < world.entities().size(); ++i) {
     const Entity& entity = *world.entities()[i];
     const Column<Quaterniond>* base = entity.find(properties::base_quaternion);
-    if (!base) continue;  // nothing moves it
+    if (!base) continue;  // static
     const std::size_t first = frame.first[i], size = frame.first[i + 1] - first;
+    MUROSIMF_ASSERT(size > 0 && first + size <= frame.position.size() && first + size <= frame.joint_position.size());
     const auto r = std::span(frame.position).subspan(first, size);
     const auto R = std::span(frame.orientation).subspan(first, size);
     R[0] = to_matrix(base->values[0]);

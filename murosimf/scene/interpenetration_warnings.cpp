@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/collision/body_pairs.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::scene {
 namespace {
@@ -14,7 +15,10 @@ using collision::Interpenetration;
 constexpr std::size_t most_lines = 5;
 
 std::string line_of(const Interpenetration& one, const World& world) {
-  const auto entity = [&](int number) -> const Entity& { return *world.entities()[static_cast<std::size_t>(number)]; };
+  const auto entity = [&](int number) -> const Entity& {
+    MUROSIMF_ASSERT(number >= 0 && static_cast<std::size_t>(number) < world.entities().size());
+    return *world.entities()[static_cast<std::size_t>(number)];
+  };
   const Entity &a = entity(one.a), &b = entity(one.b);
   const std::string what = one.crossed ? "passed through each other"
                                        : fmt::format("were {:.1f} mm in each other, the thinner one is {:.1f} mm thick",
@@ -34,12 +38,14 @@ std::vector<Interpenetration> all_of(const World& world) {
     const auto same = [&](const Interpenetration& other) { return collision::is_of(other, one.a, one.b); };
     if (std::ranges::none_of(all, same)) all.push_back(one);
   }
+  // stable: equal times keep the order of pairs, which does not depend on threads
   std::ranges::stable_sort(all, {}, &Interpenetration::time);
   return all;
 }
 
 }  // namespace
 
+/// A few lines: in a heap, all bodies may be concerned.
 std::vector<std::string> interpenetration_warnings(const World& world) {
   const std::vector<Interpenetration> all = all_of(world);
   std::vector<std::string> lines;

@@ -1,4 +1,4 @@
-/// interpenetration_warnings.h - who has gone deep into somebody or through somebody while a scene ran (collision/interpenetration.h).
+/// interpenetration_warnings.h - entities that have penetrated or passed through others during a run (collision/interpenetration.h).
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace murosimf::scene {
 
-/// One line for each pair of entities, in the order of time; those after the fifth in one line.
+/// One line for each pair of entities, ordered by time; a single line for those after the fifth.
 [[nodiscard]] std::vector<std::string> interpenetration_warnings(const World& world);
 
 }  // namespace murosimf::scene

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/components/servo_description.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/scene_file/setting_targets.h"
@@ -40,12 +41,13 @@ void require_numbers(const scene_file::PropertySetting& setting, std::size_t cou
   }
 }
 
-/// The constants of one model while they change.
+/// The constants of one model during the changes.
 class Changes {
  public:
   Changes(const Model& model, std::vector<std::string>& diagnostics)
       : model_(model), constants_(model.constants()), diagnostics_(diagnostics) {}
 
+  /// The property decides how many numbers there are, and which objects may have it.
   void take(const scene_file::PropertySetting& setting) {
     if (is_of_servo(setting)) return take_servo(setting);
     if (const auto* property = joint_number(setting.property)) return take_joint_number(setting, *property);
@@ -97,6 +99,7 @@ class Changes {
   void take_inertia(const scene_file::PropertySetting& setting, int object) {
     require_numbers(setting, ValueTraits<SymMat3d>::numbers);
     SymMat3d I;
+    MUROSIMF_ASSERT(setting.numbers.size() == ValueTraits<SymMat3d>::numbers);
     for (std::size_t i = 0; i < setting.numbers.size(); ++i) ValueTraits<SymMat3d>::set(I, i, setting.numbers[i]);
     constants_.set(properties::inertia, object, I);
   }
@@ -112,6 +115,7 @@ class Changes {
     }
   }
 
+  /// The new range of all joints that are meant.
   void take_range(const scene_file::PropertySetting& setting) {
     require_numbers(setting, 2);
     const Vec3d range{setting.numbers[0], setting.numbers[1], 0};
@@ -123,6 +127,7 @@ class Changes {
 
   void take_servo(const scene_file::PropertySetting& setting) {
     require_numbers(setting, 1);
+    // "shin.servo" -> "shin"; "servo" alone -> "", which means all joints
     const std::size_t cut = setting.object.size() - std::min(setting.object.size(), servo_word.size() + 1);
     const std::string object = setting.object.substr(0, cut);
     int changed = 0;
@@ -150,7 +155,7 @@ class Changes {
     }
   }
 
-  /// The description's table stands in no file: its place means nothing to anybody.
+  /// Removes the place of the description's table, which is in no file.
   static std::string without_place(const std::string& message) {
     const std::size_t end = message.find(": ");
     return message.starts_with("scene:") && end != std::string::npos ? message.substr(end + 2) : message;
@@ -172,10 +177,12 @@ bool is_constant(const scene_file::PropertySetting& setting) {
 ModelPtr with_constants(const Model& model, const std::vector<scene_file::PropertySetting>& settings,
                         std::vector<std::string>& diagnostics) {
   Changes changes(model, diagnostics);
+  // masses first: a given inertia then replaces the scaled one, whatever the order of the settings
   std::vector<scene_file::PropertySetting> ordered = settings;
   std::stable_partition(ordered.begin(), ordered.end(), [](const scene_file::PropertySetting& setting) {
     return setting.property == properties::mass.name;
   });
+  MUROSIMF_ASSERT(!ordered.empty());
   for (const scene_file::PropertySetting& setting : ordered)
     with_context(setting.where, [&] { changes.take(setting); });
   return with_context(ordered.back().where, [&] { return std::make_shared<const Model>(changes.result()); });

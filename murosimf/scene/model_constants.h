@@ -1,4 +1,4 @@
-/// model_constants.h - constants of a model that a scene changes: --set 'blue1.torso.mass=1.2'.
+/// model_constants.h - constants of a model that a scene overrides: --set 'blue1.torso.mass=1.2'.
 ///
 ///     blue1.torso.mass, .center_of_mass, .inertia               of an object that has a mass
 ///     blue1.j_l_shin.joint_damping, .joint_range, ...            of a joint; blue1.joint_damping: of all joints
@@ -13,10 +13,10 @@
 
 namespace murosimf::scene {
 
-/// True if the setting means a constant, not a property that changes while a scene runs.
+/// Whether the setting is of a constant, not of a property that changes while a scene runs.
 [[nodiscard]] bool is_constant(const scene_file::PropertySetting& setting);
 
-/// A copy of the model with other constants. Masses come first; the inertia goes with its mass, which `diagnostics` say.
+/// A copy of the model with other constants. Masses are set first; the inertia is scaled with its mass, which `diagnostics` report.
 /// Throws SetupError that begins with the setting's place: for objects without that constant, and impossible numbers.
 [[nodiscard]] ModelPtr with_constants(const Model& model, const std::vector<scene_file::PropertySetting>& settings,
                                       std::vector<std::string>& diagnostics);

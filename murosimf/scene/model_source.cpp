@@ -7,6 +7,7 @@
 #include "murosimf/appearance/visual_meshes.h"
 #include "murosimf/files/allowed_files.h"
 #include "murosimf/files/data_path.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/scene/model_constants.h"
@@ -25,12 +26,13 @@ std::vector<scene_file::PropertySetting> constants_of(const scene_file::SceneSpe
   return settings;
 }
 
-/// All whom the first setting means, for diagnostics that are true of all of them.
+/// All entities of the first setting, for diagnostics that apply to all of them.
 std::string owners_of(const std::vector<scene_file::PropertySetting>& settings) {
+  MUROSIMF_ASSERT(!settings.empty());
   return fmt::format("{}", fmt::join(settings[0].entities, ", "));
 }
 
-/// Visual meshes are read later, when somebody looks.
+/// Checks access to visual meshes, which are read later, by the first renderer.
 void check_visuals(const Model& model) {
   for (const std::string& file : appearance::visual_files(model)) {
     if (files::may_be_read(file)) continue;
@@ -39,7 +41,7 @@ void check_visuals(const Model& model) {
   }
 }
 
-/// Its words without effect are for MuJoCo, and known.
+/// Supplied files contain words for MuJoCo without effect here, which need no note.
 bool comes_with_the_program(const std::filesystem::path& file) {
   std::error_code none;
   return std::ranges::any_of(files::program_folders(), [&](const std::filesystem::path& folder) {
@@ -49,7 +51,7 @@ bool comes_with_the_program(const std::filesystem::path& file) {
 
 /// "these words of its file have no effect here: option, geom.condim and 3 more; murosimf check kid21"
 std::string unused_text(const std::vector<std::string>& words, const std::string& name) {
-  constexpr std::ptrdiff_t most = 8;  // that fit into a line
+  constexpr std::ptrdiff_t most = 8;  // as many as fit into a line
   const auto shown = std::min(most, std::ssize(words));
   const auto more = std::ssize(words) - shown;
   return fmt::format("these words of its file have no effect here: {}{}; murosimf check {}",
@@ -85,6 +87,7 @@ const RobotKind& ModelSource::read(const std::string& name, const std::string& w
 ModelPtr ModelSource::changed_for(const std::string& entity, const ModelPtr& model) {
   const std::vector<scene_file::PropertySetting> settings = constants_of(spec_, entity);
   if (settings.empty()) return model;
+  // the places of the settings as a key: entities of one setting share the changed model
   std::string key;
   for (const scene_file::PropertySetting& setting : settings) key += setting.where + "\n";
   ModelPtr& known = with_constants_[{model, key}];
@@ -95,6 +98,7 @@ ModelPtr ModelSource::changed_for(const std::string& entity, const ModelPtr& mod
   return known;
 }
 
+/// An unknown material would silently have the usual friction.
 void check_materials(const Model& model, const MaterialTable& materials) {
   for (const int body : model.bodies()) {
     const Shapes* shapes = model.find(properties::shapes, body);

@@ -1,4 +1,4 @@
-/// model_source.h - the models of a scene's entities: read once for equal robots, copied where the scene changes constants.
+/// model_source.h - the models of a scene's entities: read once for equal robots, copied where the scene overrides constants.
 #pragma once
 
 #include <map>
@@ -13,7 +13,7 @@
 
 namespace murosimf::scene {
 
-/// Throws SetupError for a material that the table does not know.
+/// Throws SetupError for a material that is not in the table.
 void check_materials(const Model& model, const MaterialTable& materials);
 
 class ModelSource {
@@ -24,13 +24,13 @@ class ModelSource {
   /// A robot's model by name or file, with the sensors of its files. Throws SetupError: no such file, an error in it,
   /// an unknown material.
   [[nodiscard]] const RobotKind& robot(const scene_file::RobotSpec& robot);
-  /// The same of a body that has a file.
+  /// The same for a body with a file.
   [[nodiscard]] const RobotKind& robot(const scene_file::BodySpec& body);
 
-  /// The model, or a copy with the constants that the scene changes for this entity.
+  /// The model, or a copy with the constants that the scene overrides for this entity.
   [[nodiscard]] ModelPtr changed_for(const std::string& entity, const ModelPtr& model);
 
-  /// Throws SetupError for a material that the scene does not know.
+  /// Throws SetupError for a material that is not in the scene.
   void check_materials(const Model& model) const { scene::check_materials(model, spec_.materials); }
 
  private:
@@ -41,8 +41,8 @@ class ModelSource {
   bool lenient_;
   Diagnostics& diagnostics_;
   using RobotKey = std::tuple<std::string, std::string, std::map<std::string, std::string>>;
-  std::map<RobotKey, std::shared_ptr<const RobotKind>> robots_;          // those that fit to the scene
-  std::map<std::pair<ModelPtr, std::string>, ModelPtr> with_constants_;  // equal changes share one, too
+  std::map<RobotKey, std::shared_ptr<const RobotKind>> robots_;          // those checked against the scene
+  std::map<std::pair<ModelPtr, std::string>, ModelPtr> with_constants_;  // shared for equal changes
 };
 
 }  // namespace murosimf::scene

@@ -10,6 +10,7 @@
 
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/catalog/property_catalog.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/fixed_base.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
@@ -22,26 +23,35 @@ namespace {
 
 using Numbers = std::span<const double>;
 
-/// What a property that users may set belongs to.
+/// Kind of object that a settable property belongs to.
 enum class Owner { base, body, joint, servo, motor, gear };
 
-/// Why a property cannot have these numbers; empty if it can.
+/// Reason why a property cannot have these numbers; empty if it can.
 using ValueCheck = std::string_view (*)(Numbers);
 
-std::string_view not_negative(Numbers numbers) { return numbers[0] < 0 ? "must not be negative" : ""; }
-std::string_view zero_or_one(Numbers numbers) { return numbers[0] == 0 || numbers[0] == 1 ? "" : "must be 0 or 1"; }
-std::string_view above_absolute_zero(Numbers numbers) { return numbers[0] < -273 ? "is colder than anything" : ""; }
+std::string_view not_negative(Numbers numbers) {
+  MUROSIMF_ASSERT(!numbers.empty());
+  return numbers[0] < 0 ? "must not be negative" : "";
+}
+std::string_view zero_or_one(Numbers numbers) {
+  MUROSIMF_ASSERT(!numbers.empty());
+  return numbers[0] == 0 || numbers[0] == 1 ? "" : "must be 0 or 1";
+}
+std::string_view above_absolute_zero(Numbers numbers) {
+  MUROSIMF_ASSERT(!numbers.empty());
+  return numbers[0] < -273 ? "is colder than anything" : "";
+}
 std::string_view unit_length(Numbers numbers) {
   double square = 0;
   for (const double number : numbers) square += number * number;
   return std::abs(std::sqrt(square) - 1) < 1e-3 ? "" : "must have length 1: w, x, y, z of a turn";
 }
 
-/// A property that acts if it is set although algorithms may write it, or that nobody writes.
+/// A property that has an effect if set although algorithms may write it, or that no algorithm writes.
 struct SettableProperty {
   std::string_view name;
   Owner owner = Owner::base;
-  bool of_level = false;  ///< only levels use it that say so (Level::inputs)
+  bool of_level = false;  ///< used only by levels that list it (LevelType::inputs)
   ValueCheck check = nullptr;
 };
 
@@ -104,7 +114,7 @@ std::string called(const Entity& entity, int index) {
   return fmt::format("entity '{}', object '{}'", entity.name(), entity.model().objects()[index].name);
 }
 
-/// As setting it now would find it. False if there is no such property yet, but a level may bring it.
+/// Checks setting it now. Returns false if the property does not exist yet, but a level may create it.
 bool can_be_set(Entity& entity, ObjectAccess object, int index, const scene_file::PropertySetting& setting,
                 bool level_changes) {
   const ColumnBase* column = entity.find(setting.property);
@@ -117,11 +127,11 @@ bool can_be_set(Entity& entity, ObjectAccess object, int index, const scene_file
   const bool fits = column && column->numbers() > 0 && column->numbers() == setting.numbers.size() &&
                     std::ranges::all_of(setting.numbers, [](double x) { return std::isfinite(x); }) &&
                     (whole ? index == 0 : !entity.model().objects()[index].structural);
-  if (!fits) object.set(setting.property, setting.numbers);  // says why not, and sets nothing
+  if (!fits) object.set(setting.property, setting.numbers);  // throws with the reason, and sets nothing
   return true;
 }
 
-/// Throws SetupError if the property means nothing for this object.
+/// Throws SetupError if the property does not apply to this object.
 void check_owner(const Entity& entity, int index, const SettableProperty& property) {
   const Model& model = entity.model();
   const auto need = [&](bool good, std::string_view what) {
@@ -144,7 +154,7 @@ void check_owner(const Entity& entity, int index, const SettableProperty& proper
   }
 }
 
-/// Throws SetupError if what is set would be overwritten.
+/// Throws SetupError if the value would be overwritten.
 void check_writers(const Simulation& simulation, const Entity& entity, int index, std::string_view property) {
   const auto writers = simulation.writers_of(entity, property);
   if (writers.empty()) return;
@@ -152,7 +162,7 @@ void check_writers(const Simulation& simulation, const Entity& entity, int index
                                called(entity, index), property, fmt::join(writers, ", ")));
 }
 
-/// What a servo does with its supply; empty if it needs it.
+/// Reason why a servo does not use its supply; empty if it does.
 std::string why_no_motor(const Servo& servo, const scene_file::RobotSpec& robot, std::string_view property) {
   if (motion::with_law(servo, robot.servo_law).law != "dc_motor") return "the law of this servo has no motor";
   if (property == "supply_voltage" && servo.voltage <= 0)
@@ -161,7 +171,7 @@ std::string why_no_motor(const Servo& servo, const scene_file::RobotSpec& robot,
   return {};
 }
 
-/// Which of the two targets a joint has; empty if it is this one.
+/// Reason why a joint does not use this one of the two targets; empty if it does.
 std::string why_no_target(const Model& model, int joint, const std::vector<const catalog::LevelType*>& levels,
                           std::string_view property) {
   const Servo* servo = model.find(properties::servo, joint);
@@ -176,7 +186,7 @@ std::string why_no_target(const Model& model, int joint, const std::vector<const
   return {};
 }
 
-/// It would move a base that is bolted to the world.
+/// Whether the property would move a base that is fixed to the world.
 bool moves_fixed_base(const scene_file::RobotSpec& robot, const std::vector<const catalog::LevelType*>& levels,
                       const Model& model, int index, std::string_view property) {
   const bool moves = property == "linear_velocity" || property == "angular_velocity" || property == "applied_force";
@@ -188,6 +198,7 @@ bool moves_fixed_base(const scene_file::RobotSpec& robot, const std::vector<cons
 
 std::string why_it_does_not_act(const scene_file::SceneSpec& spec, const scene_file::RobotSpec& robot,
                                 const Entity& entity, int index, const SettableProperty& property, double time) {
+  MUROSIMF_ASSERT(index >= 0 && static_cast<std::size_t>(index) < entity.model().objects().size());
   const auto levels = scene_file::levels_from(spec, robot, time);
   const bool acts = !property.of_level || std::ranges::any_of(levels, [&](const catalog::LevelType* level) {
     return catalog::has_word(level->inputs, property.name);
@@ -211,7 +222,7 @@ bool moves_height(const scene_file::PropertySetting& setting, const Entity& enti
   return setting.property == "position" && place && setting.numbers[2] != place->values[0].z;
 }
 
-/// check_setting for one of the objects that are meant.
+/// check_setting for one of the denoted objects.
 std::string check_object(Simulation& simulation, const scene_file::SceneSpec& spec,
                          const scene_file::PropertySetting& setting, Entity& entity, int index, double time) {
   const ObjectAccess object(entity, index);
@@ -228,7 +239,7 @@ std::string check_object(Simulation& simulation, const scene_file::SceneSpec& sp
     }
   }
   const scene_file::RobotSpec* robot = find_spec(spec, entity.name());
-  if (!robot) return {};  // a ball is at one level, which has them all
+  if (!robot) return {};  // ball and bodies are always at one level, which uses all of them
   if (auto why = why_it_does_not_act(spec, *robot, entity, index, *property, time); !why.empty()) return why;
   const auto levels = scene_file::levels_from(spec, *robot, time);
   if (!catalog::has_word(levels.front()->keys, "position.z") && levels.size() == 1 && moves_height(setting, entity)) {
@@ -252,6 +263,7 @@ std::string check_command(const scene_file::RobotSpec& robot, const Model& model
   const catalog::ControllerType& controller = find_entry(catalog::controllers(), "controller", robot.controller);
   if (!controller.attainable || is_zero(command)) return {};
   const Vec3d most = controller.attainable(model, robot.options, command);
+  // below the rounding of clamps and curvatures
   if (norm(most - command) < 1e-9) return {};
   return fmt::format(
       "the command [{:.3g}, {:.3g}, {:.3g}] (m/s, m/s, rad/s) is more than '{}' can do with this robot: "
@@ -259,6 +271,7 @@ std::string check_command(const scene_file::RobotSpec& robot, const Model& model
       command.x, command.y, command.z, robot.controller, most.x, most.y, most.z);
 }
 
+/// As users write it: without an object where none is needed.
 std::string setting_path(const scene_file::PropertySetting& setting, const Entity& entity) {
   if (setting.object.empty() && scene_file::is_of_joints(setting.property)) {
     return fmt::format("{}.{}", entity.name(), setting.property);

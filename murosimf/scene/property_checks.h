@@ -1,7 +1,7 @@
-/// property_checks.h - whether a property that a user sets can be set there, and acts.
+/// property_checks.h - whether a property that a user sets can be set there, and has an effect.
 ///
-/// A property that algorithms write in every step is set in vain, unless they begin the step with what they find: that is
-/// their state. Those are listed in property_checks.cpp; what the levels have of their own stands in catalog/algorithm_catalog.cpp.
+/// Setting a property that algorithms write in every step has no effect, unless they read it at the beginning of the step: then it is
+/// their state. Those are listed in property_checks.cpp; those of single levels in catalog/algorithm_catalog.cpp.
 #pragma once
 
 #include <string>
@@ -11,17 +11,17 @@
 
 namespace murosimf::scene {
 
-/// Of one entity, after initialize(). `time` [s]: when it will be set. Throws SetupError if there is no such object or
-/// property, if the numbers are too many, too few or impossible, or if an algorithm would overwrite them. Returns what
-/// the user should know because it changes nothing, without the entity's name; empty if it acts.
+/// For one entity, after initialize(). `time` [s]: when it will be set. Throws SetupError if there is no such object or
+/// property, if the numbers are too many, too few or invalid, or if an algorithm would overwrite them. Returns the
+/// reason why it has no effect, without the entity's name; empty if it has one.
 [[nodiscard]] std::string check_setting(Simulation& simulation, const scene_file::SceneSpec& spec,
                                         const scene_file::PropertySetting& setting, const std::string& entity,
                                         double time);
 
-/// What a controller makes of a walking velocity that is more than it can; empty if it follows it.
+/// The limit of a controller for a walking velocity beyond its range; empty if it follows the command.
 [[nodiscard]] std::string check_command(const scene_file::RobotSpec& robot, const Model& model, const Vec3d& command);
 
-/// "walker.pelvis.applied_force"; "walker.joint_target" of all joints.
+/// "walker.pelvis.applied_force"; "walker.joint_target" for all joints.
 [[nodiscard]] std::string setting_path(const scene_file::PropertySetting& setting, const Entity& entity);
 
 /// "walker.pelvis.applied_force = [0, 20, 0, 0, 0, 0]"

@@ -8,6 +8,7 @@
 #include "murosimf/appearance/visual_meshes.h"
 #include "murosimf/files/data_path.h"
 #include "murosimf/files/xml_element.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/scene_file/remote_override.h"
 
 namespace murosimf::scene {
@@ -28,7 +29,7 @@ void add_model(const std::string& model, const fs::path& beside, std::vector<fs:
   if (const auto file = files::look_for_data_file(model, "models", ".xml", beside)) folders.push_back(folder_of(*file));
 }
 
-/// What is told of overrides quotes names of the scene: only of a file that is one.
+/// Messages about overrides quote names of the scene, which is harmless only if the file is a scene.
 bool is_scene(const fs::path& file) {
   try {
     (void)scene_file::read_scene(file);
@@ -38,6 +39,7 @@ bool is_scene(const fs::path& file) {
   }
 }
 
+/// Requests come over a network: errors must not tell the contents of files.
 [[noreturn]] void refuse(const std::string& whole, bool quotes_override) {
   if (quotes_override) throw SetupError(files::one_line(whole));
   const std::string places = places_in(whole);
@@ -57,6 +59,7 @@ struct Place {
 };
 
 Place place_at_begin(std::string_view text) {
+  // a place is only what has the full form: everything else could be a quotation from the file
   const std::size_t colon = std::min(text.find(':'), text.size());
   const std::size_t end = end_of_number(text, colon + 1);
   if (colon == 0 || end <= colon + 1) return {};
@@ -72,6 +75,7 @@ std::string places_in(std::string_view message) {
   std::string places;
   for (Place place = place_at_begin(message); place.length > 0; place = place_at_begin(message)) {
     const std::string name = fs::path(place.file).filename().string();
+    MUROSIMF_ASSERT(place.length <= message.size());
     places += fmt::format("{}{}:{}", places.empty() ? "" : ": ", name, place.line);
     message.remove_prefix(place.length);
   }
@@ -93,6 +97,7 @@ std::shared_ptr<const files::AllowedFiles> files_of_run(const Scene& scene, std:
 }
 
 void for_outside(const std::string& name, const SceneOptions& options, const std::function<void()>& build) {
+  // before the file system is touched: errors must not reveal which files exist
   if (name.size() > longest_name || files::one_line(name) != name) throw SetupError("this is no name of a scene");
   const files::OnlyAllowed only(options.only_from.get());
   const fs::path file = files::find_data_file(name, "scenes", ".toml");

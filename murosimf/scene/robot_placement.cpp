@@ -8,6 +8,7 @@
 
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/collision/ground_points.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/fixed_base.h"
 #include "murosimf/model/properties.h"
@@ -17,7 +18,7 @@
 namespace murosimf::scene {
 namespace {
 
-/// Turns the robot as it stands, about its base, so that it is upright and has the heading.
+/// Rotation about the robot's base that makes it upright with this heading.
 Mat3d turn_to(Entity& robot, double heading) {
   const auto soles = robot.model().having(properties::sole);
   const Mat3d base = robot.base().get(properties::orientation);
@@ -26,7 +27,7 @@ Mat3d turn_to(Entity& robot, double heading) {
   return rotation_z(heading) * transpose(sole);
 }
 
-/// [m] Of the lowest point, above the base, after that turn.
+/// [m] Lowest point relative to the base after that rotation.
 double lowest_point(Entity& robot, const Mat3d& turn) {
   const auto& shapes = collision::ground_shapes(robot.model());
   if (shapes.empty() || has_fixed_base(robot.model())) return 0;
@@ -40,10 +41,11 @@ double lowest_point(Entity& robot, const Mat3d& turn) {
   return lowest;
 }
 
-/// Of all its objects: levels may take over from any of them.
+/// Moves all its objects: levels may continue from any of them.
 void move(Entity& robot, const Mat3d& turn, const Vec3d& base) {
   std::vector<Vec3d>& r = robot.column(properties::position).values;
   std::vector<Mat3d>& R = robot.column(properties::orientation).values;
+  MUROSIMF_ASSERT(!r.empty() && r.size() == R.size());
   const Vec3d before = r[0];
   for (std::size_t object = 0; object < r.size(); ++object) {
     r[object] = base + turn * (r[object] - before);
@@ -77,7 +79,7 @@ void place(SceneParts& parts, std::string_view name, const Placement& placement)
   const catalog::LevelOptions options =
       spec == parts.spec.robots.end() ? catalog::LevelOptions{} : level_options(parts, *spec);
   parts.simulation->exchange(level, robot, [&](Setup& setup) { return catalog::make_level(level, setup, options); });
-  stop(robot);  // what the level had of its momentum
+  stop(robot);  // removes momentum kept by the level
 }
 
 }  // namespace murosimf::scene

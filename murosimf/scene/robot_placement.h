@@ -1,7 +1,7 @@
-/// robot_placement.h - puts a robot, ball or body somewhere else while the scene runs, as people do in a game: upright, at
-/// rest, joints as they are.
+/// robot_placement.h - moves a robot, ball or body to another place while the scene runs, as referees do in a game: upright, at
+/// rest, joints unchanged.
 ///
-/// Its level begins there; its software, sensors and the clock go on and do not notice more than a real robot would.
+/// Its level restarts there; its software, sensors and the clock continue and notice no more than on a real robot.
 #pragma once
 
 #include "murosimf/scene/scene_parts.h"
@@ -10,8 +10,8 @@ namespace murosimf::scene {
 
 using scene_file::Placement;
 
-/// Between two steps: a robot, the ball or a body that moves. The first sole is flat, or, without soles, the base level. Throws
-/// SetupError for unknown entities, for those that are not there or frozen, and if the level cannot begin so.
+/// Between two steps: a robot, the ball or a moving body. The first sole is level, or, without soles, the base. Throws
+/// SetupError for unknown entities, for absent or frozen ones, and if the level cannot start like this.
 void place(SceneParts& parts, std::string_view entity, const Placement& placement);
 
 }  // namespace murosimf::scene

@@ -49,7 +49,7 @@ double us_per_call(const connect::SoftwareReport& software) {
   return software.calls == 0 ? 0 : us(software.spent) / static_cast<double>(software.calls);
 }
 
-/// Null for software that sends none.
+/// Null for software without messages.
 json messages_object(const connect::SoftwareReport& software) {
   if (!software.messages) return nullptr;
   const connect::MessageCounts& counts = *software.messages;
@@ -97,6 +97,7 @@ json control_object(const ControlReport& report) {
           {"not_kept", software.not_kept}};
 }
 
+/// Columns for robots with messages only.
 std::string message_text(const std::vector<ControlReport>& control) {
   std::string text;
   for (const auto& [robot, software] : control) {
@@ -130,7 +131,7 @@ std::string link_text(const std::vector<ControlReport>& control) {
   return text;
 }
 
-/// A table, then what the software has said.
+/// A table, followed by the output lines of the software.
 std::string control_text(const std::vector<ControlReport>& control) {
   if (control.empty()) return {};
   std::string text = fmt::format("\n{:<12} {:>9} {:>8} {:>13} {:>13} {:>11} {:>8}  {}\n", "control of", "rate", "calls",

@@ -1,4 +1,4 @@
-/// run_report.h - what a run has shown: for people as a table, for programs as JSON.
+/// run_report.h - the results of a run: for people as a table, for programs as JSON.
 #pragma once
 
 #include <cstdint>
@@ -34,16 +34,16 @@ struct ControlReport {
   connect::SoftwareReport software;
 };
 
-/// A run that something has ended before its time.
+/// Early end of a run.
 struct EarlyStop {
   std::string by;    ///< "SIGINT"
-  double asked = 0;  ///< [s] of simulated time that there should have been
+  double asked = 0;  ///< [s] requested simulated time
 };
 
-/// What came in for drawings of other programs (drawing/roboviz_server.h).
+/// Packets with drawings of other programs (drawing/roboviz_server.h).
 struct DrawingPackets {
   std::uint64_t packets = 0;
-  std::uint64_t ignored = 0;  ///< of them: damaged, or too much
+  std::uint64_t ignored = 0;  ///< damaged or excess ones among them
 };
 
 struct RunReport {
@@ -54,18 +54,18 @@ struct RunReport {
   int threads = 1;
   std::uint64_t seed = 0;
   std::uint64_t state_hash = 0;
-  std::optional<EarlyStop> stopped;  ///< at `simulated`; nothing: it came to its end
+  std::optional<EarlyStop> stopped;  ///< at `simulated`; nothing: the run was completed
   std::vector<EntityReport> entities;
   std::vector<SensorReport> sensors;
   std::vector<ControlReport> control;
-  std::optional<DrawingPackets> drawings;  ///< nothing: nobody could send any
+  std::optional<DrawingPackets> drawings;  ///< nothing: no server was open
   std::vector<AlgorithmStatistics> algorithms;
   std::vector<Event> events;
-  std::vector<std::string> notes;     ///< what a level cannot show: nothing is wrong
-  std::vector<std::string> warnings;  ///< what may make the result worthless
+  std::vector<std::string> notes;     ///< limits of a level: nothing is wrong
+  std::vector<std::string> warnings;  ///< problems that may make the result worthless
 };
 
-/// Tables with aligned columns: entities, algorithms, sums, events, notes, warnings. Of sensors only how many there are.
+/// Tables with aligned columns: entities, algorithms, sums, events, notes, warnings. Of sensors only their number.
 [[nodiscard]] std::string to_text(const RunReport& report);
 
 /// One JSON object: schema (json_document.h), simulated_s, wall_s, real_time_factor, threads, seed, state_hash (hexadecimal text),

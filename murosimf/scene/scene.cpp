@@ -63,6 +63,7 @@ void Scene::leave(std::string_view entity) { scene::leave(parts_, entity); }
 
 std::future<void> Scene::post(std::string change) {
   const auto event = [this, change] { return scene_file::read_change(parts_.spec, change); };
+  // checked when it is posted as well: the caller gets errors of spelling at once
   return parts_.simulation->post(
       change, [this, event] { apply_change(parts_, event()); }, [this, event] { check_change(parts_, event()); });
 }
@@ -74,6 +75,7 @@ void Scene::reset(std::optional<std::uint64_t> seed) { scene::reset(parts_, seed
 std::vector<std::byte> Scene::save() { return save_state(parts_); }
 void Scene::load(std::span<const std::byte> bytes) { load_state(parts_, bytes); }
 
+/// With all digits: the repeated command must come in the same step.
 std::vector<std::string> events_of_commands(const std::vector<Command>& commands) {
   std::vector<std::string> events;
   for (const Command& command : commands) {

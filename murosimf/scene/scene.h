@@ -24,7 +24,7 @@ class Scene {
  public:
   /// `name`: a file, or the name of a scene that comes with the program. Throws SetupError.
   explicit Scene(const std::filesystem::path& name, const SceneOptions& options = {});
-  /// What a program has put together, or read before (scene_file/scene_spec.h); of the options, overrides, events and pushes
+  /// From a spec that a program has built or read before (scene_file/scene_spec.h); of the options, overrides, events and pushes
   /// concern files only. Throws SetupError.
   explicit Scene(scene_file::SceneSpec spec, const SceneOptions& options = {});
   Scene(const Scene&) = delete;  // the simulation calls back into its parts
@@ -40,41 +40,41 @@ class Scene {
   // throw SetupError, and change nothing, for unknown names and if the robot cannot change as it is now.
   void exchange_level(std::string_view robot, std::string_view level);
   void exchange_contact(std::string_view entity, std::string_view law);
-  /// Of all servos of a robot at articulated_dynamics; the others remember it.
+  /// For all servos of a robot at articulated_dynamics; other levels store it.
   void exchange_servo_law(std::string_view robot, std::string_view law);
 
-  // Robots, ball and bodies leave between two steps, and come back as they began (scene_presence.h); they may also be absent at
+  // Robots, ball and bodies leave between two steps, and return in their initial state (scene_presence.h); they may also be absent at
   // the start (`present = false`). Throw SetupError, and change nothing, for unknown names, and if there is nothing to change.
   void enter(std::string_view entity);
   void leave(std::string_view entity);
 
-  // A robot or body that moves comes into the scene between two steps, as if the file had had it last: with its sensors, controller and
-  // level. Sensors that were there before see it by rays and in pictures; the outputs of detectors and ground truth are those
-  // of the start. Initializes. A reset then begins with it, too, and states of before no longer fit. Throw SetupError, and change
-  // nothing, for what a file could not say either. The entity stays where it is.
+  // Adds a robot or moving body between two steps, as if it were the last entry of the file: with its sensors, controller and
+  // level. Existing sensors see it by rays and in pictures; the outputs of detectors and ground truth are those
+  // of the start. Initializes. A reset then includes it, and earlier states no longer fit. Throw SetupError, and change
+  // nothing, for what a file could not contain either. The address of the entity is stable.
   Entity& add(scene_file::RobotSpec robot);
   Entity& add(scene_file::BodySpec body);
 
-  /// From any thread: changes a level, law, command, property or who is present at the beginning of the next step, by PATH = VALUE as in the scene's
-  /// events ("blue1.level = full_dynamics"). The future says when it was done, and throws SetupError if it could not be. What was done
-  /// stands in simulation().commands(), by which events_of_commands() repeats the run.
+  /// From any thread: changes a level, law, command, property or presence at the beginning of the next step, by PATH = VALUE as in the scene's
+  /// events ("blue1.level = full_dynamics"). The future becomes ready when it is done, and throws SetupError if it fails. Completed changes
+  /// are listed in simulation().commands(), with which events_of_commands() repeats the run.
   std::future<void> post(std::string change);
 
-  /// The same at once, between two steps, by the thread that runs it: all of them one after the other, or, if one is wrong or cannot
-  /// be, none. Throws SetupError then, and everything is as it was.
+  /// The same at once, between two steps, by the thread that runs it: all of them in order, or, if one is invalid or
+  /// fails, none. Throws SetupError then, and the scene is unchanged.
   void change(const std::vector<std::string>& changes);
 
-  /// Back to the beginning without building anything: the same run, readings included, as of a new scene with these options and,
+  /// Returns to the beginning without rebuilding: the same run, readings included, as of a new scene with these options and,
   /// if given, this seed. Throws SetupError if the scene cannot start.
   void reset(std::optional<std::uint64_t> seed = {});
 
   /// The state of the simulation (Simulation::save), and at which levels and laws entities are.
   [[nodiscard]] std::vector<std::byte> save();
-  /// Goes on from there, also in another process: in a scene of the same file and options. Throws SetupError and changes nothing if
-  /// the state is of another one.
+  /// Continues from such a state, also in another process: in a scene of the same file and options. Throws SetupError and changes nothing if
+  /// the state belongs to another one.
   void load(std::span<const std::byte> bytes);
 
-  /// For what reports and draws (scene_report.h, scene_pictures.h).
+  /// For reports and pictures (scene_report.h, scene_pictures.h).
   [[nodiscard]] SceneParts& parts() { return parts_; }
   [[nodiscard]] const SceneParts& parts() const { return parts_; }
 
@@ -82,7 +82,7 @@ class Scene {
   SceneParts parts_;
 };
 
-/// The commands of a run as SceneOptions::events of one that repeats it.
+/// The commands of a run as SceneOptions::events of a run that repeats it.
 [[nodiscard]] std::vector<std::string> events_of_commands(const std::vector<Command>& commands);
 
 }  // namespace murosimf::scene

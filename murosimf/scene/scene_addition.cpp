@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/catalog/algorithm_catalog.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/scene/scene_algorithms.h"
 #include "murosimf/scene/scene_checks.h"
@@ -18,7 +19,7 @@
 namespace murosimf::scene {
 namespace {
 
-/// Shortens all lists of the scene again, if nobody says that all went well.
+/// Truncates all lists of the scene to their former length, unless done() was called.
 class Lengths {
  public:
   explicit Lengths(SceneParts& parts) : parts_(parts) {}
@@ -29,8 +30,10 @@ class Lengths {
   }
   void done() { done_ = true; }
 
+  /// Undoes an addition that failed half-way: lists are as long as before.
  private:
   void shorten() {
+    MUROSIMF_ASSERT(parts_.robots.size() >= robots_ && parts_.moving_entities.size() >= moving_);
     parts_.spec.robots.resize(robots_);
     parts_.spec.bodies.resize(bodies_);
     parts_.robots.resize(robots_);
@@ -46,8 +49,8 @@ class Lengths {
   SceneParts& parts_;
   std::size_t robots_ = parts_.spec.robots.size(), bodies_ = parts_.spec.bodies.size();
   std::size_t moving_bodies_ = parts_.bodies.size(), moving_ = parts_.moving_entities.size();
-  sensors::WorldQueries* queries_ = parts_.queries;                 // may have come with its sensors
-  collision::MultirateStepping* multirate_ = parts_.step_multiple;  // may have come with it
+  sensors::WorldQueries* queries_ = parts_.queries;                 // may have been attached with its sensors
+  collision::MultirateStepping* multirate_ = parts_.step_multiple;  // may have been attached with it
   connect::MessageExchange* messages_ = parts_.messages;            // the same
   bool done_ = false;
 };
@@ -59,11 +62,12 @@ void check_team(const scene_file::SceneSpec& spec, const scene_file::RobotSpec& 
   if (std::ranges::find(names, robot.team) == names.end()) throw SetupError(unknown_name("team", robot.team, names));
 }
 
-/// What stands at the end of either way.
+/// Final steps for robots and bodies.
 void finish(SceneParts& parts, Entity& entity) {
   start_moving(parts, entity);
   parts.at_start.algorithms.push_back(algorithms_in_force(parts).back());
   show_changes(parts);
+  MUROSIMF_ASSERT(parts.at_start.algorithms.size() == parts.moving_entities.size());
   parts.diagnostics.warn(overlaps_of(entity, *parts.field, parts.moving_entities));
 }
 
@@ -77,6 +81,7 @@ Entity& add(SceneParts& parts, scene_file::RobotSpec robot) {
   const EntitySpec kind = robot_entity(parts, models, robot);
   Lengths lengths(parts);
   parts.spec.robots.push_back(robot);
+  // The same order of algorithms within an entity as in scene_builder.cpp: waves follow the order of attaching.
   const auto furnish = [&](Entity& entity) {
     enlist(parts, robot, entity);
     attach_multirate_stepping(parts, entity);
@@ -96,6 +101,7 @@ Entity& add(SceneParts& parts, scene_file::RobotSpec robot) {
   return entity;
 }
 
+/// An addition that fails is undone by `lengths`.
 Entity& add(SceneParts& parts, scene_file::BodySpec body) {
   if (body.is_static)
     throw SetupError(fmt::format("'{}' is static: it is part of the field from the start", body.name));

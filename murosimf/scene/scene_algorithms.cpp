@@ -7,6 +7,7 @@
 #include "murosimf/collision/ground_contact.h"
 #include "murosimf/collision/multirate_stepping.h"
 #include "murosimf/connect/message_exchange.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/motion/accelerations.h"
 #include "murosimf/motion/odometer.h"
 #include "murosimf/robot/motion_file.h"
@@ -20,7 +21,7 @@ namespace {
 catalog::ControllerOptions controller_options(const SceneParts& parts, const scene_file::RobotSpec& robot) {
   const scene_file::SceneSpec& spec = parts.spec;
   catalog::ControllerOptions options;
-  options.everybody = parts.moving_entities;
+  options.moving_entities = parts.moving_entities;
   options.command = robot.command;
   options.own = robot.options;
   options.rate = robot.control_rate;
@@ -49,8 +50,8 @@ catalog::ControllerOptions controller_options(const SceneParts& parts, const sce
   return options;
 }
 
-/// Reading a file runs no code that it names, unless somebody says so: on the command line, or a program. Who asks over a network
-/// writes no command line.
+/// Reading a file must not run code that it names, unless the command line or a program permits it. Requests over a network
+/// cannot permit it.
 void refuse_library_of_file(const SceneParts& parts, const scene_file::RobotSpec& robot) {
   const auto given = robot.given.find("library");
   const bool by_command_line =
@@ -63,6 +64,7 @@ void refuse_library_of_file(const SceneParts& parts, const scene_file::RobotSpec
 
 }  // namespace
 
+/// A run that is only shown takes positions from a recording: no software is started.
 void attach_controller(SceneParts& parts, const scene_file::RobotSpec& robot, Entity& entity) {
   const bool from_outside = robot.controller == "library" || robot.controller == "serial" || robot.controller == "tcp";
   if (parts.only_shown && from_outside) return;
@@ -100,6 +102,7 @@ catalog::LevelOptions level_options(const SceneParts& parts, const scene_file::R
 }
 
 void attach_level(SceneParts& parts, Entity& entity, const catalog::LevelOptions& options) {
+  MUROSIMF_ASSERT(parts.spec.rate > 0);
   parts.simulation->attach(entity.level, entity, parts.spec.rate,
                            [&](Setup& setup) { return catalog::make_level(entity.level, setup, options); });
 }

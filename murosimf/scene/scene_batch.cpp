@@ -10,7 +10,7 @@
 namespace murosimf::scene {
 namespace {
 
-/// All that changes may change.
+/// Snapshot of everything that a change can modify.
 class Before {
  public:
   explicit Before(SceneParts& parts)
@@ -20,6 +20,7 @@ class Before {
         diagnostics_(parts.diagnostics),
         times_set_(parts.times_set) {}
 
+  /// All changes of a batch are made, or none: the state from before is loaded again.
   void restore() {
     load_state(*parts_, state_);
     parts_->simulation->agenda_was(std::move(agenda_));
@@ -46,9 +47,9 @@ scene_file::SceneEvent checked(const SceneParts& parts, const std::string& text)
 
 void change_all(SceneParts& parts, const std::vector<std::string>& changes) {
   Simulation& simulation = *parts.simulation;
-  simulation.carry_out_commands();  // what comes before them, at this instant
+  simulation.carry_out_commands();  // earlier commands of this instant
   for (const std::string& text : changes) {
-    // light and ball are checked with what the changes before have made of them
+    // light and ball are checked later, against the result of the preceding changes
     const scene_file::SceneEvent change = scene_file::read_change(parts.spec, text);
     if (change.section.empty()) check_change(parts, change);
   }

@@ -1,4 +1,4 @@
-/// scene_batch.h - changes of a running scene of which all are made, or none.
+/// scene_batch.h - changes of a running scene that are made together or not at all.
 #pragma once
 
 #include <string>

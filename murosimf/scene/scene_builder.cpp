@@ -5,6 +5,7 @@
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/collision/body_contact.h"
 #include "murosimf/connect/tcp/tcp_server.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/runtime/external_input_history.h"
 #include "murosimf/scene/assets.h"
 #include "murosimf/scene/contact_marks.h"
@@ -21,7 +22,7 @@
 namespace murosimf::scene {
 namespace {
 
-/// Who connects for somebody else is told so at once.
+/// Lets clients for unknown robots be refused at once.
 void expect_software(const SceneParts& parts) {
   if (!parts.software) return;
   std::vector<std::string> robots;
@@ -34,14 +35,17 @@ void expect_software(const SceneParts& parts) {
 
 void attach_control(SceneParts& parts, ModelSource& models) {
   expect_software(parts);
+  // all sensors before all controllers: a controller may read sensors of its robot only, but detectors list all entities
   for (std::size_t i = 0; i < parts.robots.size(); ++i) attach_sensors(parts, models, i);
   for (std::size_t i = 0; i < parts.robots.size(); ++i) {
     attach_controller(parts, parts.spec.robots[i], *parts.robots[i]);
   }
   for (const Entity* robot : parts.robots) attach_messages(parts, *robot);
+  MUROSIMF_ASSERT(parts.sensors.size() == parts.robots.size());
 }
 
 void attach_contact(SceneParts& parts) {
+  // in the order of moving_entities: ball, robots, bodies
   const scene_file::SceneSpec& spec = parts.spec;
   if (parts.ball) {
     attach_ground_contact(parts, *parts.ball, parts.ball->level, spec.ball->contact);
@@ -55,12 +59,14 @@ void attach_contact(SceneParts& parts) {
     attach_ground_contact(parts, *body, body->level, body->contact);
     attach_air(parts, *body);
   }
+  MUROSIMF_ASSERT(parts.ground_contacts.size() == parts.moving_entities.size());
   parts.simulation->attach<collision::BodyContact>("body_contact", spec.rate, parts.field, parts.moving_entities,
                                                    spec.materials,
                                                    catalog::make_body_contact_law(spec.body_contact,
                                                                                   spec.body_contact_options));
 }
 
+/// The order of attaching is the order within a step: it must not depend on the file's order of sections.
 void attach_motion(SceneParts& parts) {
   if (parts.ball) attach_level(parts, *parts.ball, {});
   for (std::size_t i = 0; i < parts.robots.size(); ++i) {
@@ -71,6 +77,7 @@ void attach_motion(SceneParts& parts) {
   }
 }
 
+/// Observers come last: they see the result of the step.
 void attach_observers(SceneParts& parts, bool paths) {
   for (Entity* entity : parts.moving_entities) attach_odometer(parts, *entity);
   for (std::size_t i = 0; i < parts.robots.size(); ++i) {
@@ -103,6 +110,7 @@ void build(SceneParts& parts, const SceneOptions& options) {
   parts.lenient = options.lenient;
   ModelSource models(parts.spec, *parts.assets, options.lenient, parts.diagnostics);
   add_entities(parts, models);
+  // The order of attaching is the order within a phase of the plan, and so part of the results.
   for (const Entity* robot : parts.robots) attach_multirate_stepping(parts, *robot);
   attach_control(parts, models);
   attach_pushes(parts, options.pushable);

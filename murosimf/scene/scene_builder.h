@@ -1,4 +1,4 @@
-/// scene_builder.h - builds what a scene file says: entities, and the algorithms that are attached to them, in their order.
+/// scene_builder.h - builds a scene from its spec: entities, and the algorithms attached to them, in their order.
 #pragma once
 
 #include "murosimf/scene/scene_options.h"
@@ -6,7 +6,7 @@
 
 namespace murosimf::scene {
 
-/// Fills parts that have nothing but the spec and an empty simulation. Throws SetupError.
+/// Fills parts that contain only the spec and an empty simulation. Throws SetupError.
 void build(SceneParts& parts, const SceneOptions& options);
 
 }  // namespace murosimf::scene

@@ -4,6 +4,7 @@
 
 #include "murosimf/appearance/entity_appearance.h"
 #include "murosimf/catalog/algorithm_catalog.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/render/renderer.h"
 #include "murosimf/scene/scene_parts.h"
@@ -12,6 +13,7 @@ namespace murosimf::scene {
 namespace {
 
 render::Light light_of(const scene_file::LightSpec& spec) {
+  MUROSIMF_ASSERT(spec.brightness >= 0);
   render::Light light = find_entry(render::lights(), "light", spec.name).light;
   if (spec.toward) light.toward = *spec.toward;
   for (Color* color : {&light.lamp, &light.sky, &light.ground}) {
@@ -29,7 +31,7 @@ std::unique_ptr<render::Renderer> make_renderer(SceneParts& parts, const scene_f
       parts.simulation->world(), parts.moving_entities,
       [&](const Entity& entity) { return library.appearance(entity); },
       render::RendererOptions{light_of(light), light.samples});
-  for (const std::string& warning : library.warnings()) {  // of several renderers
+  for (const std::string& warning : library.warnings()) {  // several renderers report the same
     if (!parts.diagnostics.has_warning(warning)) parts.diagnostics.warn(warning);
   }
   renderer->locate();
@@ -40,6 +42,7 @@ CameraRenderer::CameraRenderer(SceneParts& parts) : parts_(parts) {}
 
 CameraRenderer::~CameraRenderer() = default;
 
+/// Made at the first picture: without a graphics driver, scenes without pictures must run.
 sensors::ViewSource* CameraRenderer::view_source() {
   if (cannot_draw_) return nullptr;
   if (renderer_) return this;
@@ -65,6 +68,7 @@ void CameraRenderer::renew_light() {
 
 void CameraRenderer::draw(const sensors::Perspective& perspective, const sensors::Layers& layers, double ahead,
                           sensors::View& view) noexcept {
+  MUROSIMF_ASSERT(renderer_ != nullptr);
   renderer_->draw(perspective, layers, ahead, view);
 }
 

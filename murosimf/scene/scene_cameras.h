@@ -1,4 +1,4 @@
-/// scene_cameras.h - who draws a scene for its cameras, and for people.
+/// scene_cameras.h - renderers of a scene, for its cameras and for observers.
 #pragma once
 
 #include <memory>
@@ -21,7 +21,7 @@ struct SceneParts;
 /// or this build cannot draw.
 [[nodiscard]] std::unique_ptr<render::Renderer> make_renderer(SceneParts& parts, const scene_file::LightSpec& light);
 
-/// Draws for the cameras of a scene, in its light. Its renderer is made when the first of them asks.
+/// Draws for the cameras of a scene, in its light. The renderer is created at the first request.
 class CameraRenderer final : public sensors::ViewSource {
  public:
   explicit CameraRenderer(SceneParts& parts);
@@ -29,11 +29,11 @@ class CameraRenderer final : public sensors::ViewSource {
   CameraRenderer(const CameraRenderer&) = delete;
   CameraRenderer& operator=(const CameraRenderer&) = delete;
 
-  /// Null if nobody can draw here, which is a warning then.
+  /// Null if drawing is impossible here, which then is a warning.
   [[nodiscard]] sensors::ViewSource* view_source();
-  /// Somebody has been added to the scene, or looks different. Between two steps.
+  /// Called between two steps when an entity was added to the scene, or changed its appearance.
   void renew();
-  /// The light is another one.
+  /// Called when the light has changed.
   void renew_light();
 
   void draw(const sensors::Perspective& perspective, const sensors::Layers& layers, double ahead,

@@ -11,6 +11,7 @@
 
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/locomotion/gait_properties.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/mimic_joints.h"
 #include "murosimf/multibody/loops.h"
@@ -34,6 +35,7 @@ void add_materials(const Model& model, std::set<std::string>& names) {
   }
 }
 
+/// Names of bodies are checked against the model, which the reader of the file does not have.
 void check_no_contact(Diagnostics& diagnostics, const scene_file::RobotSpec& robot, const Model& model) {
   const auto given = robot.given.find("no_contact");
   if (given == robot.given.end()) return;
@@ -67,7 +69,7 @@ void check_property(SceneParts& parts, const scene_file::PropertySetting& settin
   }
 }
 
-/// Of an entity, with the ground.
+/// Contact of an entity with the ground.
 struct ContactUse {
   std::string contact;
   OptionValues options;
@@ -76,7 +78,9 @@ struct ContactUse {
   bool servos = false;
 };
 
+/// A law has a longest stable step: beyond, bodies may vibrate or fly apart.
 void warn_about_steps(SceneParts& parts, const std::string& entity, const ContactUse& use) {
+  MUROSIMF_ASSERT(use.step > 0);
   const catalog::ContactLawType& law = find_entry(catalog::contacts(), "contact law", use.contact);
   const catalog::LongestSteps steps = catalog::stable_steps(law, use.options);
   const double longest = use.servos ? steps.with_servos : steps.without_servos;
@@ -104,8 +108,8 @@ void warn_about_things(SceneParts& parts) {
   }
 }
 
-/// Whether something moves each joint: a servo, its own or that of a joint that follows it, or the joint that it follows; and all of
-/// a loop in which that moves one.
+/// Whether each joint is driven: by a servo, its own or that of a coupled joint, or by the joint that it follows; and all joints of
+/// a loop with a driven one.
 std::vector<bool> driven_joints(const Model& model) {
   std::vector<int> leader(static_cast<std::size_t>(model.size()));
   std::iota(leader.begin(), leader.end(), 0);
@@ -124,6 +128,7 @@ std::vector<bool> driven_joints(const Model& model) {
   return result;
 }
 
+/// Without a servo a joint is limp at levels with servos, which is rarely intended.
 void warn_about_missing_servos(SceneParts& parts, const scene_file::RobotSpec& robot) {
   const Model& model = parts.simulation->world().entity(robot.name).model();
   const auto joints = model.joints();
@@ -133,7 +138,7 @@ void warn_about_missing_servos(SceneParts& parts, const scene_file::RobotSpec& r
                          fmt::format("{} of its {} joints have no servo and hang free", without, joints.size()));
 }
 
-/// Gaits and motions were found with the weight of the earth; a controller that balances asks how large it is.
+/// Gaits and motions were tuned at the weight on earth; a controller with balance measures gravity.
 std::string other_gravity(const scene_file::RobotSpec& robot, double gravity) {
   static const std::set<std::string> made_for_earth{"walk",        "trot",     "keyframes",
                                                     "ball_chaser", "localize", "obstacle_course"};
@@ -146,6 +151,7 @@ std::string other_gravity(const scene_file::RobotSpec& robot, double gravity) {
                      gravity);
 }
 
+/// Robots of the same kind get one line.
 void note_other_gravity(SceneParts& parts) {
   std::vector<SharedDiagnostic> diagnostics;
   for (const scene_file::RobotSpec& robot : parts.spec.robots) {
@@ -174,6 +180,7 @@ void warn_about_settings(SceneParts& parts) {
     parts.diagnostics.warn(std::move(line));
   parts.diagnostics.warn(scene_file::unsteady_stacks(spec));
   warn_about_things(parts);
+  MUROSIMF_ASSERT(parts.robots.size() == spec.robots.size());
   for (std::size_t i = 0; i < parts.robots.size(); ++i) {
     const scene_file::RobotSpec& robot = spec.robots[i];
     const Model& model = parts.robots[i]->model();

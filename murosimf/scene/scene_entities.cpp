@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/scene/assets.h"
@@ -13,7 +14,7 @@
 namespace murosimf::scene {
 namespace {
 
-/// Bodies that stand are part of it; scenes share only fields without.
+/// Static bodies are part of it; scenes share only fields without any.
 ModelPtr field_of(const scene_file::FieldSpec& field, const std::vector<Chain>& standing, Assets& assets) {
   const scene_file::FieldSize& size = scene_file::field_size(field.size);
   const bool nets = field.goals && field.nets.value_or(size.nets);
@@ -23,11 +24,13 @@ ModelPtr field_of(const scene_file::FieldSpec& field, const std::vector<Chain>& 
   };
   if (!standing.empty()) return make();
   const Vec3d& pile = field.friction_direction;
+  // every input of `make` is in the key
   return assets.model(fmt::format("field {} {} {} {} {} {} {} {}", field.size, field.goals, nets, field.landmark_poles,
                                   pile.x, pile.y, pile.z, field.surface),
                       make);
 }
 
+/// Static bodies are part of the field: contacts with them need no second entity.
 void add_field(SceneParts& parts, const ModelSource& models) {
   std::vector<Chain> standing;
   for (const scene_file::BodySpec& body : parts.spec.bodies) {
@@ -51,6 +54,7 @@ void add_ball(SceneParts& parts, ModelSource& models) {
   parts.moving_entities.push_back(parts.ball);
 }
 
+/// Levels step by whole multiples of the scene's step: other rates cannot be kept.
 int step_multiple_of(const scene_file::SceneSpec& spec, const scene_file::RobotSpec& robot) {
   if (robot.rate == 0) return 1;
   const double steps = spec.rate / robot.rate;
@@ -113,6 +117,7 @@ void enlist(SceneParts& parts, const scene_file::BodySpec& body, Entity& entity)
   parts.moving_entities.push_back(&entity);
 }
 
+/// The order of the entities is that of their numbers: field, ball, robots, bodies.
 void add_entities(SceneParts& parts, ModelSource& models) {
   add_field(parts, models);
   if (parts.spec.ball) add_ball(parts, models);
@@ -128,6 +133,7 @@ void add_entities(SceneParts& parts, ModelSource& models) {
       enlist(parts, body, world.add(body.name, kind.model, kind.options));
     });
   }
+  MUROSIMF_ASSERT(parts.robots.size() == parts.spec.robots.size());
 }
 
 }  // namespace murosimf::scene

@@ -8,6 +8,7 @@
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/collision/ground_contact.h"
 #include "murosimf/locomotion/gait_properties.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/motion/saturation_watch.h"
 #include "murosimf/motion/servo_law.h"
@@ -26,12 +27,12 @@
 namespace murosimf::scene {
 namespace {
 
-/// The level of the spec, instead of the robot's present one.
+/// Replaces the robot's present level by that of the spec.
 void renew_level(SceneParts& parts, const scene_file::RobotSpec& robot) {
   Entity& entity = parts.simulation->world().entity(robot.name);
   const catalog::LevelType& level = find_entry(catalog::levels(), "level", robot.level);
   const catalog::LevelOptions options = level_options(parts, robot);
-  std::string overload = motion::overload_message(entity);  // the level that goes takes both along
+  std::string overload = motion::overload_message(entity);  // both counts end with the present level
   std::string saturation = motion::saturation_message(entity);
   parts.simulation->exchange(robot.level, entity,
                              [&](Setup& setup) { return catalog::make_level(robot.level, setup, options); });
@@ -42,7 +43,7 @@ void renew_level(SceneParts& parts, const scene_file::RobotSpec& robot) {
   note_about_sensors(parts, robot);
 }
 
-/// What a robot gives of its contact law's options; nothing of ball and bodies.
+/// Options of a robot's contact law; none for ball and bodies.
 OptionValues contact_options(const SceneParts& parts, std::string_view entity) {
   for (const scene_file::RobotSpec& robot : parts.spec.robots) {
     if (robot.name == entity) return robot.contact_options;
@@ -65,7 +66,7 @@ void put(SceneParts& parts, const Placement& placement, const std::string& entit
       fmt::format("{}: placed at {:g}, {:g}, {:g} m, heading {:g} rad", entity, r.x, r.y, r.z, placement.heading));
 }
 
-/// Of the robot's file. Throws SetupError for an unknown name, and for robots without a motion engine.
+/// Index among the motions of the robot's file. Throws SetupError for an unknown name, and for robots without a motion engine.
 std::size_t motion_number(const Entity& robot, std::string_view motion) {
   const locomotion::NamedMotions* motions = robot.model().find(properties::given_motions, 0);
   if (!robot.find(properties::motion_request)) {
@@ -81,16 +82,17 @@ std::size_t motion_number(const Entity& robot, std::string_view motion) {
   throw SetupError(fmt::format("'{}': {}", robot.name(), unknown_name("motion", motion, names)));
 }
 
-/// It plays when it can (locomotion/motion_engine.h).
+/// Requests a motion, which the engine plays as soon as it can (locomotion/motion_engine.h).
 void play_motion(SceneParts& parts, const std::string& robot, std::string_view motion) {
   Entity& entity = parts.simulation->world().entity(robot);
   locomotion::MotionRequests requests = entity.base().get(properties::motion_request);
+  // a counter, not a flag: requests in one step are distinguished from repeated values
   requests.number[motion_number(entity, motion)] += 1;
   entity.base().set(properties::motion_request, requests);
   parts.simulation->record(fmt::format("{}: is asked for {}", robot, motion));
 }
 
-/// Throws SetupError for robots without a motion engine, or without a motion that kicks.
+/// Throws SetupError for robots without a motion engine, or without a kick among their motions.
 void check_kick(const Entity& robot) {
   if (!robot.find(properties::kick_request)) {
     throw SetupError(
@@ -104,6 +106,7 @@ void check_kick(const Entity& robot) {
   }
 }
 
+/// A new number marks a new request: the same kick may be requested twice.
 void kick(SceneParts& parts, const std::string& robot, locomotion::KickRequest request) {
   Entity& entity = parts.simulation->world().entity(robot);
   check_kick(entity);
@@ -126,7 +129,7 @@ void apply(SceneParts& parts, const scene_file::SceneEvent& event, const std::st
   });
 }
 
-/// Throws SetupError for constants, and objects that the entity does not have.
+/// Throws SetupError for constants, and for objects that the entity does not have.
 void check_setting_of(const scene_file::SceneEvent& event, const Model& model) {
   with_context(event.where, [&] {
     if (is_constant(*event.setting)) {
@@ -147,6 +150,7 @@ Algorithms algorithms_of(const SceneParts& parts, const Entity& entity) {
 
 void exchange_level(SceneParts& parts, std::string_view robot, std::string_view level) {
   scene_file::RobotSpec& spec = robot_spec(parts.spec, robot);
+  // the spec is changed last: a level that throws leaves it as it was
   scene_file::RobotSpec changed = spec;
   changed.level = find_entry(catalog::levels(), "level", level).name;
   renew_level(parts, changed);
@@ -166,6 +170,7 @@ void exchange_servo_law(SceneParts& parts, std::string_view robot, std::string_v
 void exchange_contact(SceneParts& parts, std::string_view entity, std::string_view law) {
   const std::size_t number = number_of(parts, entity);
   Entity& changed = *parts.moving_entities[number];
+  MUROSIMF_ASSERT(number < parts.ground_contacts.size());
   parts.ground_contacts[number]->exchange_law(catalog::make_contact_law(law, contact_options(parts, entity)));
   parts.simulation->record(fmt::format("{}: contact {}", entity, law));
   if (std::ranges::find(parts.robots, &changed) ==
@@ -183,9 +188,11 @@ void exchange_contact(SceneParts& parts, std::string_view entity, std::string_vi
 std::vector<Algorithms> algorithms_in_force(const SceneParts& parts) {
   std::vector<Algorithms> all;
   for (const Entity* entity : parts.moving_entities) all.push_back(algorithms_of(parts, *entity));
+  MUROSIMF_ASSERT(all.size() == parts.moving_entities.size());
   return all;
 }
 
+/// Only what differs is exchanged: an exchange resets the memory of an algorithm.
 void put_in_force(SceneParts& parts, Entity& entity, const Algorithms& algorithms) {
   const Algorithms present = algorithms_of(parts, entity);
   if (algorithms.contact != present.contact) {
@@ -209,6 +216,7 @@ void put_in_force(SceneParts& parts, Entity& entity, const Algorithms& algorithm
   robot = std::move(changed);
 }
 
+/// All entities are checked before the first one is changed.
 void check_change(const SceneParts& parts, const scene_file::SceneEvent& change) {
   if (!change.section.empty()) return check_section_change(parts, change);
   if (change.push) {
@@ -230,6 +238,7 @@ void check_change(const SceneParts& parts, const scene_file::SceneEvent& change)
   }
 }
 
+/// The first error is reported after all others have had their change.
 void apply_change(SceneParts& parts, const scene_file::SceneEvent& change) {
   if (!change.section.empty()) return apply_section_change(parts, change);
   std::exception_ptr first;
@@ -250,7 +259,7 @@ void schedule_events(SceneParts& parts) {
       parts.simulation->at(from_seconds(event.time), [&parts, &event] { apply_section_change(parts, event); });
     }
     for (const std::string& entity : event.entities) {
-      // a call for everybody: one who refuses does not keep the others from changing
+      // one call per entity: an error of one does not keep the others from changing
       parts.simulation->at(from_seconds(event.time), [&parts, &event, &entity] { apply(parts, event, entity); });
     }
   }

@@ -1,6 +1,6 @@
-/// scene_exchange.h - how a scene changes while it runs: levels and laws, by name; and its events.
+/// scene_exchange.h - changes of a running scene: levels and laws, by name; and its events.
 ///
-/// All throw SetupError, and change nothing, for unknown names and if the robot cannot change as it is now.
+/// All throw SetupError, and change nothing, for unknown names and if the robot cannot change in its present state.
 #pragma once
 
 #include <string>
@@ -12,25 +12,25 @@ namespace murosimf::scene {
 
 void exchange_level(SceneParts& parts, std::string_view robot, std::string_view level);
 
-/// Of a robot, of the ball or of a body.
+/// For a robot, the ball or a body.
 void exchange_contact(SceneParts& parts, std::string_view entity, std::string_view law);
 
-/// Of all servos of a robot at articulated_dynamics; the others remember it.
+/// For all servos of a robot at articulated_dynamics; other levels store it.
 void exchange_servo_law(SceneParts& parts, std::string_view robot, std::string_view law);
 
-/// What is in force for each of the entities that move, in their order.
+/// The algorithms in use for each of the moving entities, in their order.
 [[nodiscard]] std::vector<Algorithms> algorithms_in_force(const SceneParts& parts);
-/// For a state that will be loaded, or a reset, before the next step: levels begin anew, and nothing is an event.
+/// For a state that will be loaded, or a reset, before the next step: levels restart, and nothing is recorded as an event.
 void put_in_force(SceneParts& parts, Entity& entity, const Algorithms& algorithms);
 
-/// Throws SetupError if nobody can ever do what an event says: constants, objects that there are none of.
+/// Throws SetupError if no entity can ever perform the change: constants, unknown objects.
 void check_change(const SceneParts& parts, const scene_file::SceneEvent& change);
 
-/// Does now what an event says, to all whom it means: who refuses does not keep the others from changing. Throws SetupError, the
-/// first one, when all are done.
+/// Performs the change now, for all entities that it denotes: errors of one do not keep the others from changing. Throws the first
+/// SetupError when all are done.
 void apply_change(SceneParts& parts, const scene_file::SceneEvent& change);
 
-/// Has the simulation do the events of the spec when their time comes. Throws SetupError for those that nobody can do.
+/// Schedules the events of the spec. Throws SetupError for events that can never be performed.
 void schedule_events(SceneParts& parts);
 
 }  // namespace murosimf::scene

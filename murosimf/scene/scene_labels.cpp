@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/scene/scene_parts.h"
 #include "murosimf/sensors/view_source.h"
 
@@ -24,6 +25,7 @@ std::vector<LabelRow> label_table(const Scene& scene) {
                              {sensors::label_goal, "goal", "scenery"}};
   const SceneParts& parts = scene.parts();
   for (const Entity* entity : parts.moving_entities) {
+    MUROSIMF_ASSERT(rows.size() <= 0xFFFF);
     rows.push_back({static_cast<std::uint16_t>(rows.size()), entity->name(), kind_of(parts, entity)});
   }
   return rows;

@@ -1,4 +1,4 @@
-/// scene_labels.h - what the numbers of label pictures mean in a scene (sensors/view_source.h).
+/// scene_labels.h - meaning of the numbers in label pictures of a scene (sensors/view_source.h).
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ struct LabelRow {
   std::string kind;  ///< "scenery", "robot", "ball" or "body"
 };
 
-/// In the order of their numbers, from 0 on without a gap.
+/// Ordered by number, from 0 on without a gap.
 [[nodiscard]] std::vector<LabelRow> label_table(const Scene& scene);
 
 /// The same as JSON: {"schema": "murosimf/labels/1", "labels": [{"id": 0, "kind": "scenery", "name": "background"}, ...]}

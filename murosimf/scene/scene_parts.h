@@ -1,4 +1,4 @@
-/// scene_parts.h - what a scene consists of once it is built: plain data that the functions of this folder share.
+/// scene_parts.h - the contents of a built scene: plain data shared by the functions of this folder.
 #pragma once
 
 #include <map>
@@ -45,57 +45,57 @@ struct Algorithms {
   void state(StateArchive& archive) { archive(level, servo_law, contact); }
 };
 
-/// Light and ball as they are now (section_changes.h).
+/// Present light and ball (section_changes.h).
 struct ChangingSections {
   scene_file::LightSpec light;
-  scene_file::BallOptions ball;  ///< the usual ones, if there is no ball
+  scene_file::BallOptions ball;  ///< defaults, if there is no ball
   Color ball_color;
   void state(StateArchive& archive) { archive(light, ball, ball_color); }
 };
 
-/// What a reset goes back to.
+/// State restored by a reset.
 struct StartOfScene {
   ChangingSections sections;
   std::vector<Algorithms> algorithms;      ///< by moving entity
   std::optional<Diagnostics> diagnostics;  ///< of building
 };
 
-/// Stays where it is: the simulation calls back into it.
+/// Has a stable address: the simulation calls back into it.
 struct SceneParts {
   SceneParts(scene_file::SceneSpec what, int threads);
   ~SceneParts();
   SceneParts(const SceneParts&) = delete;
   SceneParts& operator=(const SceneParts&) = delete;
 
-  scene_file::SceneSpec spec;  ///< what the file says, with the levels and laws of now
+  scene_file::SceneSpec spec;  ///< contents of the file, with the present levels and laws
   std::unique_ptr<Simulation> simulation;
   Diagnostics diagnostics;
-  std::map<std::string, int> times_set;  ///< how often each property was, by its path
+  std::map<std::string, int> times_set;  ///< how often each property was set, by its path
   Entity* field = nullptr;
   Entity* ball = nullptr;
   std::vector<Entity*> robots;                               ///< in the order of the spec
   std::vector<std::vector<const sensors::Sensor*>> sensors;  ///< by robot
-  std::vector<Entity*> bodies;                               ///< those of [[bodies]] that move
+  std::vector<Entity*> bodies;                               ///< moving ones of [[bodies]]
   std::vector<Entity*> moving_entities;                      ///< robots, ball and bodies
   std::vector<collision::GroundContact*> ground_contacts;    ///< by moving entity
-  std::map<const Entity*, motion::Push*> pushes;             ///< of those that can be pushed
-  collision::MultirateStepping* step_multiple = nullptr;     ///< null: all make the scene's steps
-  sensors::WorldQueries* queries = nullptr;                  ///< null: no sensor asks for them
-  connect::MessageExchange* messages = nullptr;              ///< null: no software asks for them
-  const PathRecorder* recorder = nullptr;                    ///< null: nobody asked for paths
+  std::map<const Entity*, motion::Push*> pushes;             ///< of entities that can be pushed
+  collision::MultirateStepping* step_multiple = nullptr;     ///< null: all use the scene's step
+  sensors::WorldQueries* queries = nullptr;                  ///< null: no sensor uses them
+  connect::MessageExchange* messages = nullptr;              ///< null: no software uses them
+  const PathRecorder* recorder = nullptr;                    ///< null: paths are not recorded
   std::shared_ptr<connect::CrashNote> crashes = std::make_shared<connect::CrashNote>();  ///< of control software
-  std::shared_ptr<connect::TcpServer> software;  ///< that of the controller "tcp" comes in there; null: nowhere
+  std::shared_ptr<connect::TcpServer> software;  ///< accepts that of the controller "tcp"; null: none
   std::string terminals;                         ///< folder for links to serial lines; empty: there are none
-  ExternalInputOptions outside;                  ///< what is done with all that comes from outside
-  bool libraries = false;                        ///< those that files name are loaded
+  ExternalInputOptions outside;                  ///< recording and repetition of external input
+  bool libraries = false;                        ///< whether libraries named by files are loaded
   bool only_shown = false;                       ///< SceneOptions::only_shown
-  std::shared_ptr<Assets> assets;                ///< for robots that come later
+  std::shared_ptr<Assets> assets;                ///< for robots added later
   bool lenient = false;                          ///< of their files: unknown elements are warnings
   StartOfScene at_start;
   /// SceneOptions::only_from
   std::shared_ptr<const files::AllowedFiles> only_from{};
-  std::unique_ptr<CameraRenderer> cameras;  ///< null: nothing is drawn for them
-  int changes_to_see = 0;  ///< so far, of what renderers have taken over: light, shapes, colors, who is there
+  std::unique_ptr<CameraRenderer> cameras;  ///< null: cameras are not drawn
+  int changes_to_see = 0;  ///< number of changes that renderers must follow: light, shapes, colors, entities
 };
 
 /// Null if the entity is no body of [[bodies]].

@@ -8,6 +8,7 @@
 
 #include "murosimf/appearance/entity_appearance.h"
 #include "murosimf/files/output_file.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/render/field_picture.h"
 #include "murosimf/render/renderer.h"
@@ -15,7 +16,7 @@
 namespace murosimf::scene {
 namespace {
 
-/// [m] world; ends where it is now.
+/// [m] Path in the world frame; ends at the present place.
 std::vector<Vec3d> points_of(const SceneParts& parts, Entity& entity) {
   std::vector<Vec3d> points;
   if (parts.recorder) {
@@ -25,7 +26,7 @@ std::vector<Vec3d> points_of(const SceneParts& parts, Entity& entity) {
   return points;
 }
 
-/// [m] of what stands as its shape is made: cylinders and capsules upright.
+/// [m] For shapes in the orientation of their frame: cylinders and capsules upright.
 double radius_from_above(const Shape& shape) {
   if (const Cylinder* cylinder = std::get_if<Cylinder>(&shape)) return cylinder->radius;
   if (const Capsule* capsule = std::get_if<Capsule>(&shape)) return capsule->radius;
@@ -42,7 +43,7 @@ render::Path path_of(const SceneParts& parts, Entity& entity) {
   path.is_ball = &entity == parts.ball;
   path.number = appearance::jersey_number(entity.name());
   if (path.is_ball) path.size = parts.spec.ball->radius;
-  if (const scene_file::BodySpec* body = body_spec(parts.spec, entity)) {  // as round things, too
+  if (const scene_file::BodySpec* body = body_spec(parts.spec, entity)) {  // drawn as discs, like the ball
     path.is_ball = true;
     if (body->shape) path.size = radius_from_above(*body->shape);
   }
@@ -58,6 +59,7 @@ void write_picture(const Scene& scene, const std::filesystem::path& file) {
     if (entity->present()) paths.push_back(path_of(parts, *entity));
   }
   const Markings* markings = parts.field->model().find(properties::markings, 0);
+  MUROSIMF_ASSERT(markings != nullptr);
   const std::string title = fmt::format("{}: {:.0f} s", parts.spec.name, seconds(parts.simulation->now()));
   files::write_file(file, render::field_picture_png(*markings, paths, {.title = title}));
 }
@@ -76,6 +78,7 @@ ScenePainter::~ScenePainter() = default;
 render::Renderer& ScenePainter::renderer() {
   const int changes = scene_.parts().changes_to_see;
   if (renderer_ && changes == changes_seen_) return *renderer_;
+  // a new renderer for any change: meshes, instances and light are built in its constructor only
   scene_file::LightSpec light = scene_.spec().light;
   for_people_(light);
   renderer_ = make_renderer(scene_, light);

@@ -1,4 +1,4 @@
-/// scene_pictures.h - pictures of a scene for people: from above with everybody's path, and by a renderer.
+/// scene_pictures.h - pictures of a scene: from above with the paths of its entities, and by a renderer.
 #pragma once
 
 #include <filesystem>
@@ -13,27 +13,27 @@ class Renderer;
 
 namespace murosimf::scene {
 
-/// Draws the field from above with everybody's path so far (without SceneOptions::paths: only where they are now). Throws
+/// Draws the field from above with the paths of all entities so far (without SceneOptions::paths: only their present places). Throws
 /// SetupError if the file cannot be written.
 void write_picture(const Scene& scene, const std::filesystem::path& file);
 
-/// A renderer for who looks from outside (murosimf render), in this light. The scene must be initialized and outlive it. Throws
+/// A renderer for observers (murosimf render), in this light. The scene must be initialized and outlive it. Throws
 /// SetupError if this machine or this build cannot draw.
 [[nodiscard]] std::unique_ptr<render::Renderer> make_renderer(Scene& scene, const scene_file::LightSpec& light);
 
-/// A renderer that keeps up with what changes in a scene: its light, its ball, who is there.
+/// A renderer that follows changes of a scene: its light, its ball, its entities.
 class ScenePainter {
  public:
   using ForPeople = std::function<void(scene_file::LightSpec&)>;
   using Prepare = std::function<void(render::Renderer&)>;
 
-  /// `for_people` makes the scene's light fit for who looks; `prepare`, if given, is called with every new renderer. As make_renderer().
+  /// `for_people` adapts the scene's light for observers; `prepare`, if given, is called with every new renderer. As make_renderer().
   explicit ScenePainter(Scene& scene, ForPeople for_people, Prepare prepare = {});
   ~ScenePainter();
   ScenePainter(const ScenePainter&) = delete;
   ScenePainter& operator=(const ScenePainter&) = delete;
 
-  /// For pictures of this instant. Throws SetupError.
+  /// For pictures of the present instant. Throws SetupError.
   [[nodiscard]] render::Renderer& renderer();
 
  private:

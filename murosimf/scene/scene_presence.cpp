@@ -22,6 +22,7 @@ Entity& moving_entity(const SceneParts& parts, std::string_view name) {
 
 }  // namespace
 
+/// Placed while it enters, so that no step sees it at its old place.
 void enter(SceneParts& parts, std::string_view name) {
   Entity& entity = moving_entity(parts, name);
   parts.simulation->enter(entity, [&](Entity& entering) { place_at_start(parts, entering); });

@@ -1,4 +1,4 @@
-/// scene_presence.h - who is in a scene: robots, ball and bodies leave it and come back while it runs.
+/// scene_presence.h - presence in a scene: robots, ball and bodies leave it and return while it runs.
 #pragma once
 
 #include <string_view>
@@ -7,11 +7,11 @@
 
 namespace murosimf::scene {
 
-/// Puts an entity where the scene has it begin (the same seed, the same place), at the level and with the laws of now. A warning
-/// if somebody stands there. Throws SetupError for unknown names, and if it is there already.
+/// Puts an entity at its start (the same seed, the same place), with its present level and laws. Warns
+/// if it overlaps others there. Throws SetupError for unknown names, and if it is present already.
 void enter(SceneParts& parts, std::string_view entity);
 
-/// Throws SetupError for unknown names and for what cannot leave, and if it is not there.
+/// Throws SetupError for unknown names and for entities that cannot leave, and if it is absent.
 void leave(SceneParts& parts, std::string_view entity);
 
 }  // namespace murosimf::scene

@@ -14,9 +14,9 @@ namespace {
 
 std::string in_brackets(const Vec3d& v) { return fmt::format("({:g}, {:g}, {:g})", v.x, v.y, v.z); }
 
-std::string push_text(const std::string& whom, const scene_file::PushSpec& push) {
+std::string push_text(const std::string& target, const scene_file::PushSpec& push) {
   const std::string moment = norm(push.moment) > 0 ? fmt::format(", moment {} N m", in_brackets(push.moment)) : "";
-  return fmt::format("push on {}: force {} N{}, until {:g} s", whom, in_brackets(push.force), moment, push.end);
+  return fmt::format("push on {}: force {} N{}, until {:g} s", target, in_brackets(push.force), moment, push.end);
 }
 
 int pushed_object(const Model& model, const scene_file::PushSpec& push) {
@@ -26,7 +26,7 @@ int pushed_object(const Model& model, const scene_file::PushSpec& push) {
   throw SetupError(fmt::format("'{}' has neither mass nor shape; push a body", model.objects()[object].name));
 }
 
-/// The level at which the robot will be then, as far as the scene says.
+/// Level of the robot at that time, as far as the scene defines it.
 std::string level_at(const scene_file::SceneSpec& spec, const Entity& entity, double time) {
   std::string level = entity.level;
   for (const scene_file::SceneEvent& event : spec.events) {
@@ -54,7 +54,7 @@ std::string name_of_pushed(const Entity& entity, int object, const scene_file::P
 
 using PushesOf = std::map<const Entity*, std::vector<motion::TimedPush>>;
 
-/// One of the spec.
+/// Schedules a push of the spec.
 void plan(SceneParts& parts, const scene_file::PushSpec& push, const std::string& name, PushesOf& all) {
   const Entity* entity = parts.simulation->world().find(name);
   if (!entity) throw SetupError(fmt::format("'{}' stands there for good; nothing pushes it", name));
@@ -65,7 +65,7 @@ void plan(SceneParts& parts, const scene_file::PushSpec& push, const std::string
   parts.simulation->at(from_seconds(push.begin), [&parts, text] { parts.simulation->record(text); });
 }
 
-/// Those whom events of the spec push.
+/// Adds entities that events of the spec push.
 void expect_events(const SceneParts& parts, PushesOf& all) {
   for (const scene_file::SceneEvent& event : parts.spec.events) {
     if (!event.push) continue;
@@ -77,14 +77,14 @@ void expect_events(const SceneParts& parts, PushesOf& all) {
 
 }  // namespace
 
-void attach_pushes(SceneParts& parts, bool everybody) {
+void attach_pushes(SceneParts& parts, bool all_entities) {
   PushesOf all;
   for (const scene_file::PushSpec& push : parts.spec.pushes) {
     for (const std::string& name : push.entities) with_context(push.where, [&] { plan(parts, push, name, all); });
   }
   expect_events(parts, all);
-  for (Entity* entity : parts.moving_entities) {  // a map of addresses has no order that could be repeated
-    if (everybody || all.contains(entity)) {
+  for (Entity* entity : parts.moving_entities) {  // the order of attaching must not depend on addresses
+    if (all_entities || all.contains(entity)) {
       parts.pushes[entity] = &parts.simulation->attach<motion::Push>("push", *entity, parts.spec.rate, all[entity]);
     }
   }
@@ -99,6 +99,7 @@ void check_push(const SceneParts& parts, const scene_file::PushSpec& push, const
   (void)pushed_object(entity->model(), push);
 }
 
+/// The level decides whether a push has any effect: it may have changed since the start.
 void push(SceneParts& parts, const scene_file::PushSpec& push, const std::string& name) {
   check_push(parts, push, name);
   const Entity& entity = parts.simulation->world().entity(name);

@@ -1,15 +1,15 @@
-/// scene_pushing.h - pushes of a scene: who feels them, and when.
+/// scene_pushing.h - pushes of a scene: their targets and times.
 #pragma once
 
 #include "murosimf/scene/scene_parts.h"
 
 namespace murosimf::scene {
 
-/// Attaches those of the spec to whom they push, and what lets events of the spec push (or, with `all`, changes push everybody).
-/// Throws SetupError, at the push: nobody there who could be pushed, or a level that ignores forces then.
+/// Attaches the pushes of the spec to their targets, and pushes for events of the spec (or, with `all`, for changes of every moving entity).
+/// Throws SetupError, at the push: no such entity that can be pushed, or its level ignores forces at that time.
 void attach_pushes(SceneParts& parts, bool all);
 
-/// Throws SetupError if nobody can be pushed so.
+/// Throws SetupError if the entity cannot be pushed like this.
 void check_push(const SceneParts& parts, const scene_file::PushSpec& push, const std::string& entity);
 /// Pushes an entity from now on, until the spec's end from now. Throws SetupError if its level ignores forces.
 void push(SceneParts& parts, const scene_file::PushSpec& push, const std::string& entity);

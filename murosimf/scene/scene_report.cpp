@@ -47,7 +47,7 @@ void add_control_warnings(const Scene& scene, std::vector<std::string>& lines) {
   }
 }
 
-/// Those of the scene, then those of the run.
+/// Notes of the scene, then those of the run.
 std::vector<std::string> notes_of(const Scene& scene) {
   std::vector<std::string> all = scene.parts().diagnostics.notes();
   for (const Entity* entity : scene.moving_entities()) {
@@ -56,7 +56,7 @@ std::vector<std::string> notes_of(const Scene& scene) {
   return all;
 }
 
-/// Likewise.
+/// Warnings, likewise.
 std::vector<std::string> warnings_of(const Scene& scene, const Lateness& lateness) {
   std::vector<std::string> all = scene.parts().diagnostics.warnings();
   const auto& frozen = scene.simulation().warnings();
@@ -108,12 +108,13 @@ std::string events_to_come(const Scene& scene) {
   const Duration now = scene.simulation().now();
   if (now == Duration{}) return {};
   std::vector<std::pair<double, const std::string*>> late;  // [s], and where it is written
-  const auto look_at = [&](double time, const std::string& where) {
+  const auto inspect = [&](double time, const std::string& where) {
     if (from_seconds(time) > now - scene.simulation().tick()) late.emplace_back(time, &where);
   };
-  for (const scene_file::SceneEvent& event : spec.events) look_at(event.time, event.where);
-  for (const scene_file::PushSpec& push : spec.pushes) look_at(push.begin, push.where);
+  for (const scene_file::SceneEvent& event : spec.events) inspect(event.time, event.where);
+  for (const scene_file::PushSpec& push : spec.pushes) inspect(push.begin, push.where);
   if (late.empty()) return {};
+  // the earliest, which need not be the first in the file
   const auto& [time, where] = *std::ranges::min_element(late, {}, [](const auto& one) { return one.first; });
   return fmt::format("the run ended at {:.3f} s: {} of {} {} did not come, the first at {:.3f} s ({})", seconds(now),
                      late.size(), spec.events.size() + spec.pushes.size(),

@@ -1,4 +1,4 @@
-/// scene_report.h - what a scene has shown so far.
+/// scene_report.h - the results of a scene so far.
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@
 
 namespace murosimf::scene {
 
-/// `wall`: the wall time that it took.
+/// `wall`: the wall time spent.
 /// "late: 12 of 1000 steps ended behind schedule, the worst 3.1 ms"
 [[nodiscard]] std::string to_text(const Lateness& lateness);
 
 [[nodiscard]] RunReport make_report(const Scene& scene, Duration wall = {}, const Lateness& lateness = {});
 
-/// A line about events and pushes whose time has not come; empty if all have, and before the first step.
+/// A line about events and pushes that are still to come; empty if there are none, and before the first step.
 [[nodiscard]] std::string events_to_come(const Scene& scene);
 
 }  // namespace murosimf::scene

@@ -6,13 +6,14 @@
 #include <fmt/format.h>
 
 #include "murosimf/components/sensor_types.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/sensors/world_queries.h"
 
 namespace murosimf::scene {
 namespace {
 
-/// Calls `f`; a SetupError that it throws says at its end which robot it is about.
+/// Calls `f`; appends the name of the robot to a SetupError that it throws.
 template <class F>
 void about(const std::string& robot, const F& f) {
   try {
@@ -22,6 +23,7 @@ void about(const std::string& robot, const F& f) {
   }
 }
 
+/// Rates that do not divide the steps are refused by the sensor itself.
 bool fits(const sensors::SensorSpec& spec, double step_rate) {
   try {
     sensors::check_rate(spec, step_rate);
@@ -31,10 +33,10 @@ bool fits(const sensors::SensorSpec& spec, double step_rate) {
   return true;
 }
 
-/// Gives a sensor of a robot's file a rate that the scene's steps allow, if steps of usual length would allow its own. What
-/// has changed; empty: nothing.
+/// Adapts the rate of a sensor of a robot's file to the scene's steps, if steps of usual length would allow its own rate. Returns
+/// the change; empty: none.
 std::string fit_to_steps(sensors::SensorSpec& spec, double step_rate) {
-  // a rate that steps of usual length do not allow either is an error of the file
+  // a rate that steps of usual length do not allow either is an error in the file
   if (fits(spec, step_rate) || !fits(spec, usual_step_rate)) return {};
   return fmt::format("samples at {:.4g} Hz, not {:.4g}, because steps are {:.4g} ms long", step_rate,
                      std::exchange(spec.rate, step_rate), 1e3 / step_rate);
@@ -52,10 +54,11 @@ std::vector<sensors::SensorSpec> sensors_of(SceneParts& parts, ModelSource& mode
   return specs;
 }
 
-/// "kinematic_walking: left_foot, right_foot: there are no ..."; empty if the level has all that the sensors show.
+/// "kinematic_walking: left_foot, right_foot: there are no ..."; empty if the level provides all quantities of the sensors.
 std::string sensor_diagnostics(const SceneParts& parts, const scene_file::RobotSpec& robot) {
   const auto number =
       std::ranges::find(parts.spec.robots, robot.name, &scene_file::RobotSpec::name) - parts.spec.robots.begin();
+  MUROSIMF_ASSERT(static_cast<std::size_t>(number) < parts.sensors.size());
   const LevelTraits level = parts.simulation->level_of(*parts.robots[static_cast<std::size_t>(number)])->traits();
   std::vector<SharedDiagnostic> diagnostics;
   for (const sensors::Sensor* sensor : parts.sensors[static_cast<std::size_t>(number)]) {
@@ -68,6 +71,7 @@ std::string sensor_diagnostics(const SceneParts& parts, const scene_file::RobotS
 
 }  // namespace
 
+/// One for all sensors: it keeps the volumes of the scene up to date in each step.
 sensors::WorldQueries& shared_queries(SceneParts& parts) {
   if (!parts.queries) {
     parts.queries =
@@ -77,6 +81,7 @@ sensors::WorldQueries& shared_queries(SceneParts& parts) {
 }
 
 void attach_sensors(SceneParts& parts, ModelSource& models, std::size_t robot) {
+  MUROSIMF_ASSERT(robot < parts.robots.size() && parts.sensors.size() == robot);
   const auto view_source = [&parts] { return parts.cameras ? parts.cameras->view_source() : nullptr; };
   const auto queries = [&parts]() -> sensors::WorldQueries& { return shared_queries(parts); };
   const sensors::SensorSurroundings surroundings{parts.spec.seed, parts.moving_entities, view_source, queries};

@@ -1,4 +1,4 @@
-/// scene_sensors.h - which sensors the robots of a scene carry: those of their files, changed by the scene.
+/// scene_sensors.h - sensors of the robots of a scene: those of their files, changed by the scene.
 #pragma once
 
 #include <cstddef>
@@ -11,13 +11,13 @@ namespace murosimf::scene {
 /// Attaches those of a robot, given by its number. Notes rates that had to change. Throws SetupError.
 void attach_sensors(SceneParts& parts, ModelSource& models, std::size_t robot);
 
-/// What all of them with rays ask; attached when it is first called.
+/// World queries shared by all of them with rays; attached at the first call.
 sensors::WorldQueries& shared_queries(SceneParts& parts);
 
-/// Notes what sensors have to say of the level of their robots: one line for robots of which the same is true.
+/// Notes remarks of sensors on the level of their robots: one line for robots with the same remark.
 void note_about_sensors(SceneParts& parts);
 
-/// The same of one robot, unless it was said before.
+/// The same for one robot, unless it was noted before.
 void note_about_sensors(SceneParts& parts, const scene_file::RobotSpec& robot);
 
 }  // namespace murosimf::scene

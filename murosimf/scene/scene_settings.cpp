@@ -18,7 +18,7 @@ bool is_target(std::string_view property) {
   return property == properties::joint_target.name || property == properties::joint_velocity_target.name;
 }
 
-/// Has a controller's next cycles looked at, which may write what was set.
+/// Schedules a check after the controller's next cycles, which may overwrite the value.
 void watch(SceneParts& parts, const scene_file::PropertySetting& setting, const std::string& entity) {
   const Entity& robot = parts.simulation->world().entity(entity);
   const auto writers = parts.simulation->writers_of(robot, setting.property);
@@ -27,7 +27,7 @@ void watch(SceneParts& parts, const scene_file::PropertySetting& setting, const 
   const auto objects = scene_file::objects_meant(robot.model(), setting.object, setting.property);
   const int count = ++parts.times_set[name];
   parts.simulation->at(parts.simulation->now() + some_cycles, [&parts, setting, entity, objects, writers, name, count] {
-    if (parts.times_set[name] != count) return;  // set anew meanwhile
+    if (parts.times_set[name] != count) return;  // set again meanwhile
     Entity& changed = parts.simulation->world().entity(entity);
     const auto is_there = [&](int object) {
       return ObjectAccess(changed, object).get(setting.property).numbers == setting.numbers;
@@ -54,7 +54,7 @@ void apply(SceneParts& parts, const scene_file::PropertySetting& setting, const 
 void apply_settings(SceneParts& parts) {
   for (const scene_file::PropertySetting& setting : parts.spec.settings) {
     for (const std::string& name : setting.entities) {
-      if (is_constant(setting)) {  // done with the model
+      if (is_constant(setting)) {  // applied when the model was built
         parts.simulation->record(to_text(setting, parts.simulation->world().entity(name)));
       } else {
         apply(parts, setting, name);

@@ -1,4 +1,4 @@
-/// scene_settings.h - properties that a scene sets, at its beginning and while it runs. Each is an event of the report.
+/// scene_settings.h - properties that a scene sets, at its beginning and while it runs. Each one is an event of the report.
 #pragma once
 
 #include <string>
@@ -7,12 +7,12 @@
 
 namespace murosimf::scene {
 
-/// Sets the property of one entity. Warns later if a controller writes it, too. Throws SetupError.
+/// Sets the property of one entity. Warns later if a controller overwrites it. Throws SetupError.
 void apply(SceneParts& parts, const scene_file::PropertySetting& setting, const std::string& entity);
 
-/// Sets what the spec sets. After initialize().
+/// Applies the settings of the spec. After initialize().
 void apply_settings(SceneParts& parts);
-/// What it sets of one entity, which has come back.
+/// Applies those of one entity that has returned.
 void apply_settings_of(SceneParts& parts, const Entity& entity);
 
 }  // namespace murosimf::scene

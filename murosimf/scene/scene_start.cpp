@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/math/random.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/scene/scene_checks.h"
@@ -14,14 +15,15 @@
 namespace murosimf::scene {
 namespace {
 
-/// A turn about any axis, by up to `largest` [rad].
+/// A rotation about a random axis, by up to `largest` [rad].
 Mat3d random_tilt(const RandomStream& random, double largest) {
+  // uniform z and longitude give a uniform distribution of axes on the sphere (Archimedes)
   const double z = random.uniform(3, -1, 1), longitude = random.uniform(4, -pi, pi), across = std::sqrt(1 - z * z);
   return rotation(Vec3d{across * std::cos(longitude), across * std::sin(longitude), z},
                   random.uniform(5, -largest, largest));
 }
 
-/// A start in the scene's file.
+/// A start pose in the scene's file.
 struct Start {
   const std::string& name;
   Vec3d position;
@@ -31,13 +33,14 @@ struct Start {
 
 void place(const scene_file::SceneSpec& spec, const Start& start, Entity& entity) {
   const double j = spec.jitter_position;
+  // a stream per entity: starts do not depend on the other entities of the scene
   const RandomStream random(spec.seed, start.name + "/start");
   entity.place(start.position + Vec3d{random.uniform(0, -j, j), random.uniform(1, -j, j), 0},
                start.heading + random.uniform(2, -spec.jitter_heading, spec.jitter_heading),
                random_tilt(random, spec.jitter_tilt) * start.attitude);
 }
 
-/// Turns joint targets away from the posture at the start, by up to jitter_posture; controllers that set them are stronger.
+/// Varies joint targets about the start posture, by up to jitter_posture; controllers that set them override this.
 void scatter_posture(const SceneParts& parts, const Keyframe* key, Entity& robot) {
   const double largest = parts.spec.jitter_posture;
   if (largest == 0) return;
@@ -69,6 +72,7 @@ void place_at_start(const SceneParts& parts, Entity& entity) {
   scatter_posture(parts, key, entity);
 }
 
+/// Posture and velocity belong to the start as well as the place.
 void start_moving(const SceneParts& parts, Entity& entity) {
   const auto robot = std::ranges::find(parts.spec.robots, entity.name(), &scene_file::RobotSpec::name);
   if (robot != parts.spec.robots.end()) take_targets(find_keyframe(entity.model(), robot->keyframe), entity);
@@ -85,7 +89,7 @@ void begin_at_every_start(SceneParts& parts) {
   });
   parts.simulation->after_start([&parts] {
     if (!parts.at_start.diagnostics)
-      parts.at_start.diagnostics = parts.diagnostics;  // also whatever a first picture tells of the machine
+      parts.at_start.diagnostics = parts.diagnostics;  // includes those of the first picture
     check_properties(parts);
     for (Entity* entity : parts.moving_entities) start_moving(parts, *entity);
     apply_settings(parts);
@@ -94,7 +98,9 @@ void begin_at_every_start(SceneParts& parts) {
 }
 
 void reset(SceneParts& parts, std::optional<std::uint64_t> seed) {
-  parts.simulation->initialize();  // what is wrong with the scene is wrong before anything changes
+  parts.simulation->initialize();  // errors of the scene are thrown before anything changes
+  MUROSIMF_ASSERT(parts.at_start.algorithms.size() == parts.moving_entities.size());
+  MUROSIMF_ASSERT(parts.at_start.diagnostics.has_value());
   for (std::size_t i = 0; i < parts.moving_entities.size(); ++i) {
     put_in_force(parts, *parts.moving_entities[i], parts.at_start.algorithms[i]);
   }

@@ -1,4 +1,4 @@
-// Bytes of a state: a line that says so, how many bytes follow, their checksum, and these: what the scene has exchanged, and the state of
+// Bytes of a state: a header line, the number of the bytes that follow, their checksum, and these: exchanged algorithms, and the state of
 // its simulation.
 #include "murosimf/scene/scene_state.h"
 
@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/runtime/bytes_hash.h"
 #include "murosimf/scene/scene_exchange.h"
 #include "murosimf/scene/section_changes.h"
@@ -16,10 +17,10 @@
 namespace murosimf::scene {
 namespace {
 
-constexpr std::string_view first_line = "MuRoSimF scene state 4\n";  // the number is that of the form
-constexpr std::string_view older_line = "MuRoSimF state ";           // of its simulation, behind what had no line
+constexpr std::string_view first_line = "MuRoSimF scene state 4\n";  // the number of the format
+constexpr std::string_view older_line = "MuRoSimF state ";  // of its simulation, in formats without a header line
 
-/// What stands behind the line.
+/// Follows the header line.
 struct Seal {
   std::uint64_t size = 0, checksum = 0;
 };
@@ -31,7 +32,7 @@ bool begins_with(std::span<const std::byte> bytes, std::string_view text) {
   return bytes.size() >= text.size() && std::ranges::equal(bytes.first(text.size()), bytes_of(text));
 }
 
-/// Throws SetupError if that is not the state as it was saved.
+/// Throws SetupError if the bytes are no complete and intact state.
 std::span<const std::byte> content_of(std::span<const std::byte> bytes) {
   if (!begins_with(bytes, first_line)) {
     constexpr std::size_t sign = first_line.find('4');
@@ -60,6 +61,8 @@ void load(SceneParts& parts, std::span<const std::byte> bytes) {
   archive(seed);
   std::vector<Algorithms> algorithms = algorithms_in_force(parts);
   with_context("state of the scene's moving entities", [&] { archive.elements(std::span(algorithms)); });
+  MUROSIMF_ASSERT(algorithms.size() == parts.moving_entities.size());
+  // levels first: they create the columns that the simulation's state fills
   for (std::size_t i = 0; i < algorithms.size(); ++i) put_in_force(parts, *parts.moving_entities[i], algorithms[i]);
   ChangingSections sections;
   archive(sections);
@@ -71,6 +74,7 @@ void load(SceneParts& parts, std::span<const std::byte> bytes) {
 
 }  // namespace
 
+/// Algorithms come first: loading must exchange them before their states are read.
 std::vector<std::byte> save_state(SceneParts& parts) {
   std::vector<std::byte> bytes(begin_of_content);
   StateArchive archive(bytes);
@@ -81,6 +85,7 @@ std::vector<std::byte> save_state(SceneParts& parts) {
   archive(sections);
   const std::vector<std::byte> simulation = parts.simulation->save();
   bytes.insert(bytes.end(), simulation.begin(), simulation.end());
+  MUROSIMF_ASSERT(bytes.size() >= begin_of_content);
   const std::span content = std::span<const std::byte>(bytes).subspan(begin_of_content);
   const Seal seal{content.size(), hash_of(content)};
   std::ranges::copy(bytes_of(first_line), bytes.begin());
@@ -90,6 +95,7 @@ std::vector<std::byte> save_state(SceneParts& parts) {
 
 void load_state(SceneParts& parts, std::span<const std::byte> bytes) {
   const std::span<const std::byte> content = content_of(bytes);
+  // Loading changes the scene piece by piece: on an error the previous state is loaded again.
   const std::vector<std::byte> before = save_state(parts);
   try {
     load(parts, content);

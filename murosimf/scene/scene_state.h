@@ -1,4 +1,4 @@
-/// scene_state.h - the state of a scene as bytes: its simulation's, its seed, and what events may have exchanged: levels, laws,
+/// scene_state.h - the state of a scene as bytes: its simulation's, its seed, and exchanged algorithms: levels, laws,
 /// light and ball.
 #pragma once
 

@@ -3,17 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::scene {
 namespace {
 
-constexpr double fov = 40 * pi / 180;  // [rad] of what is not the scene's own
-constexpr double margin = 1.04;        // [1] around what is to be seen
+constexpr double fov = 40 * pi / 180;  // [rad] of viewpoints that are not the scene's own
+constexpr double margin = 1.04;        // [1] around the visible points
 
 sensors::Perspective looking(const Vec3d& eye, const Vec3d& at, const Vec3d& upwards, double angle, int width,
                              int height) {
+  MUROSIMF_ASSERT(width > 0 && height > 0 && angle > 0);
   sensors::Perspective view;
   view.eye = eye;
   view.axes.z = (1 / norm(at - eye)) * (at - eye);
@@ -30,12 +32,14 @@ sensors::Perspective looking(const Vec3d& eye, const Vec3d& at, const Vec3d& upw
 }
 
 Vec3d upwards_of(const Vec3d& direction) {
+  // the vertical cannot be upwards in a view along it
   return std::hypot(direction.x, direction.y) > 1e-6 * norm(direction) ? Vec3d{0, 0, 1} : Vec3d{0, 1, 0};
 }
 
-/// From the direction `toward` (unit, to the eye), as near as all points are in the picture.
+/// View from the direction `toward` (unit, to the eye), at the smallest distance with all points in the picture.
 sensors::Perspective around(const std::vector<Vec3d>& points, const Vec3d& middle, const Vec3d& toward, int width,
                             int height) {
+  MUROSIMF_ASSERT(std::abs(norm(toward) - 1) < 1e-9);
   sensors::Perspective view = looking(middle + toward, middle, upwards_of(toward), fov, width, height);
   double distance = 0.2;
   for (const Vec3d& p : points) {  // |x| <= right (z + distance) at z and x from the middle, likewise y
@@ -49,6 +53,7 @@ sensors::Perspective around(const std::vector<Vec3d>& points, const Vec3d& middl
 std::vector<Vec3d> field_corners(const Scene& scene) {
   const Entity& field = *scene.simulation().world().find("field");
   const Markings* markings = field.model().find(properties::markings, 0);
+  MUROSIMF_ASSERT(markings != nullptr);
   const double x = markings->half_length, y = markings->half_width;
   return {{x, y, 0}, {-x, y, 0}, {x, -y, 0}, {-x, -y, 0}};
 }
@@ -57,6 +62,7 @@ Vec3d direction(double azimuth, double elevation) {
   return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth), std::sin(elevation)};
 }
 
+/// Without a width, all of the field is in the picture.
 sensors::Perspective overview(const Scene& scene, int width, int height) {
   const scene_file::ViewSpec& spec = scene.spec().view;
   const Vec3d toward = direction(spec.azimuth, spec.elevation);
@@ -68,6 +74,7 @@ sensors::Perspective overview(const Scene& scene, int width, int height) {
 sensors::Perspective behind(const Entity& moving_entity, int width, int height) {
   const auto* r = moving_entity.find(properties::position);
   const auto* R = moving_entity.find(properties::orientation);
+  MUROSIMF_ASSERT(r != nullptr && R != nullptr);
   const Vec3d at = r->values[0];
   const Vec3d ahead = rotation_z(heading(R->values[0])) * Vec3d{1, 0, 0};
   return looking(at - 1.0 * ahead + Vec3d{0, 0, 0.55}, at + 0.4 * ahead, {0, 0, 1}, 1.1, width, height);

@@ -1,7 +1,7 @@
-/// scene_viewpoints.h - from where people look at a scene: places by name.
+/// scene_viewpoints.h - named viewpoints of a scene.
 ///
 /// overview: from the scene's [view], all of it in the picture; top: from above; side: along y; left, right: from behind
-/// the goal at negative and positive x; the name of a robot or ball: from behind and above it, turned as it is headed;
+/// the goal at negative and positive x; the name of a robot or ball: from behind and above it, along its heading;
 /// and the [views.NAME] of the scene.
 #pragma once
 
@@ -13,14 +13,14 @@
 
 namespace murosimf::scene {
 
-/// Names of all places of a scene.
+/// Names of all viewpoints of a scene.
 [[nodiscard]] std::vector<std::string> viewpoint_names(const Scene& scene);
 
-/// The picture from one of them, as things are now. Throws SetupError with the nearest name if there is none.
+/// The present picture from one of them. Throws SetupError with the nearest name if there is none.
 [[nodiscard]] sensors::Perspective viewpoint_perspective(const Scene& scene, const std::string& name, int width,
                                                          int height);
 
-/// From the scene's [view] by parallel rays: all of its field, or `width` [m] about `center`.
+/// By parallel rays along the scene's [view]: all of its field, or `width` [m] about `center`.
 [[nodiscard]] render::ParallelView parallel_view(const Scene& scene, int width, int height);
 
 }  // namespace murosimf::scene

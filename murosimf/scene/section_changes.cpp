@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/catalog/algorithm_catalog.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/scene/model_constants.h"
@@ -31,7 +32,7 @@ ModelPtr model_of(const SceneParts& parts, const BallOptions& ball) {
   return model;
 }
 
-/// Constants that somebody has set would hide what an event says.
+/// Constants set by the user would hide the effect of an event.
 void check_constants(const scene_file::SceneSpec& spec) {
   for (const scene_file::PropertySetting& setting : spec.settings) {
     const bool of_ball = std::ranges::find(setting.entities, "ball") != setting.entities.end();
@@ -42,11 +43,13 @@ void check_constants(const scene_file::SceneSpec& spec) {
 }
 
 void exchange_ball(SceneParts& parts, const BallOptions& next, LevelStart start) {
+  MUROSIMF_ASSERT(parts.ball != nullptr && parts.spec.ball.has_value());
   Entity& ball = *parts.ball;
   BallOptions& present = *parts.spec.ball;
   const auto level = [&](Setup& setup) { return catalog::make_level(ball.level, setup, {}); };
   parts.simulation->exchange_model(ball, model_of(parts, next), level, start);
   if (start == LevelStart::in_motion && ball.present()) {
+    // keeps the lowest point where it is
     const Vec3d up{0, 0, next.radius - present.radius};
     ball.base().set(properties::position, ball.base().get(properties::position) + up);
   }
@@ -64,7 +67,9 @@ void change_light(SceneParts& parts, const scene_file::SceneEvent& event) {
   ++parts.changes_to_see;
 }
 
+/// A new size or mass is another model; a new color only concerns pictures.
 void change_ball(SceneParts& parts, const scene_file::SceneEvent& event) {
+  MUROSIMF_ASSERT(parts.ball != nullptr && parts.spec.ball.has_value());
   const scene_file::BallSpec next = changed(*parts.spec.ball, event);
   if (static_cast<const BallOptions&>(next) != *parts.spec.ball) {
     exchange_ball(parts, next, LevelStart::in_motion);
@@ -96,6 +101,7 @@ ChangingSections sections_in_force(const SceneParts& parts) {
   return {parts.spec.light, ball, ball.color};
 }
 
+/// Only what differs: an exchange of the ball's model begins its algorithms anew.
 void put_in_force(SceneParts& parts, const ChangingSections& sections) {
   const ChangingSections present = sections_in_force(parts);
   const bool other_ball = sections.ball != present.ball, other_color = sections.ball_color != present.ball_color;

@@ -1,23 +1,23 @@
-/// section_changes.h - a scene's light and ball while it runs (paper 7.1): keys of [light], and of [ball] what makes another ball.
+/// section_changes.h - a scene's light and ball while it runs (paper 7.1): keys of [light], and those of [ball] that replace the ball.
 ///
-/// A ball that becomes another one stays where its lowest point is, with its velocities. Its contacts begin anew; what is inside
-/// something then is let out slowly, with a warning. A color changes nothing but pictures.
+/// A new ball has the lowest point and the velocities of the old one. Its contacts restart; if it then penetrates
+/// something it is pushed out slowly, with a warning. A color changes pictures only.
 #pragma once
 
 #include "murosimf/scene/scene_parts.h"
 
 namespace murosimf::scene {
 
-/// Throws SetupError if the scene can never do what an event of a section says.
+/// Throws SetupError if the scene can never perform an event of a section.
 void check_section_change(const SceneParts& parts, const scene_file::SceneEvent& event);
-/// Does it now, between two steps. Throws SetupError, and changes nothing, if it cannot be.
+/// Performs it now, between two steps. Throws SetupError, and changes nothing, if that is impossible.
 void apply_section_change(SceneParts& parts, const scene_file::SceneEvent& event);
 
 [[nodiscard]] ChangingSections sections_in_force(const SceneParts& parts);
-/// For a state that will be loaded, or a reset, before the next step: nothing is an event.
+/// For a state that will be loaded, or a reset, before the next step: nothing is recorded as an event.
 void put_in_force(SceneParts& parts, const ChangingSections& sections);
 
-/// Tells all who draw that something looks different or somebody has come.
+/// Notifies all renderers that the appearance of an entity has changed or an entity was added.
 void show_changes(SceneParts& parts);
 
 }  // namespace murosimf::scene

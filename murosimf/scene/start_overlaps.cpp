@@ -10,25 +10,26 @@
 #include "murosimf/collision/compound.h"
 #include "murosimf/collision/ground_points.h"
 #include "murosimf/geometry/collide.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::scene {
 namespace {
 
-constexpr double deepest_contact = 5e-3;  // [m] feet and balls sink in by less than 1 mm
-constexpr std::size_t most_pairs = 5;     // that are named
+constexpr double deepest_contact = 5e-3;  // [m] ordinary contact of feet and balls is below 1 mm
+constexpr std::size_t most_pairs = 5;     // limit of listed pairs
 
-/// What equal entities have in common.
+/// Data shared by equal entities.
 struct EntityKind {
   explicit EntityKind(const Model& model)
       : reach(collision::farthest_reach(model)), ground_shapes(collision::ground_shapes(model)) {}
 
   double reach;  ///< [m] of all shapes about the base
   std::vector<collision::GroundShape> ground_shapes;
-  std::optional<collision::Compound> compound;  ///< made if somebody comes near
+  std::optional<collision::Compound> compound;  ///< made when another entity is near
 };
 
-/// An entity where it stands.
+/// An entity in its present pose.
 struct Standing {
   Standing(const Entity& of, EntityKind& its_kind) : entity(&of), kind(&its_kind) {
     if (const auto* place = of.find(properties::position)) r = place->values;
@@ -38,6 +39,7 @@ struct Standing {
       r.push_back(pose.position);
       R.push_back(pose.orientation);
     }
+    MUROSIMF_ASSERT(!r.empty() && r.size() == R.size());
   }
 
   const Entity* entity;
@@ -48,6 +50,7 @@ struct Standing {
   bool moves = true;
 };
 
+/// Entities of the same kind share their shapes.
 collision::Compound& compound_where(Standing& standing) {
   if (standing.compound) return *standing.compound;
   auto& shared = standing.kind->compound;
@@ -70,7 +73,7 @@ double depth_of(const geometry::Manifold& manifold) {
   return depth;
 }
 
-/// The first bodies that are found in each other.
+/// The first overlapping bodies found.
 std::optional<OverlapBodies> first_overlap(Standing& one, Standing& other) {
   const collision::Compound &a = compound_where(one), &b = compound_where(other);
   std::optional<OverlapBodies> found;
@@ -84,7 +87,7 @@ std::optional<OverlapBodies> first_overlap(Standing& one, Standing& other) {
     }
     return !found;
   };
-  // kinds of shapes count on what stands still; between moving entities everything touches (model/shape.h)
+  // surface kinds matter for static bodies only; moving entities touch each other in any case (model/shape.h)
   if (other.moves) {
     (void)collision::for_pairs(a, b, test);
   } else {
@@ -100,7 +103,7 @@ std::string overlap_line(const Standing& one, const Standing& other, const Overl
                      other.entity->name(), name_in(one, objects.a), name_in(other, objects.b));
 }
 
-/// [m] of the lowest point above the plane z = 0, if that may be below it.
+/// [m] Lowest point relative to the plane z = 0, if it can be below it.
 double lowest_of(const Standing& standing) {
   const collision::GroundPlane ground;
   double lowest = std::numeric_limits<double>::infinity();
@@ -115,10 +118,11 @@ double lowest_of(const Standing& standing) {
 
 bool are_near(const Standing& a, const Standing& b) { return norm(a.r[0] - b.r[0]) <= a.kind->reach + b.kind->reach; }
 
-/// Everybody who is there; who stands still comes last.
+/// All present entities; static ones last.
 class Scenery {
  public:
   Scenery(const Entity& field, std::span<Entity* const> moving_entities) {
+    // reserved: references to elements are kept while others are added
     standing_.reserve(moving_entities.size() + 1);
     for (const Entity* moving_entity : moving_entities) {
       if (moving_entity->present()) add(*moving_entity);
@@ -138,7 +142,7 @@ class Scenery {
   std::vector<Standing> standing_;
 };
 
-/// Of pairs, each once; only those of one entity, if it is given. No more than `most_pairs`.
+/// Adds overlapping pairs, each once; only those of one entity, if given. At most `most_pairs`.
 void add_overlaps(std::vector<Standing>& standing, const Entity* of, std::vector<std::string>& lines) {
   for (std::size_t i = 0; i + 1 < standing.size(); ++i) {
     for (std::size_t j = i + 1; j < standing.size(); ++j) {

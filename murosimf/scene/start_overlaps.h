@@ -1,4 +1,4 @@
-/// start_overlaps.h - who stands in whom, or in the ground, when a scene begins.
+/// start_overlaps.h - overlaps of entities with each other, or with the ground, at the start of a scene.
 #pragma once
 
 #include <span>
@@ -9,12 +9,12 @@
 
 namespace murosimf::scene {
 
-/// One line for each pair of entities that are there and overlap by more than contact ever does, with the bodies that do it (of many
-/// pairs only for the first), and for each moving entity that is in the ground, the plane z = 0. After initialize(); costs
-/// microseconds for who is near nobody.
+/// One line for each pair of present entities that overlap by more than ordinary contact, with the bodies concerned (of many
+/// pairs only for the first), and for each moving entity that penetrates the ground, the plane z = 0. After initialize(); costs
+/// microseconds for an entity without neighbors.
 [[nodiscard]] std::vector<std::string> start_overlaps(const Entity& field, std::span<Entity* const> moving_entities);
 
-/// The same for an entity that has just come, and the others.
+/// The same for an entity that was just added, and the others.
 [[nodiscard]] std::vector<std::string> overlaps_of(const Entity& entity, const Entity& field,
                                                    std::span<Entity* const> moving_entities);
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 
@@ -31,9 +32,11 @@ double start_position(const Model& model, const Keyframe* keyframe, int joint) {
   return start ? *start : 0;
 }
 
+/// Targets as well as positions: servos would leave the posture in the first step.
 void take_posture(const Keyframe* keyframe, Entity& robot) {
   if (!robot.find(properties::joint_target)) return;
   auto& targets = robot.column(properties::joint_target).values;
+  MUROSIMF_ASSERT(targets.size() == robot.model().objects().size());
   for (const int joint : robot.model().joints()) {
     const bool said = keyframe || robot.model().find(properties::joint_start, joint);
     if (said) targets[joint] = start_position(robot.model(), keyframe, joint);
@@ -43,6 +46,7 @@ void take_posture(const Keyframe* keyframe, Entity& robot) {
 void take_targets(const Keyframe* keyframe, Entity& robot) {
   if (!keyframe) return;
   auto& targets = robot.column(properties::joint_target).values;
+  MUROSIMF_ASSERT(targets.size() == robot.model().objects().size());
   for (const auto& [joint, target] : keyframe->targets) targets[robot.model().object_index(joint)] = target;
 }
 

@@ -1,6 +1,6 @@
-/// start_posture.h - the posture in which a robot begins: that of its file, or a key of it (model/keyframe.h).
+/// start_posture.h - the start posture of a robot: that of its file, or a key of it (model/keyframe.h).
 ///
-/// Joints begin where their targets are, so this sets targets. A key's own targets hold from the first step on.
+/// Joints start at their targets, so this sets targets. A key's own targets apply from the first step on.
 #pragma once
 
 #include <string_view>
@@ -13,12 +13,12 @@ namespace murosimf::scene {
 /// Null for an empty name. Throws SetupError with all names if the model has no such key.
 [[nodiscard]] const Keyframe* find_keyframe(const Model& model, std::string_view name);
 
-/// [rad | m] Where the joint begins; `keyframe` may be null.
+/// [rad | m] Start of the joint; `keyframe` may be null.
 [[nodiscard]] double start_position(const Model& model, const Keyframe* keyframe, int joint);
 
-/// Before the level starts: of the joints that the file says something of; `keyframe` may be null.
+/// Before the level starts: for joints with a start in the file; `keyframe` may be null.
 void take_posture(const Keyframe* keyframe, Entity& robot);
-/// After it has started.
+/// After the level has started.
 void take_targets(const Keyframe* keyframe, Entity& robot);
 
 }  // namespace murosimf::scene

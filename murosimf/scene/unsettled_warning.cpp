@@ -7,16 +7,18 @@
 
 #include "murosimf/collision/body_pairs.h"
 #include "murosimf/collision/contact_properties.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::scene {
 namespace {
 
 constexpr double share = 0.5;  // [1] of the steps of a second
 constexpr double left = 0.1;   // [m/s] on average
-constexpr double grain = 50;   // [Hz] of the rate that is named
+constexpr double grain = 50;   // [Hz] grid of the suggested rate
 
-/// Whether an entity has gone deep into something: its contact is too soft, and no step mends that.
+/// Whether an entity has penetrated deeply: its contact is too soft, and no step length cures that.
 bool gives_way(const World& world, const collision::PairSet& pairs, int entity) {
+  MUROSIMF_ASSERT(entity >= 0 && static_cast<std::size_t>(entity) < world.entities().size());
   const auto* ground = world.entities()[static_cast<std::size_t>(entity)]->find(collision::contacts);
   if (ground && ground->values[0].interpenetration) return true;
   return std::ranges::any_of(pairs.interpenetrations,
@@ -31,6 +33,7 @@ std::string unsettled_warning(const World& world) {
   const collision::UnsettledSteps& second = pairs->values[0].most_unsettled;
   if (second.unsettled == 0 || second.unsettled < share * second.steps || second.left < left * second.steps) return {};
   if (gives_way(world, pairs->values[0], second.first)) return {};
+  MUROSIMF_ASSERT(second.unsettled > 0 && second.steps > 0);
   const double needed = 1 + second.sweeps / second.unsettled;
   const Entity& first = *world.entities()[static_cast<std::size_t>(second.first)];
   return fmt::format(

@@ -1,6 +1,6 @@
 /// all_sections.h - the sections of a scene file (section.h), each in the source that reads it.
 ///
-/// Only for .cpp files: it brings toml++ in.
+/// For .cpp files only: it includes toml++.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace murosimf::scene_file {
 
-/// [[events]] as it stands in the file.
+/// [[events]] as written in the file.
 struct EventTable {
   double time = -1;                  ///< [s]
   std::vector<std::string> changes;  ///< "PATH = VALUE"

@@ -8,6 +8,7 @@
 
 #include "murosimf/files/toml_bounds.h"
 #include "murosimf/files/toml_reader.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::scene_file {
@@ -40,6 +41,7 @@ toml::table Assignment::parsed() const {
   try {
     return toml::parse("value = " + value, where);
   } catch (const toml::parse_error&) {
+    // a bare word is no TOML: inserted as a value, so that quotes in it need no escapes
     toml::table table = toml::parse("value = \"\"", where);
     table.get("value")->as_string()->get() = value;
     return table;
@@ -47,6 +49,7 @@ toml::table Assignment::parsed() const {
 }
 
 std::string Assignment::object(std::size_t begin) const {
+  MUROSIMF_ASSERT(begin < path.size());
   return fmt::format("{}", fmt::join(path.begin() + static_cast<std::ptrdiff_t>(begin), path.end() - 1, "."));
 }
 
@@ -69,18 +72,21 @@ Assignment split_assignment(std::string_view text, std::string where) {
       assignment.path.push_back(std::exchange(part, {}));
     }
   }
+  MUROSIMF_ASSERT(!assignment.path.empty());
   return assignment;
 }
 
 std::string text_of(const toml::table& table, std::string_view key) { return table[key].value_or(std::string{}); }
 
 std::pair<std::vector<toml::table*>, std::size_t> robots_of(toml::table& scene, const std::vector<std::string>& path) {
+  MUROSIMF_ASSERT(!path.empty());
   const toml::table* defaults = scene["defaults"].as_table();
   const std::string usual_team = defaults ? text_of(*defaults, "team") : "";
   const std::vector<toml::table*> robots = all_robots(scene);
   std::vector<toml::table*> found;
   std::copy_if(robots.begin(), robots.end(), std::back_inserter(found),
                [&](const toml::table* r) { return matches(path[0], text_of(*r, "name")); });
+  // an entity's own name takes precedence over a team
   if (!found.empty() || path.size() < 2) return {found, 1};
   std::copy_if(robots.begin(), robots.end(), std::back_inserter(found), [&](const toml::table* r) {
     const std::string name = text_of(*r, "name");
@@ -111,6 +117,7 @@ void check_key(const Assignment& assignment, std::string_view key, const std::ve
   throw SetupError(fmt::format("{}: {}", assignment.where, unknown_name("setting", key, known)));
 }
 
+/// A table names its parts, so that their order does not matter.
 std::vector<double> named_force(const toml::table& table) {
   std::vector<double> numbers(6, 0.0);
   for (const auto& [key, node] : table) {
@@ -124,6 +131,7 @@ std::vector<double> named_force(const toml::table& table) {
     }
     std::copy(three->begin(), three->end(), numbers.begin() + (force ? 0 : 3));
   }
+  MUROSIMF_ASSERT(numbers.size() == 6);
   return numbers;
 }
 

@@ -1,6 +1,6 @@
-/// assignment.h - PATH=VALUE, as users write it for --set, --at and events: what it means in a scene's table.
+/// assignment.h - PATH=VALUE, as users write it for --set, --at and events: its meaning in a scene's table.
 ///
-/// Only for .cpp files: it brings toml++ in.
+/// For .cpp files only: it includes toml++.
 #pragma once
 
 #include <optional>
@@ -15,13 +15,13 @@
 
 namespace murosimf::scene_file {
 
-/// A path split at its dots, and the text behind the equals sign.
+/// A path split at its dots, and the text after the equals sign.
 struct Assignment {
   std::string where;  ///< for messages
   std::vector<std::string> path;
   std::string value;
 
-  /// The value as TOML, under the key "value"; a bare word is a text. Parsed anew for every use: copies lose their
+  /// The value as TOML, under the key "value"; a bare word is a text. Parsed again for every use, since copies lose their
   /// source.
   [[nodiscard]] toml::table parsed() const;
   /// The parts from `begin` on but the last: names of objects may have dots ("l_foot.offset").
@@ -31,12 +31,12 @@ struct Assignment {
 /// Throws SetupError at `where` if the text is no PATH=VALUE.
 [[nodiscard]] Assignment split_assignment(std::string_view text, std::string where);
 
-/// Tables of the robots that the first parts of the path mean, and how many parts that took: ENTITY or TEAM.ROBOT, with
+/// Tables of the robots that the first parts of the path denote, and the number of these parts: ENTITY or TEAM.ROBOT, with
 /// * and ?.
 [[nodiscard]] std::pair<std::vector<toml::table*>, std::size_t> robots_of(toml::table& scene,
                                                                           const std::vector<std::string>& path);
 
-/// Tables of the bodies whose names match, with * and ?.
+/// Tables of the bodies with matching names, with * and ?.
 [[nodiscard]] std::vector<toml::table*> bodies_called(toml::table& scene, const std::string& pattern);
 
 /// The text under a key; empty if there is none.
@@ -48,12 +48,12 @@ struct Assignment {
 /// Throws SetupError with the nearest name if `key` is not among `known`.
 void check_key(const Assignment& assignment, std::string_view key, const std::vector<std::string_view>& known);
 
-/// A force and a moment by name, {force=[...], moment=[...]}, as six numbers: force, moment. What is left out is 0.
+/// A force and a moment by name, {force=[...], moment=[...]}, as six numbers: force, moment. Omitted ones are 0.
 /// Throws SetupError.
 [[nodiscard]] std::vector<double> named_force(const toml::table& table);
 
 /// The assignment as a property of entities: object and property are the parts of the path from `begin` on. Throws
-/// SetupError if the value is no numbers.
+/// SetupError if the value is not numeric.
 [[nodiscard]] PropertySetting property_setting(const Assignment& assignment, std::size_t begin,
                                                std::vector<std::string> entities);
 

@@ -9,27 +9,30 @@
 #include <fmt/format.h>
 
 #include "murosimf/catalog/algorithm_catalog.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::scene_file {
 namespace {
 
 constexpr std::array<double, 7> choices{0.01, 0.005, 0.002, 0.001, 0.0005, 0.0002, 0.0001};  // [s]
-constexpr double longest_kinematic = 0.005;  // [s] 1.2 % of the way in a curve; 2.8 % at 10 ms
+constexpr double longest_kinematic = 0.005;  // [s] error of 1.2 % of the path in a curve; 2.8 % at 10 ms
 
-constexpr double share_of_radius = 0.2;       // [1] that a ball goes in a step
+constexpr double share_of_radius = 0.2;       // [1] travelled by a ball in a step
 constexpr double shortest_fast = 0.0005;      // [s] for fast balls
 constexpr double explicit_resolution = 0.02;  // [1] dt^2 k / m_p
 
-/// The shortest of the steps that somebody demands.
+/// The shortest of the required steps.
 class Demands {
  public:
-  void add(double longest_step, std::string who) {
+  void add(double longest_step, std::string reason) {
+    MUROSIMF_ASSERT(!(longest_step <= 0));
     if (!because_.empty() && longest_step >= longest_) return;
     longest_ = longest_step;
-    because_ = std::move(who);
+    because_ = std::move(reason);
   }
   [[nodiscard]] AutomaticRate rate() const {
     if (because_.empty()) return {usual_step_rate, "nothing moves"};
+    // round rates only: their periods are whole nanoseconds, and controllers divide them
     const auto fits = [&](double step) { return step <= longest_ * (1 + 1e-9); };
     const auto* step = std::ranges::find_if(choices, fits);
     return {1 / (step == choices.end() ? longest_ : *step), because_};
@@ -40,7 +43,7 @@ class Demands {
   std::string because_;
 };
 
-/// What a robot begins with and what events give it of this key.
+/// Initial value of this key of a robot, and those that events set.
 std::vector<std::string> values_of(const RobotSpec& robot, std::string_view key, const std::string& first,
                                    const std::vector<SceneEvent>& events) {
   std::vector<std::string> values{first};
@@ -77,6 +80,7 @@ void add_speed(const std::string& name, double radius, double speed, Demands& de
   demands.add(std::max(share_of_radius * radius / speed, shortest_fast), fmt::format("{} at {:.3g} m/s", name, speed));
 }
 
+/// Small and fast bodies need short steps, or they pass through others.
 void add_body(const SceneSpec& scene, const BodySpec& body, Demands& demands) {
   add_thing(body.name, body.contact, demands);
   const auto* sphere = body.shape ? std::get_if<Sphere>(&*body.shape) : nullptr;
@@ -92,10 +96,11 @@ double longest_stiff_step(const SceneSpec& scene, const std::string& contact, co
   const double stiffness = scene.materials.find({.material = material}, {.material = scene.field.surface}).stiffness;
   if (stiffness == 0 || mass == 0 || catalog::make_contact_law(contact)->implicit())
     return std::numeric_limits<double>::infinity();
-  const double mass_at_point = mass / 2;  // half of four points meet the ground
+  const double mass_at_point = mass / 2;  // two of four points carry the body when it tilts
   return std::sqrt(explicit_resolution * mass_at_point / stiffness);
 }
 
+/// The shortest step that any part of the scene demands, with the reason for it.
 AutomaticRate automatic_rate(const SceneSpec& scene) {
   Demands demands;
   for (const RobotSpec& robot : scene.robots) add_robot(robot, scene.events, demands);

@@ -1,13 +1,13 @@
-/// automatic_rate.h - what `rate = "auto"` comes to: the longest steps that change little of what comes out.
+/// automatic_rate.h - the rate that `rate = "auto"` selects: the longest steps with accurate results.
 ///
-/// How much steps of each length change walks, kicks and pushes at each level and under each law is measured by
-/// benchmarks/step_sizes.py (docs/scenes.md, "Long steps"); the laws in the catalog have what follows from it. Besides
+/// The effect of each step length on walks, kicks and pushes at each level and under each law is measured by
+/// benchmarks/step_sizes.py (docs/scenes.md, "Long steps"); the laws in the catalog have the resulting limits. In addition
 ///
-///     v dt <= r / 5                      a ball or sphere of radius r that begins with the velocity v: what it has come into a post or a limb by
-///                                        turns the normal, and so the way that it leaves
-///     dt^2 k / m_p <= 0.02               a stiffness k that a pair of materials was given, under a law that is explicit (contact_parameters.h)
+///     v dt <= r / 5                      for a ball or sphere of radius r with the initial velocity v: the penetration depth into a post or a limb
+///                                        turns the normal, and so the direction after the bounce
+///     dt^2 k / m_p <= 0.02               for a given stiffness k of a pair of materials, under an explicit law (contact_parameters.h)
 ///
-/// though no steps shorter than 0.5 ms for the one, 0.1 ms for the other.
+/// but with steps of at least 0.5 ms for the first, 0.1 ms for the second.
 #pragma once
 
 #include <string>
@@ -18,15 +18,15 @@ namespace murosimf::scene_file {
 
 struct AutomaticRate {
   double hz = 0;
-  std::string because;  ///< who does not allow longer steps: "walker at full_dynamics under paper"
+  std::string because;  ///< the entity that limits the step: "walker at full_dynamics under paper"
 };
 
-/// Longest step [s] in which the law bears the stiffness that the pair of `material` and the ground was given, on a body of `mass` [kg]
-/// that is not round; infinite for implicit laws and pairs whose stiffness goes by the weight.
+/// Longest step [s] that is stable under the law with the given stiffness of the pair of `material` and the ground, for a body of `mass` [kg]
+/// that is not round; infinite for implicit laws and pairs with a stiffness that follows from the weight.
 [[nodiscard]] double longest_stiff_step(const SceneSpec& scene, const std::string& contact, const std::string& material,
                                         double mass);
 
-/// For all levels and laws that the scene and its events name. Throws SetupError for a law that the catalog has not.
+/// For all levels and laws that the scene and its events name. Throws SetupError for a law that is not in the catalog.
 [[nodiscard]] AutomaticRate automatic_rate(const SceneSpec& scene);
 
 }  // namespace murosimf::scene_file

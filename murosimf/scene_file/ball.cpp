@@ -9,6 +9,7 @@
 
 namespace murosimf::scene_file {
 
+/// Checked here, since options also come from programs, not only from files.
 ModelPtr ball_model(const BallOptions& options) {
   const auto positive = [](double x) { return x > 0 && std::isfinite(x); };
   if (!positive(options.radius) || !positive(options.mass)) {

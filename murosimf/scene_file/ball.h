@@ -1,4 +1,4 @@
-/// ball.h - the model of a ball: one object, one sphere, drawn in the color of its entity.
+/// ball.h - the model of a ball: one object, one sphere, in the color of its entity.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ struct BallOptions {
   bool hollow = false;            ///< inertia 2/3 m r^2 instead of 2/5 m r^2
   std::string material = "ball";  ///< surface, for the pair table
   double drag = air::usual_drag;  ///< [1] C_d (air/air.h)
-  double lift = air::usual_lift;  ///< [1] what C_l comes to at high spin
+  double lift = air::usual_lift;  ///< [1] limit of C_l at high spin
 
   friend bool operator==(const BallOptions&, const BallOptions&) = default;
   void state(StateArchive& archive) { archive(radius, mass, hollow, material, drag, lift); }

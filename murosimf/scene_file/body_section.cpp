@@ -41,6 +41,7 @@ void refuse_keys(const files::TomlTable& table, std::string_view shape, std::ini
   }
 }
 
+/// Keys of other shapes are refused: they would be without effect.
 Shape read_round_shape(const files::TomlTable& table, const std::string& name) {
   refuse_keys(table, name, {"size"});
   const double radius = read_length(table, "radius", "in m");
@@ -86,6 +87,7 @@ void read_shape(const files::TomlTable& table, const std::filesystem::path& fold
   body.shape = read_solid(table, name);
 }
 
+/// Exactly one of mass and density: two would contradict each other.
 void read_mass(const files::TomlTable& table, BodySpec& body) {
   double density = 0;
   table.read("density", density);
@@ -96,6 +98,7 @@ void read_mass(const files::TomlTable& table, BodySpec& body) {
   require(body.mass > 0, table, has_density ? "density" : "mass", "must be positive");
 }
 
+/// Shape and model exclude each other for the same reason.
 void read_kind(const files::TomlTable& table, const std::filesystem::path& folder, BodySpec& body) {
   require(body.model.empty() != (table.find("shape") == nullptr), table, "shape",
           body.model.empty() ? "is missing: box, sphere, cylinder, capsule, heightfield or mesh; or 'model'"
@@ -183,6 +186,7 @@ const Section<BodySpec>& body_section() {
   return section;
 }
 
+/// Names are unique in the scene, since events and overrides refer to them.
 void read_bodies(const files::TomlTable& scene, SceneSpec& spec) {
   for (const toml::table* node : scene.tables("bodies")) {
     BodySpec body = read_body(*node, spec.file.parent_path());

@@ -6,6 +6,7 @@
 
 #include "murosimf/air/air_properties.h"
 #include "murosimf/collision/ground_points.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/robot_formats/mass_properties.h"
 
@@ -13,6 +14,7 @@ namespace murosimf::scene_file {
 namespace {
 
 PlacedShape shape_of(const BodySpec& body) {
+  MUROSIMF_ASSERT(body.shape.has_value());
   PlacedShape placed;
   placed.shape = *body.shape;
   placed.position = -body.center;
@@ -22,6 +24,7 @@ PlacedShape shape_of(const BodySpec& body) {
 }
 
 Chain uneven_ground(const BodySpec& body) {
+  MUROSIMF_ASSERT(body.relief != nullptr);
   Chain chain;
   chain.translation(body.position).rotation(attitude_of(body), body.name);
   chain.with(properties::shapes, body.relief->prisms({.material = body.material}, body.color));
@@ -31,10 +34,12 @@ Chain uneven_ground(const BodySpec& body) {
 }  // namespace
 
 Mat3d attitude_of(const BodySpec& body) {
+  // fixed axes: pitch first, then roll, then heading, as the keys are documented
   return rotation_z(body.heading) * (rotation_y(body.pitch) * rotation_x(body.roll));
 }
 
 ModelPtr body_model(const BodySpec& body) {
+  MUROSIMF_ASSERT(body.shape.has_value());
   Chain chain;
   chain.base(body.name)
       .with(properties::mass, body.mass)
@@ -51,6 +56,7 @@ Chain static_body(const BodySpec& body) {
   if (body.relief) return uneven_ground(body);
   const PlacedShape shape = shape_of(body);
   const Mat3d R = attitude_of(body);
+  // `position` has the lowest point; the frame is raised by its distance below the origin
   const double lowest = collision::lowest_point(collision::ground_shape(0, shape, 0), {}, R, {});
   Chain chain;
   chain.translation({body.position.x, body.position.y, body.position.z - lowest});

@@ -10,6 +10,7 @@
 #include "murosimf/files/height_file.h"
 #include "murosimf/geometry/hull.h"
 #include "murosimf/geometry/mesh_mass.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/robot_formats/mesh/mesh_file.h"
 #include "murosimf/robot_formats/mesh/mesh_library.h"
@@ -21,7 +22,7 @@ namespace {
 using files::HeightTable;
 
 constexpr double farthest = 1e3;                 // [m] of a surface from its middle
-constexpr std::size_t most_triangles = 200'000;  // of ground: each is a shape of its own
+constexpr std::size_t most_triangles = 200'000;  // of ground: each becomes a shape of its own
 constexpr double usual_base = 0.1;               // [m]
 
 std::filesystem::path find_file(const files::TomlTable& table, const std::filesystem::path& folder) {
@@ -48,6 +49,7 @@ HeightTable read_numbers(const files::TomlTable& table) {
     heights.heights.insert(heights.heights.end(), row->begin(), row->end());
     ++heights.rows;
   }
+  MUROSIMF_ASSERT(heights.heights.size() == heights.rows * heights.columns);
   files::check_heights(fmt::format("{}: 'heights'", table.where("heights")), heights);
   return heights;
 }
@@ -62,7 +64,7 @@ HeightTable read_heights(const files::TomlTable& table, const std::filesystem::p
   return with_context(table.where("file"), [&] { return files::read_height_file(file); });
 }
 
-/// The triangles of a closed mesh that is inside out are turned round.
+/// Reverses the triangles of a closed mesh that is inside out. For an open one the sign of its area from above decides.
 void turn_outwards(const files::TomlTable& table, const BodySpec& body, geometry::TriangleMesh& mesh) {
   if (geometry::find_seams(mesh).closed()) {
     if (geometry::solid_mass(mesh).volume >= 0) return;
@@ -88,6 +90,7 @@ void make_ground(const files::TomlTable& table, geometry::TriangleMesh mesh, Bod
 
 void make_hull(const files::TomlTable& table, const std::filesystem::path& file, double scale,
                const geometry::TriangleMesh& mesh, BodySpec& body) {
+  MUROSIMF_ASSERT(scale > 0);
   require(table.find("thickness") == nullptr, table, "thickness", "is nothing that a mesh that moves has");
   geometry::Hull hull = with_context(table.where("file"), [&] { return geometry::make_hull(mesh.vertices); });
   body.center = geometry::solid_mass(hull.hull).center;
@@ -101,6 +104,7 @@ void make_hull(const files::TomlTable& table, const std::filesystem::path& file,
 
 }  // namespace
 
+/// Limits are generous; they find sizes in mm.
 void read_height_field(const files::TomlTable& table, const std::filesystem::path& folder, BodySpec& body) {
   require(body.is_static, table, "shape", "\"heightfield\" is ground: it needs static = true");
   Vec3d size;
@@ -121,6 +125,7 @@ void read_height_field(const files::TomlTable& table, const std::filesystem::pat
   body.relief = with_context(table.where("shape"), [&] { return collision::make_relief(field); });
 }
 
+/// Scaled and checked before use: files in mm are the usual mistake.
 void read_mesh(const files::TomlTable& table, const std::filesystem::path& folder, BodySpec& body) {
   require(table.find("file") != nullptr, table, "file", "of the mesh is missing: STL, OBJ or DAE");
   const auto file = find_file(table, folder);

@@ -1,6 +1,6 @@
-/// body_surface.h - [[bodies]] whose shape comes from a table of heights or a mesh.
+/// body_surface.h - [[bodies]] with a shape from a table of heights or a mesh.
 ///
-/// Only for .cpp files: it brings toml++ in.
+/// For .cpp files only: it includes toml++.
 #pragma once
 
 #include <filesystem>
@@ -10,9 +10,9 @@
 
 namespace murosimf::scene_file {
 
-/// Files are also looked for in `folder`, that of the scene. Both throw SetupError with file:line:column, and what is wrong with a file.
+/// Files are also searched in `folder`, that of the scene. Both throw SetupError with file:line:column, and the error of the file.
 void read_height_field(const files::TomlTable& table, const std::filesystem::path& folder, BodySpec& body);
-/// A static one is the ground that its triangles are, another one their convex hull.
+/// A static mesh becomes ground of its triangles, a moving one its convex hull.
 void read_mesh(const files::TomlTable& table, const std::filesystem::path& folder, BodySpec& body);
 
 }  // namespace murosimf::scene_file

@@ -9,6 +9,7 @@
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/files/toml_reader.h"
 #include "murosimf/locomotion/gait_properties.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/motion/servo_law.h"
 #include "murosimf/scene_file/all_sections.h"
 #include "murosimf/scene_file/assignment.h"
@@ -27,7 +28,7 @@ void check_time(double time, const std::string& where) {
   throw SetupError(fmt::format("{}: the time must be a number of seconds, at least 0", where));
 }
 
-/// Only names that there are.
+/// Checks that the named level, law or value exists.
 void check_value(const SceneEvent& event) {
   with_context(event.where, [&] {
     if (event.key == "level") (void)find_entry(catalog::levels(), "level", event.value);
@@ -45,7 +46,7 @@ bool is_of_ball(const Assignment& change) {
          std::find(keys.begin(), keys.end(), change.path[1]) != keys.end();
 }
 
-/// A key of [light], or one of [ball] that makes another ball.
+/// A key of [light], or one of [ball] that replaces the ball.
 SceneEvent section_event(const Assignment& change, double time) {
   if (change.path.size() != 2) throw SetupError(fmt::format("{}: write {}.KEY=VALUE", change.where, change.path[0]));
   SceneEvent event{time, change.where, {}, change.path[1], change.value, {}, change.path[0]};
@@ -90,7 +91,7 @@ locomotion::KickRequest read_kick(const Assignment& change) {
   return {.direction = numbers[0], .side = numbers[1], .ball_x = numbers[2], .ball_y = numbers[3]};
 }
 
-/// Of the ball.
+/// Keys of the ball.
 const std::vector<std::string_view>& ball_keys() {
   static const std::vector<std::string_view> keys = [] {
     std::vector<std::string_view> all = changeable_ball_keys();
@@ -102,6 +103,7 @@ const std::vector<std::string_view>& ball_keys() {
 
 }  // namespace
 
+/// A push has more parts than one value, so it is read apart from other changes.
 SceneEvent read_event(toml::table& scene, double time, const std::string& text, const std::string& where) {
   check_time(time, where);
   const Assignment change = split_assignment(text, where);
@@ -155,6 +157,7 @@ SceneEvent read_event(toml::table& scene, double time, const std::string& text, 
 
 namespace {
 
+/// One text or a list of texts.
 void read_changes(const files::TomlTable& table, std::string_view key, EventTable& event) {
   const toml::node& set = *table.find(key);
   const auto take = [&](const toml::node& text) {
@@ -178,6 +181,7 @@ void read_table(toml::table& scene, const toml::table& node, std::vector<SceneEv
     events.push_back(read_event(scene, event.time, change, table.where("set")));
 }
 
+/// TIME:CHANGE, as on the command line.
 SceneEvent read_option(toml::table& scene, const std::string& option) {
   const std::string where = fmt::format("--at '{}'", option);
   double time = 0;
@@ -209,8 +213,10 @@ std::vector<SceneEvent> read_events(toml::table& scene, const std::vector<std::s
   for (const toml::table* event : files::TomlTable(scene, scene_section().names()).tables("events"))
     read_table(scene, *event, events);
   for (const std::string& option : at_options) events.push_back(read_option(scene, option));
+  // stable: events at equal times happen in their order of definition
   std::stable_sort(events.begin(), events.end(),
                    [](const SceneEvent& a, const SceneEvent& b) { return a.time < b.time; });
+  MUROSIMF_ASSERT(std::ranges::is_sorted(events, {}, &SceneEvent::time));
   return events;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 
@@ -14,7 +15,7 @@ constexpr std::array all_fields{&kid_size_2008, &kid_size_2023};
 constexpr Color carpet_green{0.16, 0.47, 0.22};
 constexpr Color net_white{0.95, 0.95, 0.95, 0.25};
 
-// a polygon of 72 sides leaves the circle of 1.5 m by less than 1 mm
+// a polygon of 72 sides deviates from the circle of 1.5 m by less than 1 mm
 constexpr int circle_sides = 72;
 
 Stroke outer_lines(const FieldSize& size) {
@@ -27,6 +28,7 @@ Stroke half_line(const FieldSize& size) {
   return {{{0, y, 0}, {0, -y, 0}}, size.line_width};
 }
 
+/// A polygon with a closed end: the last corner is the first one.
 Stroke center_circle(const FieldSize& size) {
   Stroke circle{{}, size.line_width};
   for (int i = 0; i <= circle_sides; ++i) {
@@ -39,6 +41,7 @@ Stroke center_circle(const FieldSize& size) {
 
 /// Goal or penalty area; `side` is 1 for the goal at x > 0, -1 for the other.
 Stroke area(const FieldSize& size, double side, double depth, double width) {
+  MUROSIMF_ASSERT(side == 1 || side == -1);
   const double line = side * (size.length - size.line_width) / 2;
   const double front = side * (size.length / 2 - depth + size.line_width / 2);
   const double y = (width - size.line_width) / 2;
@@ -49,6 +52,7 @@ Color goal_color(const FieldSize& size, double side) { return side > 0 ? size.go
 
 /// Posts and the back of the goal on the ground; the front of the posts is flush with the goal line's outer edge.
 Stroke goal(const FieldSize& size, double side) {
+  MUROSIMF_ASSERT(side == 1 || side == -1);
   const double half_post = size.post_width / 2;
   const double line = side * size.length / 2;
   const double back = side * (size.length / 2 + size.goal_depth - half_post);
@@ -62,6 +66,7 @@ Stroke bar(const FieldSize& size, double x, const Vec3d& direction) {
   return {{middle - half, middle + half}, size.line_width};
 }
 
+/// Fields of some years have no penalty area: a depth of 0 leaves it out.
 void add_side(std::vector<Stroke>& strokes, const FieldSize& size, double side) {
   if (size.goal_area_depth > 0) strokes.push_back(area(size, side, size.goal_area_depth, size.goal_area_width));
   if (size.penalty_area_depth > 0) {
@@ -89,7 +94,7 @@ void add_goal(std::vector<Chain>& boxes, const FieldSize& size, double side, boo
   for (const GoalBox& part : net_boxes(size, side)) boxes.push_back(goal_box(part, name, net_white, "net"));
 }
 
-/// At y > 0 for `side` 1. Whoever looks from there onto the field has the goal at `side` x > 0 to the left.
+/// At y > 0 for `side` 1. An observer there facing the field sees the goal at `side` x > 0 to the left.
 Chain landmark_pole(const FieldSize& size, double side) {
   const double y = size.width / 2 + size.pole_distance;
   const Color outer = goal_color(size, side), inner = goal_color(size, -side);
@@ -128,6 +133,7 @@ Markings field_markings(const FieldSize& size, bool goals) {
   markings.half_width = size.width / 2 + size.border;
   // the half line is one bar of the center mark
   markings.strokes = {outer_lines(size), half_line(size), center_circle(size), bar(size, 0, {1, 0, 0})};
+  // the order of strokes is fixed: the first is the outer line (field.h)
   for (const double side : {1.0, -1.0}) {
     add_side(markings.strokes, size, side);
     if (goals) markings.strokes.push_back(goal(size, side));
@@ -136,6 +142,7 @@ Markings field_markings(const FieldSize& size, bool goals) {
 }
 
 std::vector<GoalBox> goal_boxes(const FieldSize& size, double side) {
+  MUROSIMF_ASSERT(side == 1 || side == -1);
   const double w = size.post_width / 2;
   const double front = size.length / 2 + w, rear = size.length / 2 + size.goal_depth - w;
   const double y = size.goal_width / 2 + w;
@@ -151,6 +158,7 @@ std::vector<GoalBox> goal_boxes(const FieldSize& size, double side) {
 }
 
 std::vector<GoalBox> net_boxes(const FieldSize& size, double side) {
+  MUROSIMF_ASSERT(side == 1 || side == -1);
   const double t = net_thickness / 2, inwards = net_before_bars - t;
   const double front = size.length / 2 + size.post_width;
   const double rear = size.length / 2 + size.goal_depth - size.post_width - inwards;
@@ -173,6 +181,7 @@ ModelPtr field_model(const FieldSize& size, const std::string& ground_material, 
   chain.base("field")
       .with(properties::shapes, {ground})
       .with(properties::markings, field_markings(size, furniture.goals));
+  // goals in the order of the paper's list: left, then right
   std::vector<Chain> boxes = standing;
   if (furniture.goals) {
     for (const double side : {-1.0, 1.0}) add_goal(boxes, size, side, furniture.nets);

@@ -14,7 +14,7 @@ std::string_view name_in(std::string_view header) {
   return header.substr(begin, header.find_first_of(".]", begin) - begin);
 }
 
-/// [defaults] has the keys of a robot, but its name.
+/// [defaults] has the keys of a robot except its name.
 SectionInfo defaults_info() {
   SectionInfo info = robot_section().info();
   info.like = std::exchange(info.header, "[defaults]");

@@ -1,4 +1,4 @@
-/// level_options.h - what a robot of a scene asks of its level.
+/// level_options.h - options that a robot of a scene passes to its level.
 #pragma once
 
 #include "murosimf/catalog/algorithm_catalog.h"

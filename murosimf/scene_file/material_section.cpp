@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/files/toml_reader.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/scene_file/all_sections.h"
 #include "murosimf/scene_file/section_readers.h"
@@ -29,7 +30,7 @@ double value_of(const Assignment& change) {
   return numbers->front();
 }
 
-/// Names of materials that a pattern means.
+/// Names of materials that match a pattern.
 std::vector<std::string> materials_like(const MaterialTable& materials, const std::string& pattern) {
   std::vector<std::string> found;
   for (const std::string_view name : materials.names()) {
@@ -41,6 +42,7 @@ std::vector<std::string> materials_like(const MaterialTable& materials, const st
 
 void change_pair(MaterialTable& materials, const std::string& a, const std::string& b, double PairSurface::*number,
                  double value) {
+  MUROSIMF_ASSERT(number != nullptr);
   PairSurface pair = materials.find({.material = a}, {.material = b});
   pair.*number = value;
   materials.set(a, b, pair);
@@ -53,7 +55,7 @@ void change_pairs(MaterialTable& materials, const MaterialChange& change) {
   }
 }
 
-/// Friction between the ground and everything, also surfaces without a material.
+/// Sets the friction between the ground and everything, including surfaces without a material.
 void change_ground(const FieldSpec& field, MaterialTable& materials) {
   std::vector<std::string> others{""};
   for (const std::string_view name : materials.names()) others.emplace_back(name);
@@ -62,6 +64,7 @@ void change_ground(const FieldSpec& field, MaterialTable& materials) {
   }
 }
 
+/// The order within a pair does not matter: both orders are the same pair.
 void check_pair(const GivenPair& pair, const std::vector<GivenPair>& earlier) {
   if (pair.a.empty() || pair.b.empty()) throw SetupError(pair.where + ": 'pair' has an empty name");
   for (const GivenPair& other : earlier) {
@@ -137,6 +140,7 @@ bool take_material_change(const std::string& override_text, std::vector<Material
 }
 
 void apply_material_changes(const std::vector<MaterialChange>& changes, SceneSpec& spec) {
+  // from the least specific to the most specific change, whatever their order on the command line
   for (const MaterialChange& change : changes) {
     if (change.a.empty()) with_context(change.where, [&] { spec.materials.set_all(change.number, change.value); });
   }

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/scene_file/assignment.h"
 #include "murosimf/scene_file/key_list.h"
@@ -18,17 +19,21 @@ void assign(toml::table& table, const std::string& key, const Assignment& o) {
   table.insert_or_assign(key, std::move(*value.get("value")));
 }
 
-/// Of a section that there is.
-std::vector<std::string_view> keys_of(std::string_view section) { return names_of(*find_section(section)); }
+/// Keys of an existing section.
+std::vector<std::string_view> keys_of(std::string_view section) {
+  const SectionInfo* found = find_section(section);
+  MUROSIMF_ASSERT(found != nullptr);
+  return names_of(*found);
+}
 
-/// The same of sections that stand only once in a file; empty if there is none of that name.
+/// The same for sections that occur only once in a file; empty if there is none of that name.
 std::vector<std::string_view> keys_of_one(std::string_view name) {
   const SectionInfo* section = find_section(name);
   const bool once = section && section->header == fmt::format("[{}]", name);
   return once ? names_of(*section) : std::vector<std::string_view>{};
 }
 
-/// The table under a key, made if there is none.
+/// The table of a key, created if missing.
 toml::table& table_in(toml::table& table, const std::string& key, const Assignment& o) {
   if (!table.contains(key)) table.insert(key, toml::table{});
   if (toml::table* inside = table[key].as_table()) return *inside;
@@ -37,6 +42,7 @@ toml::table& table_in(toml::table& table, const std::string& key, const Assignme
 
 /// sensors.NAME, sensors.NAME.KEY or sensors.NAME.OUTPUT.KEY, from part `begin` of the path on.
 void assign_sensor(toml::table& robot, const Assignment& o, std::size_t begin) {
+  MUROSIMF_ASSERT(begin < o.path.size());
   if (o.path.size() - begin > 4) {
     throw SetupError(fmt::format("{}: write sensors.NAME.KEY or sensors.NAME.OUTPUT.KEY", o.where));
   }
@@ -48,13 +54,13 @@ void assign_sensor(toml::table& robot, const Assignment& o, std::size_t begin) {
 /// Whether a key of a robot is a table: options, or its link.
 bool is_table_key(std::string_view key) { return is_options_key(key) || key == "link"; }
 
-/// options.KEY or link.KEY, from part `begin` of the path on; who reads them checks the key.
+/// options.KEY or link.KEY, from part `begin` of the path on; the reader of that table checks the key.
 void assign_option(toml::table& robot, const Assignment& o, std::size_t begin) {
   if (o.path.size() - begin != 2) throw SetupError(fmt::format("{}: write {}.KEY", o.where, o.path[begin]));
   assign(table_in(robot, o.path[begin], o), o.path.back(), o);
 }
 
-/// Whether the path ends with the place of a number in a list: command.0.
+/// Whether the path ends with the index of a number in a list: command.0.
 bool is_element(const Assignment& o, std::size_t begin) {
   const std::string& place = o.path.back();
   const bool is_digit = place.size() == 1 && place.front() >= '0' && place.front() <= '9';
@@ -62,9 +68,10 @@ bool is_element(const Assignment& o, std::size_t begin) {
   return o.path.size() - begin == 2 && is_digit && std::ranges::find(keys, o.path[begin]) != keys.end();
 }
 
-/// One number of a list that is there.
+/// Sets one number of an existing list.
 void assign_element(toml::table& robot, const Assignment& o, std::size_t begin) {
   toml::array* list = robot[o.path[begin]].as_array();
+  MUROSIMF_ASSERT(o.path.back().size() == 1);
   const std::size_t place = static_cast<std::size_t>(o.path.back().front() - '0');
   if (!list || place >= list->size()) {
     throw SetupError(
@@ -74,7 +81,7 @@ void assign_element(toml::table& robot, const Assignment& o, std::size_t begin) 
   list->replace(list->cbegin() + static_cast<std::ptrdiff_t>(place), std::move(*value.get("value")));
 }
 
-/// Names of bodies that are entities: static ones are not.
+/// Names of bodies that are entities, which static ones are not.
 std::vector<std::string> moving_names(const std::vector<toml::table*>& bodies, const Assignment& o) {
   std::vector<std::string> names;
   for (const toml::table* body : bodies) {
@@ -85,6 +92,7 @@ std::vector<std::string> moving_names(const std::vector<toml::table*>& bodies, c
   return names;
 }
 
+/// The nearest known name is part of the error, at the level of the path at which it is unknown.
 [[noreturn]] void refuse_unknown(const toml::table& scene, const Assignment& o) {
   const std::vector<std::string> names = entity_names(scene);
   std::vector<std::string_view> candidates(names.begin(), names.end());

@@ -1,6 +1,6 @@
 /// overrides.h - --set PATH=VALUE: changes a scene's table before it is read.
 ///
-/// Only for .cpp files: it brings toml++ in.
+/// For .cpp files only: it includes toml++.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace murosimf::scene_file {
 
-/// Applies one override. Settings of properties cannot enter the table; they are appended to `settings`.
+/// Applies one override. Settings of properties have no place in the table; they are appended to `settings`.
 void apply_override(toml::table& scene, const std::string& override_text, std::vector<PropertySetting>& settings);
 
 }  // namespace murosimf::scene_file

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/files/toml_reader.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/scene_file/all_sections.h"
 #include "murosimf/scene_file/assignment.h"
@@ -15,8 +16,9 @@
 namespace murosimf::scene_file {
 namespace {
 
-/// Whom the path means, and the object of them.
+/// Sets the entities that the path denotes, and their object.
 void take_target(toml::table& scene, const std::vector<std::string>& path, PushSpec& push) {
+  MUROSIMF_ASSERT(!path.empty());
   auto [tables, used] = robots_of(scene, path);
   if (tables.empty()) tables = bodies_called(scene, path[0]), used = 1;
   for (const toml::table* table : tables) push.entities.push_back(text_of(*table, "name"));
@@ -25,9 +27,11 @@ void take_target(toml::table& scene, const std::vector<std::string>& path, PushS
     const auto names = entity_names(scene);
     throw SetupError(unknown_name("entity", path[0], {names.begin(), names.end()}));
   }
+  MUROSIMF_ASSERT(used <= path.size());
   push.object = fmt::format("{}", fmt::join(path.begin() + static_cast<std::ptrdiff_t>(used), path.end(), "."));
 }
 
+/// Values come from files, options and programs: all are checked in the same place.
 void check_push(const PushSpec& push) {
   const auto finite = [](const Vec3d& v) { return std::isfinite(v.x + v.y + v.z); };
   if (!finite(push.force) || !finite(push.moment)) throw SetupError("force and moment must be finite numbers");
@@ -58,6 +62,7 @@ double read_second(std::string_view text) {
 PushSpec read_push_option(toml::table& scene, const std::string& option) {
   PushSpec push{.where = fmt::format("--push '{}'", option)};
   with_context(push.where, [&] {
+    // the last '@': object names may contain one
     const std::size_t time = option.rfind('@'), dots = time == std::string::npos ? time : option.find("..", time);
     if (dots == std::string::npos) {
       throw SetupError("write OBJECT=FORCE@BEGIN..END, for example 'blue1.torso=[60,0,0]@2..2.1'");

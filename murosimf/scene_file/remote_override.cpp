@@ -12,6 +12,7 @@
 #include "murosimf/files/data_path.h"
 #include "murosimf/files/toml_reader.h"
 #include "murosimf/files/xml_element.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/robot/motion_file.h"
 #include "murosimf/scene_file/assignment.h"
@@ -79,7 +80,7 @@ constexpr std::array of_robots{Allowed{"team", Value::word},
                                Allowed{"self_collision"},
                                Allowed{"accelerations"},
                                Allowed{"sensors"}};
-/// Besides those that robots have, too.
+/// In addition to those that robots also have.
 constexpr std::array of_bodies{Allowed{"shape", Value::word},
                                Allowed{"size"},
                                Allowed{"radius"},
@@ -109,13 +110,13 @@ const Allowed* find_in(List list, std::string_view key) {
 
 constexpr Allowed numbers{};
 
-/// Keys of a robot or a body; numbers of all joints of one.
+/// Keys of a robot or a body; values for all its joints.
 const Allowed* find_of_entities(std::string_view key) {
   if (const Allowed* of_robot = find_in(of_robots, key)) return of_robot;
   return is_of_joints(key) ? &numbers : find_in(of_bodies, key);
 }
 
-/// SECTION.KEY; of what is no section: ENTITY.KEY.
+/// SECTION.KEY; where the first part is no section: ENTITY.KEY.
 const Allowed* find_in_section(std::string_view section, std::string_view key) {
   if (section == "start") return find_in(of_start, key);
   if (section == "air") return find_in(of_air, key);
@@ -129,7 +130,7 @@ const Allowed* find_in_section(std::string_view section, std::string_view key) {
   return find_section(section) ? nullptr : find_of_entities(key);
 }
 
-/// Longer paths: TEAM.ROBOT.KEY, a table of a robot, materials, or a property, which is numbers.
+/// Longer paths: TEAM.ROBOT.KEY, a table of a robot, materials, or a property, which is numeric.
 const Allowed* find_below(const std::vector<std::string>& path) {
   const auto keys = names_of(*find_section("robots"));
   const bool of_robot = path.size() == 3 && std::ranges::find(keys, path.back()) != keys.end();
@@ -137,6 +138,7 @@ const Allowed* find_below(const std::vector<std::string>& path) {
 }
 
 const Allowed* find_allowed(const std::vector<std::string>& path) {
+  MUROSIMF_ASSERT(!path.empty());
   if (path.size() == 1) return find_in(of_scene, path[0]);
   return path.size() == 2 ? find_in_section(path[0], path[1]) : find_below(path);
 }
@@ -154,7 +156,7 @@ bool is_word(std::string_view text) {
   return !text.empty() && text.size() <= longest_word && std::ranges::all_of(text, fits);
 }
 
-/// Built-in ones by name; others are of plug-ins that the command line has loaded.
+/// Built-in ones by name; others come from plug-ins that were loaded on the command line.
 bool may_control(std::string_view name) {
   constexpr std::array<std::string_view, 10> harmless{"none",      "walk",           "trot",  "balance",
                                                       "keyframes", "trajectory",     "drive", "ball_chaser",
@@ -164,6 +166,7 @@ bool may_control(std::string_view name) {
   return is_word(name) && std::ranges::find(built_in, name, &catalog::ControllerType::name) == built_in.end();
 }
 
+/// Texts could name files: only those that the key needs are accepted.
 void check_text(Value kind, const std::string& text, const std::filesystem::path& folder) {
   switch (kind) {
     case Value::number: throw SetupError("takes numbers, true or false here, no texts");
@@ -178,6 +181,7 @@ void check_text(Value kind, const std::string& text, const std::filesystem::path
   }
 }
 
+/// Numbers are harmless; everything else depends on the key.
 void check_value(const Assignment& assignment, Value kind, const std::filesystem::path& folder) {
   const toml::table parsed = assignment.parsed();
   const toml::node& value = *parsed.get("value");
@@ -193,6 +197,7 @@ void check_remote_override(const std::string& override_text, const std::filesyst
   if (override_text.size() > longest_text) {
     throw SetupError(fmt::format("an override has more than {} bytes", longest_text));
   }
+  // a line end would start another entry where the text is logged or written to a file
   if (files::one_line(override_text) != override_text) throw SetupError("an override has more than one line");
   const std::string where = fmt::format("'{}'", override_text);
   const Assignment assignment = split_assignment(override_text, where);

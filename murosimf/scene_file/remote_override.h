@@ -1,7 +1,7 @@
-/// remote_override.h - what may be set in a scene by those who ask for it over a network.
+/// remote_override.h - overrides of a scene that may come over a network.
 ///
-/// A list of what is allowed: what is not on it is refused, so that new keys are closed until somebody opens them here. A value is
-/// numbers or booleans, or one word where a name is wanted; `model` and `motion` take the name of a file, which is looked for among
+/// A list of what is allowed: everything else is refused, so that new keys are closed until they are added here. A value consists of
+/// numbers or booleans, or one word where a name is expected; `model` and `motion` take the name of a file, which is searched among
 /// those that may be read (files/allowed_files.h).
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace murosimf::scene_file {
 
-/// Looks at the text alone (PATH=VALUE, as for --set), and for files beside the scene's `folder`. Throws SetupError in one line that
+/// Checks the text alone (PATH=VALUE, as for --set), and files in the scene's `folder`. Throws SetupError in one line that
 /// quotes nothing but the text.
 void check_remote_override(const std::string& override_text, const std::filesystem::path& folder);
 

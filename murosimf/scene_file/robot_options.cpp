@@ -15,7 +15,7 @@ namespace {
 
 using Names = std::vector<std::string_view>;
 
-/// Keys that --set has made stand nowhere: then the place of the value.
+/// Keys created by --set have no place: then the place of the value is used.
 [[noreturn]] void refuse(const toml::key& key, const toml::node& value, const std::string& message) {
   files::fail_at(key.source().begin.line > 0 ? key.source() : value.source(), message);
 }
@@ -26,7 +26,7 @@ using Names = std::vector<std::string_view>;
   refuse(key, value, unknown_name(fmt::format("option of {},", owner), key.str(), known));
 }
 
-/// Takes those of `options` that stand in the table.
+/// Reads those of `options` that are in the table.
 void take(const toml::table& node, const std::vector<OptionInfo>& options, OptionValues& values) {
   Names keys;
   for (const auto& [key, value] : node) keys.push_back(key.str());
@@ -46,7 +46,7 @@ void refuse_others(const toml::table& node, const std::string& owner, const Name
   }
 }
 
-/// Its own options, then those that only others of the registry have.
+/// Its own options first, so that their bounds apply, then those that only others of the registry have.
 std::vector<OptionInfo> own_and_others(const auto& registry, std::string_view owner) {
   std::vector<OptionInfo> all = registry.find(owner).options;
   for (const auto& other : registry) {
@@ -66,7 +66,7 @@ constexpr std::array all_options{
                  [](std::string_view name) { return own_and_others(catalog::contacts(), name); }},
 };
 
-/// What a controller takes that does not say what it has: numbers, booleans, texts and vectors.
+/// Options of a controller without a list of them: numbers, booleans, texts and vectors.
 std::vector<OptionInfo> options_as_given(const toml::table& node) {
   std::vector<OptionInfo> options;
   for (const auto& [key, value] : node) {
@@ -105,6 +105,7 @@ void read_default_options(const RobotOptions& options, const toml::table& node, 
   take(node, options_of(options, robot), robot.*options.values);
 }
 
+/// A default that no robot uses is most likely misspelled.
 void check_default_options(const RobotOptions& options, const toml::table& node, const std::vector<RobotSpec>& robots) {
   std::vector<std::string> known;
   for (const RobotSpec& robot : robots) {

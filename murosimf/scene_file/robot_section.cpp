@@ -29,7 +29,7 @@ void read_link(const TomlTable& table, std::string_view key, RobotSpec& robot) {
   link_section().read(*link, robot.link);
 }
 
-/// Texts as they are; numbers and flags as xacro writes them.
+/// Texts unchanged; numbers and flags in the notation of xacro.
 std::string xacro_text(const toml::node& value) {
   if (const auto* text = value.as_string()) return text->get();
   if (const auto* whole = value.as_integer()) return fmt::format("{}", whole->get());
@@ -54,7 +54,7 @@ void read_number(const TomlTable& table, std::string_view key, TeamSpec& team) {
   require(team.number >= 1 && team.number <= 254, table, key, "must be from 1 to 254");
 }
 
-/// Where the keys stand that somebody has set, for warnings.
+/// Records where keys are set, for warnings.
 void remember_given(const TomlTable& table, RobotSpec& robot) {
   for (const std::string_view key : robot_section().names()) {
     if (table.find(key)) robot.given[std::string(key)] = {table.where(key)};
@@ -173,6 +173,7 @@ const Section<RobotSpec>& robot_section() {
   return section;
 }
 
+/// The first team is blue and the second one red unless they say otherwise.
 void read_teams(const files::TomlTable& scene, SceneSpec& spec) {
   for (const toml::table* node : scene.tables("teams")) {
     const files::TomlTable table(*node, team_section().names());
@@ -195,7 +196,7 @@ void read_teams(const files::TomlTable& scene, SceneSpec& spec) {
 
 void read_robots(const files::TomlTable& scene, SceneSpec& spec) {
   RobotSpec defaults;
-  std::map<std::string_view, const toml::table*> default_options;  // by key, those that are there
+  std::map<std::string_view, const toml::table*> default_options;  // by key, existing ones
   if (const toml::table* node = scene.table("defaults")) {
     const files::TomlTable table(*node, names_of(*find_section("defaults")));
     read_robot(table, defaults);

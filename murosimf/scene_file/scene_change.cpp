@@ -7,7 +7,7 @@
 namespace murosimf::scene_file {
 namespace {
 
-/// The tables of a scene file as far as names stand there: all that a path needs.
+/// The tables of a scene file, reduced to names: sufficient for resolving a path.
 toml::table names_of(const SceneSpec& spec) {
   toml::array robots, bodies;
   for (const RobotSpec& robot : spec.robots) robots.push_back(toml::table{{"name", robot.name}, {"team", robot.team}});

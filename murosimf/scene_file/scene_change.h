@@ -1,4 +1,4 @@
-/// scene_change.h - "PATH = VALUE" for a scene that is built already, as in its events and --at (event_section.h).
+/// scene_change.h - "PATH = VALUE" for an existing scene, as in its events and --at (event_section.h).
 #pragma once
 
 #include <string>

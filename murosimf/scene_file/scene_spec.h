@@ -1,4 +1,4 @@
-/// scene_spec.h - what a scene file says: plain data, checked one by one, before anything is built.
+/// scene_spec.h - the contents of a scene file: plain data, checked one by one, before anything is built.
 #pragma once
 
 #include <cstdint>
@@ -27,15 +27,15 @@ namespace murosimf::scene_file {
 
 inline constexpr double longest_duration = 3e9;  ///< [s] a century; nanoseconds in 64 bits end after three
 
-/// [air]: what balls fly through.
+/// [air]: the air around balls.
 using AirSpec = air::AirOptions;
 
 struct FieldSpec {
   std::string size = "kid_size_2008";
   std::string surface = "carpet";
-  Vec3d friction_direction;  ///< [1] where its pile leans, in the ground; zero: nowhere
+  Vec3d friction_direction;  ///< [1] in which its pile leans, in the ground plane; zero: none
   bool goals = true;
-  std::optional<bool> nets;  ///< of the goals; empty: as the field's size has them
+  std::optional<bool> nets;  ///< of the goals; empty: as in the field's size
   bool landmark_poles = false;
   std::optional<double> friction;  ///< [1] between the ground and everything; empty: by the pairs of materials
 };
@@ -48,26 +48,26 @@ struct BallSpec : BallOptions {
   bool present = true;  ///< at the start
 };
 
-/// How pictures of the bodies look at the scene.
+/// Camera of pictures of the bodies.
 struct ViewSpec {
   Vec3d center{0, 0, 0.2};     ///< [m] in the middle of the picture, if `width` is given
   double width = 0;            ///< [m] of the picture; 0: all of the field
-  double azimuth = -pi / 2.4;  ///< [rad] where the eye is, counterclockwise from x
+  double azimuth = -pi / 2.4;  ///< [rad] of the eye, counterclockwise from x
   double elevation = pi / 7;   ///< [rad] above the ground
 };
 
-/// What lights the scene for cameras (render/light.h).
+/// Light of the scene for cameras (render/light.h).
 struct LightSpec {
   std::string name = "hall";
-  std::optional<Vec3d> toward;  ///< to the lamp; without it as `name` has it
+  std::optional<Vec3d> toward;  ///< direction to the lamp; default: that of `name`
   double brightness = 1;        ///< [1] of all light
   bool shadows = false;
-  int samples = 1;  ///< to a pixel; edges are smooth with 4
+  int samples = 1;  ///< per pixel; 4 smooths edges
 
   void state(StateArchive& archive) { archive(name, toward, brightness, shadows, samples); }
 };
 
-/// A place from where people look at the scene: [views.NAME].
+/// A viewpoint of the scene: [views.NAME].
 struct ViewpointSpec {
   std::string name;
   Vec3d eye, look_at;   ///< [m]
@@ -81,7 +81,7 @@ struct TeamSpec {
   std::uint64_t number = 0;  ///< in a game with a GameController; 0: by the order there
 };
 
-/// That a scene says something: where, and whether only its [defaults] do.
+/// Where a scene sets a key, and whether only its [defaults] do.
 struct GivenKey {
   std::string where;
   bool by_default = false;
@@ -95,15 +95,15 @@ struct RobotSpec {
   std::string level = "kinematic_walking";
   std::string contact = "implicit_stick";
   std::string controller = "walk";
-  double rate = 0;                              ///< [Hz] of its motion and contact while nobody is near; 0: the scene's
-  double control_rate = 0;                      ///< [Hz] of its controller; 0: what that wants
-  OptionValues options;                         ///< of the controller, those that are given
+  double rate = 0;          ///< [Hz] of its motion and contact while no other entity is near; 0: the scene's
+  double control_rate = 0;  ///< [Hz] of its controller; 0: the controller's own
+  OptionValues options;     ///< of the controller, those that are given
   OptionValues level_options, contact_options;  ///< the same of the level and of the law of contact with the ground
-  std::string servo_law;                        ///< instead of what the model's servos say; empty: those
+  std::string servo_law;                        ///< instead of the law of the model's servos; empty: those
   std::string motion;                           ///< name or file, for the controller "keyframes"; empty for none
   std::string library;                          ///< file of the controller "library"; empty for none
   double call_budget = 0;                       ///< [s] of wall time for each of its calls; 0: any
-  bool reload = false;                          ///< it is loaded anew when its file changes
+  bool reload = false;                          ///< reloads the library when its file changes
   connect::ControlLinkOptions link;             ///< between it and its control software
   std::string joint_reference = "filter";
   motion::Integrator integrator = motion::Integrator::semi_implicit_euler;
@@ -117,13 +117,13 @@ struct RobotSpec {
   std::string keyframe;                      ///< of its file, at which it starts; empty: the pose of the file
   Vec3d command;                             ///< [m/s, m/s, rad/s]
   bool present = true;                       ///< at the start
-  bool accelerations = false;                ///< are worked out (motion/accelerations.h)
+  bool accelerations = false;                ///< are computed (motion/accelerations.h)
   CollisionOptions collision;
   components::SensorChanges sensors;
-  std::map<std::string, GivenKey> given;  ///< its keys that somebody has set
+  std::map<std::string, GivenKey> given;  ///< its keys that were set
 };
 
-/// A pair of [[materials]], for messages; its numbers stand in the table.
+/// A pair of [[materials]], for messages; its values are in the table.
 struct GivenPair {
   std::string a, b;
   std::string where;
@@ -137,7 +137,7 @@ struct PropertySetting {
   std::vector<double> numbers;
 };
 
-/// A force for a while, at the center of mass of a body: --push.
+/// A force for a limited time, at the center of mass of a body: --push.
 struct PushSpec {
   std::string where;
   std::vector<std::string> entities;
@@ -147,27 +147,27 @@ struct PushSpec {
   double begin = 0, end = 0;  ///< [s]
 };
 
-/// Where somebody is put while a scene runs.
+/// Pose at which an entity is placed while a scene runs.
 struct Placement {
   Vec3d position;      ///< [m] of the base on the ground plane; z: of its lowest point
   double heading = 0;  ///< [rad] about the vertical
 };
 
-/// Something that changes while the scene runs: another level, law or command, who is there, where, a property, a push that begins, or a
+/// A change while the scene runs: of a level, law or command, presence, place, a property, a push that begins, or a
 /// key of a section.
 struct SceneEvent {
   double time = 0;  ///< [s]
   std::string where;
-  std::vector<std::string> entities;  ///< none, if a section changes
+  std::vector<std::string> entities;  ///< empty if a section changes
   std::string key, value;             ///< of a robot or the section; with `setting`, only for messages
   std::optional<PropertySetting> setting;
   std::string section{};           ///< "light" or "ball" (section_change.h); empty: entities change
   std::optional<PushSpec> push{};  ///< begin 0: from the event on
   std::optional<Placement> place{};
-  std::optional<locomotion::KickRequest> kick{};  ///< its number counts nothing
+  std::optional<locomotion::KickRequest> kick{};  ///< its number is not used
 };
 
-/// How a game with a referee goes on (league/).
+/// Settings of a game with a referee (league/).
 struct LeagueSpec {
   bool place_penalized = true;       ///< at the side line
   std::uint64_t answer_port = 3939;  ///< of the GameController's machine
@@ -180,7 +180,7 @@ struct SceneSpec {
   std::uint64_t seed = 1;
   double rate = usual_step_rate;  ///< [Hz] of motion and contact
   bool automatic_rate = false;    ///< `rate` follows from levels and laws (automatic_rate.h)
-  std::string rate_because;       ///< who does not allow longer steps then
+  std::string rate_because;       ///< the entity that limits the step in that case
   Vec3d gravity{0, 0, -9.81};     ///< [m/s^2]
   double jitter_position = 0;     ///< [m] start places vary by up to this, in x and y
   double jitter_heading = 0;      ///< [rad]
@@ -206,7 +206,7 @@ struct SceneSpec {
   LeagueSpec league;
 };
 
-/// [Hz] Of the longest steps that a robot makes.
+/// [Hz] Rate of the longest steps that a robot makes.
 [[nodiscard]] inline double step_rate(const SceneSpec& scene, const RobotSpec& robot) {
   return robot.rate > 0 ? robot.rate : scene.rate;
 }

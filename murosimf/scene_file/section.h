@@ -1,10 +1,10 @@
-/// section.h - one section of a scene file as a table: its keys with unit, default, bounds and meaning, and where values go.
+/// section.h - one section of a scene file as a table: its keys with unit, default, bounds, meaning and target.
 ///
 ///     const Section<ViewSpec> view("[view]", {{"center", &ViewSpec::center, "m", "what is in the middle"}, ...});
 ///     view.read(*node, spec.view);
 ///
-/// The reader, the check of unknown keys, --set, `murosimf list keys` and docs/scenes.md come from these tables. Only for .cpp
-/// files: it brings toml++ in.
+/// The reader, the check of unknown keys, --set, `murosimf list keys` and docs/scenes.md use these tables. Only for .cpp
+/// files: it includes toml++.
 #pragma once
 
 #include <cstdint>
@@ -22,11 +22,11 @@
 
 namespace murosimf::scene_file {
 
-/// Of numbers, in the unit of the file; of a vector: of its length.
+/// Bounds of numbers, in the unit of the file; for a vector: of its length.
 struct Bounds {
   double lowest = -std::numeric_limits<double>::infinity();
   double highest = std::numeric_limits<double>::infinity();
-  bool above = false;  ///< `lowest` itself is too low
+  bool above = false;  ///< `lowest` itself is excluded
 };
 constexpr Bounds positive{.lowest = 0, .above = true};
 constexpr Bounds not_negative{.lowest = 0};
@@ -47,11 +47,11 @@ struct Choice {
   std::vector<std::string_view> (*known)();
 };
 
-/// Reads a key that is there. Throws SetupError.
+/// Reads an existing key. Throws SetupError.
 template <class Spec>
 using Reader = void (*)(const files::TomlTable& table, std::string_view key, Spec& spec);
 
-/// Where the value of a key goes; nowhere: other code reads it, because it hangs on other keys.
+/// Target of a key's value; none: other code reads it, because it depends on other keys.
 template <class Spec>
 using Target = std::variant<std::monostate, double Spec::*, std::optional<double> Spec::*, bool Spec::*,
                             std::uint64_t Spec::*, std::string Spec::*, Vec3d Spec::*, std::optional<Vec3d> Spec::*,
@@ -64,7 +64,7 @@ struct Key {
   std::string_view unit;
   std::string_view meaning;
   Bounds bounds{};
-  std::string_view fallback{};  ///< what holds without the key, if that is not the value in a new Spec
+  std::string_view fallback{};  ///< the default, if that is not the value in a new Spec
 };
 
 namespace section_detail {
@@ -78,14 +78,14 @@ namespace section_detail {
 [[nodiscard]] std::string read_choice(const files::TomlTable& table, std::string_view key, std::string_view kind,
                                       const std::vector<std::string_view>& known);
 
-// Values as a file would have them.
+// Values in the notation of a file.
 [[nodiscard]] std::string text_of(double value);
 [[nodiscard]] std::string text_of(bool value);
 [[nodiscard]] std::string text_of(std::uint64_t value);
 [[nodiscard]] std::string text_of(const std::string& value);
 [[nodiscard]] std::string text_of(const Vec3d& value);
 
-/// Reads one key into its place.
+/// Reads one key into its target.
 template <class Spec>
 struct Read {
   const files::TomlTable& table;
@@ -111,7 +111,7 @@ struct Read {
   void operator()(Reader<Spec> read) const { read(table, key.name, spec); }
 };
 
-/// What a new Spec has; empty where it has nothing.
+/// The value in a new Spec; empty if there is none.
 template <class Spec>
 struct Fallback {
   Spec spec{};
@@ -135,7 +135,7 @@ struct Fallback {
 template <class Spec>
 class Section {
  public:
-  /// `header` as it stands in the file: "[view]", "[[robots]]".
+  /// `header` as written in the file: "[view]", "[[robots]]".
   Section(std::string_view header, std::vector<Key<Spec>> keys) : header_(header), keys_(std::move(keys)) {
     for (const Key<Spec>& key : keys_) names_.push_back(key.name);
   }
@@ -143,7 +143,7 @@ class Section {
   [[nodiscard]] const std::vector<Key<Spec>>& keys() const { return keys_; }
   [[nodiscard]] const std::vector<std::string_view>& names() const { return names_; }
 
-  /// Reads the keys that are there, in the order of this section. Throws SetupError with file:line:column: a key that is
+  /// Reads existing keys, in the order of this section. Throws SetupError with file:line:column: a key that is
   /// not of this section, a value of a wrong type or out of bounds.
   void read(const toml::table& node, Spec& spec) const { read(files::TomlTable(node, names_), spec); }
   void read(const files::TomlTable& table, Spec& spec) const {

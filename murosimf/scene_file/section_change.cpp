@@ -7,7 +7,7 @@
 namespace murosimf::scene_file {
 namespace {
 
-/// Reads the event's key and value as a file that had them in the section.
+/// Reads the event's key and value as if they stood in the section of a file.
 template <class Spec>
 void read_key(const Section<Spec>& section, const SceneEvent& event, const std::vector<std::string_view>& known,
               Spec& spec) {

@@ -8,11 +8,11 @@
 
 namespace murosimf::scene_file {
 
-/// Of [ball]: what makes another ball. Of [light] all can change.
+/// Of [ball]: keys that replace the ball. All keys of [light] can change.
 [[nodiscard]] const std::vector<std::string_view>& changeable_ball_keys();
 
-/// What there is with one key changed, as an event of such a section says. Throw SetupError at the event's place: no key of the
-/// section that can change, and whatever the section refuses.
+/// The section with one key changed, as an event requests. Throw SetupError at the event's place: no key of the
+/// section that can change, or an invalid value.
 [[nodiscard]] LightSpec changed(const LightSpec& light, const SceneEvent& event);
 [[nodiscard]] BallSpec changed(const BallSpec& ball, const SceneEvent& event);
 

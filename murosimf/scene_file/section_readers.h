@@ -1,6 +1,6 @@
-/// section_readers.h - the readers of the sections of a scene file, each from the whole file's table into the spec.
+/// section_readers.h - readers of the sections of a scene file, each from the whole file's table into the spec.
 ///
-/// All throw SetupError with file:line:column. Only for .cpp files: it brings toml++ in.
+/// All throw SetupError with file:line:column. For .cpp files only: it includes toml++.
 #pragma once
 
 #include <string_view>
@@ -12,7 +12,7 @@ namespace murosimf::scene_file {
 
 inline constexpr double farthest_place = 1e4;  ///< [m] from the middle of the field
 
-/// Throws SetupError where the key stands (or its table, if it does not): "'key' message".
+/// Throws SetupError at the key (or its table, if it is missing): "'key' message".
 void require(bool condition, const files::TomlTable& table, std::string_view key, std::string_view message);
 
 void read_air(const files::TomlTable& scene, SceneSpec& spec);

@@ -24,6 +24,7 @@ std::set<int> objects_like(const Model& model, const std::string& pattern) {
   return found;
 }
 
+/// A pattern that matches nothing is an error, since it would have no effect.
 std::vector<int> matching_objects(const Model& model, std::string_view pattern, bool joints_only) {
   std::set<int> found = objects_like(model, std::string(pattern));
   if (joints_only) std::erase_if(found, [&](int object) { return !model.objects()[object].is_joint(); });
@@ -49,6 +50,7 @@ std::vector<std::string_view> joint_properties() {
   return names;
 }
 
+/// Without an object, properties of joints are those of all joints, others those of the base.
 std::vector<int> objects_meant(const Model& model, std::string_view object, std::string_view property) {
   const bool of_joints = is_of_joints(property);
   if (object.empty() && of_joints) {

@@ -10,14 +10,15 @@
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/collision/contact_parameters.h"
 #include "murosimf/geometry/volume.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::scene_file {
 namespace {
 
 constexpr double gap = 2e-3;         // [m] between bodies that touch
-constexpr double most_lambda = 1e3;  // [1] it is not looked for above
+constexpr double most_lambda = 1e3;  // [1] upper end of the search
 
-/// A body that stands upright.
+/// An upright body.
 struct Block {
   const BodySpec* spec;
   ModelPtr model;
@@ -31,6 +32,7 @@ bool is_flat(const Shape& shape) {
          std::holds_alternative<Convex>(shape);
 }
 
+/// Only what rests on a flat face and begins at rest can stand in a stack.
 std::optional<Block> block_of(const BodySpec& body) {
   if (!body.shape || body.is_static || !body.present || !is_flat(*body.shape)) return {};
   if (body.roll != 0 || body.pitch != 0 || norm(body.velocity) + norm(body.angular_velocity) > 0) return {};
@@ -46,10 +48,10 @@ bool lies_on(const Block& upper, const Block& lower) {
   return std::abs(apart.x) < reach.x && std::abs(apart.y) < reach.y;
 }
 
-/// From the ground up.
+/// Sorts from the ground upwards.
 using Column = std::vector<const Block*>;
 
-/// Empty if several lie on one, or one on several.
+/// The column on a body; empty if several bodies lie on one, or one on several.
 Column column_on(const Block& first, const std::vector<Block>& blocks) {
   Column column{&first};
   while (column.size() < blocks.size()) {
@@ -64,8 +66,9 @@ Column column_on(const Block& first, const std::vector<Block>& blocks) {
   return column;
 }
 
-/// K [N m/rad] of the contact of a body with what is below it, for leaning along `axis` (x or y).
+/// K [N m/rad] of the contact between a body and the one below, for leaning along `axis` (x or y).
 double spring(const SceneSpec& spec, const Column& column, std::size_t i, double Vec3d::*axis) {
+  MUROSIMF_ASSERT(i < column.size());
   const Block& upper = *column[i];
   const Surface own{.material = upper.spec->material};
   double low = upper.box.center.*axis - upper.box.half.*axis, high = low + 2 * upper.box.half.*axis;
@@ -84,9 +87,10 @@ double spring(const SceneSpec& spec, const Column& column, std::size_t i, double
   return 4 * contact.stiffness * arm * arm;
 }
 
-/// Whether K - lambda G is positive definite: all pivots of its elimination are.
+/// Whether K - lambda G is positive definite: all pivots of its elimination are positive.
 bool stands(const std::vector<double>& springs, const std::vector<double>& weights, double lambda) {
   double pivot = 1, coupling = 0;
+  MUROSIMF_ASSERT(springs.size() == weights.size());
   for (std::size_t i = 0; i < springs.size(); ++i) {
     const double above = i + 1 < springs.size() ? springs[i + 1] : 0;
     pivot = springs[i] + above - lambda * weights[i] - coupling * coupling / pivot;
@@ -96,7 +100,7 @@ bool stands(const std::vector<double>& springs, const std::vector<double>& weigh
   return true;
 }
 
-/// The least lambda of the header; `most_lambda` if it is more.
+/// The least lambda of the header, by bisection; `most_lambda` if it is greater.
 double reserve(const SceneSpec& spec, const Column& column, double Vec3d::*axis) {
   std::vector<double> springs, weights(column.size());
   for (std::size_t i = 0; i < column.size(); ++i) springs.push_back(spring(spec, column, i, axis));
@@ -127,6 +131,7 @@ std::string line_of(const Column& column, double lambda) {
 
 }  // namespace
 
+/// Only implicit laws have this limit.
 std::vector<std::string> unsteady_stacks(const SceneSpec& spec) {
   if (spec.gravity.z >= 0 || !catalog::make_body_contact_law(spec.body_contact)->implicit()) return {};
   std::vector<Block> blocks;

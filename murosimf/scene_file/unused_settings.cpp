@@ -14,10 +14,10 @@ namespace {
 
 /// A key of a robot that only some levels or controllers use.
 struct UsedKey {
-  std::string_view key;   ///< as in the file
-  std::string_view word;  ///< as in the catalog
+  std::string_view key;   ///< name in the file
+  std::string_view word;  ///< name in the catalog
   enum { by_level, by_first_level, by_controller } use = by_level;
-  bool (*says)(const RobotSpec&) = nullptr;  ///< it asks for something; null: always
+  bool (*says)(const RobotSpec&) = nullptr;  ///< whether it was set to a value with an effect; null: always
 };
 
 bool asks_for_height(const RobotSpec& robot) { return robot.position.z != 0; }
@@ -72,12 +72,12 @@ bool is_used(const SceneSpec& spec, const RobotSpec& robot, const UsedKey& key) 
 
 std::string line_about(const RobotSpec& robot, const UsedKey& key) {
   const std::string_view part = key.word == "position.z" ? "z of " : "";
-  const std::string who =
+  const std::string user =
       key.use == UsedKey::by_controller ? fmt::format("controller '{}'", robot.controller) : robot.level;
-  return fmt::format("{}: {} has no {}'{}'; it changes nothing", robot.name, who, part, key.key);
+  return fmt::format("{}: {} has no {}'{}'; it changes nothing", robot.name, user, part, key.key);
 }
 
-/// Of robots by name; of [defaults] once, and only if they help nobody.
+/// Of robots by name; of [defaults] once, and only if no robot uses them.
 void add_keys(const SceneSpec& spec, const UsedKey& key, std::vector<std::string>& lines) {
   std::vector<const RobotSpec*> by_default;
   bool default_helps = false;
@@ -96,7 +96,7 @@ void add_keys(const SceneSpec& spec, const UsedKey& key, std::vector<std::string
   lines.push_back(fmt::format("defaults: no robot uses '{}' ({})", key.key, line_about(*by_default.front(), key)));
 }
 
-/// Laws that an event gives a robot whose levels have none from then on.
+/// Laws that an event sets for a robot whose levels have none from then on.
 void add_events(const SceneSpec& spec, std::vector<std::string>& lines) {
   for (const SceneEvent& event : spec.events) {
     if (event.key != "contact" && event.key != "servo_law") continue;
@@ -111,12 +111,13 @@ void add_events(const SceneSpec& spec, std::vector<std::string>& lines) {
   }
 }
 
-/// Whether an entry of a registry that an algorithm of a robot is from some time on has an option.
+/// Whether an entry of a registry, used by an algorithm of a robot from some time on, has an option.
 bool any_has(const auto& entries, std::string_view option) {
   return std::ranges::any_of(entries,
                              [&](const auto* entry) { return find_option(entry->options, option) != nullptr; });
 }
 
+/// Also the laws that events set: an option may be for one of them.
 std::vector<const catalog::ContactLawType*> laws_of(const SceneSpec& spec, const RobotSpec& robot) {
   std::vector<const catalog::ContactLawType*> found{&catalog::contacts().find(robot.contact)};
   for (const SceneEvent& event : spec.events) {
@@ -138,21 +139,22 @@ void add_options(const RobotSpec& robot, const std::string& key, const OptionVal
   }
 }
 
+/// Only if no robot would use it at any level: then the key is a mistake.
 void add_start(const SceneSpec& spec, std::vector<std::string>& lines) {
-  const auto nobody = [&](const auto& uses) { return std::ranges::none_of(spec.robots, uses); };
+  const auto no_robot = [&](const auto& uses) { return std::ranges::none_of(spec.robots, uses); };
   if (spec.jitter_tilt != 0 &&
-      nobody([](const auto& r) { return catalog::has_word(first_level(r).keys, "roll_deg"); })) {
+      no_robot([](const auto& r) { return catalog::has_word(first_level(r).keys, "roll_deg"); })) {
     lines.emplace_back("start: no robot begins at a level that 'jitter_tilt_deg' could lean; it changes nothing");
   }
   const auto keeps_posture = [](const RobotSpec& robot) {
     return catalog::has_word(catalog::controllers().find(robot.controller).keys, "posture");
   };
-  if (spec.jitter_posture != 0 && nobody(keeps_posture)) {
+  if (spec.jitter_posture != 0 && no_robot(keeps_posture)) {
     lines.emplace_back("start: controllers set the joints of all robots; 'jitter_posture_deg' changes nothing");
   }
 }
 
-/// [air] that acts on nothing.
+/// [air] without any effect.
 void add_air(const SceneSpec& spec, std::vector<std::string>& lines) {
   const AirSpec usual;
   const bool windy = !is_zero(spec.air.wind);
@@ -167,6 +169,7 @@ void add_air(const SceneSpec& spec, std::vector<std::string>& lines) {
 
 }  // namespace
 
+/// The levels that a robot has from this time on, in any order of events.
 std::vector<const catalog::LevelType*> levels_from(const SceneSpec& spec, const RobotSpec& robot, double time) {
   std::vector<const catalog::LevelType*> found{&first_level(robot)};
   for (const SceneEvent& event : spec.events) {

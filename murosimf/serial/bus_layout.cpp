@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/files/csv_cells.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/constants.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
@@ -21,6 +22,8 @@ using files::CsvCell;
 using files::CsvCells;
 
 void choose_table(ServoPlace& place, const Model& model, Protocol protocol) {
+  MUROSIMF_ASSERT(place.joint < model.joints().size());
+  // the joint's own type in the protocol of the bus, then in any, then an MX-28 as the most common servo
   const Servo* servo = model.find(properties::servo, model.joints()[place.joint]);
   const std::string type = servo ? servo->type : "";
   const std::string suffix = protocol == Protocol::v2 ? "_2" : "";
@@ -47,6 +50,7 @@ class LayoutReader {
 
  private:
   void read_header() {
+    // columns in any order, hence an index for each
     columns_ = row_.size();
     for (std::size_t i = 0; i < row_.size(); ++i) {
       const files::CsvHeader header = files::csv_header(row_[i].text);
@@ -71,6 +75,7 @@ class LayoutReader {
     return name == "zero" ? &zero_ : nullptr;
   }
 
+  /// Rows are checked cell by cell: an error names its column.
   ServoPlace read_row() {
     if (row_.size() != columns_) {
       cells_.fail(1, fmt::format("{} cells, where the first line has {}", row_.size(), columns_));
@@ -134,7 +139,7 @@ class LayoutReader {
   }
 
   CsvCells cells_;
-  std::filesystem::path folder_;  // for tables of the user's own
+  std::filesystem::path folder_;  // for the user's tables
   const Model* model_;
   Protocol protocol_;
   std::vector<CsvCell> row_;
@@ -146,6 +151,7 @@ class LayoutReader {
 
 }  // namespace
 
+/// Ids in the order of the joints from 1 on, as most robots have them.
 std::vector<ServoPlace> usual_layout(const Model& model, Protocol protocol) {
   const std::size_t joints = model.joints().size();
   if (joints >= first_no_id) {

@@ -1,6 +1,6 @@
 #include "murosimf/serial/line_rate.h"
 
-// Rates without a name are in termios2 only, whose header cannot stand beside <termios.h>.
+// Rates without a name exist in termios2 only, whose header cannot be included together with <termios.h>.
 #include <asm/ioctls.h>
 #include <asm/termbits.h>
 #include <sys/ioctl.h>

@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/serial/line_rate.h"
 #include "murosimf/serial/terminal_drain.h"
@@ -27,7 +28,7 @@ namespace fs = std::filesystem;
   throw SetupError(fmt::format("{}: {}", what, std::generic_category().message(errno)));
 }
 
-/// Without this the terminal would echo what the robot says, and change line ends, until the first program says otherwise.
+/// Otherwise the terminal would echo what the robot sends, and change line ends, until a program sets it to raw mode.
 bool make_raw(const char* name, double rate) {
   const int file = open(name, O_RDWR | O_NOCTTY | O_CLOEXEC);
   if (file < 0) return false;
@@ -53,6 +54,7 @@ PseudoTerminal::PseudoTerminal(double rate)
   std::array<char, 128> name{};
   if (grantpt(file_) != 0 || unlockpt(file_) != 0 || ptsname_r(file_, name.data(), name.size()) != 0 ||
       !make_raw(name.data(), rate)) {
+    // close may change errno, which the message needs
     const int error = errno;
     close(file_);
     errno = error;
@@ -77,7 +79,9 @@ bool PseudoTerminal::is_open() const noexcept {
 
 void PseudoTerminal::receive(std::vector<std::uint8_t>& bytes) noexcept { drain_->take(bytes, rate_); }
 
+/// Never blocks: a client that does not read loses bytes, as on a real line.
 std::size_t PseudoTerminal::send(std::span<const std::uint8_t> bytes) noexcept {
+  MUROSIMF_ASSERT(file_ >= 0);
   std::size_t sent = 0;
   while (sent < bytes.size()) {
     const ssize_t count = write(file_, bytes.data() + sent, bytes.size() - sent);
@@ -88,7 +92,7 @@ std::size_t PseudoTerminal::send(std::span<const std::uint8_t> bytes) noexcept {
   return sent;
 }
 
-/// What waits to be read can be flushed at the end of its reader only.
+/// Bytes waiting at the reader's end can be flushed at that end only, hence it is opened here.
 void PseudoTerminal::discard() noexcept {
   const int file = open(name_.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
   if (file < 0) return;
@@ -112,6 +116,7 @@ TerminalLink::TerminalLink(fs::path path, std::string terminal)
     : path_(std::move(path)), terminal_(std::move(terminal)) {
   check_link_place(path_);
   std::error_code error;
+  // exists() follows the link, and the terminal it led to may be gone: the link itself is tested
   if (is_old_link(path_)) fs::remove(path_, error);
   fs::create_symlink(terminal_, path_, error);
   if (error) throw SetupError(fmt::format("no link '{}' can be made: {}", path_.string(), error.message()));

@@ -1,4 +1,4 @@
-/// pseudo_terminal.h - a serial port that programs open as they open a real one, and this process holds the other end of.
+/// pseudo_terminal.h - a virtual serial port: programs open one end like a real port, this process holds the other end.
 #pragma once
 
 #include <cstddef>
@@ -16,24 +16,24 @@ class WriterHold;
 
 class PseudoTerminal {
  public:
-  /// Bytes go through as they are. The rate [bit/s] is that of programs which choose none. Throws SetupError if the system has
-  /// none left.
+  /// Bytes pass unchanged. The rate [bit/s] applies to programs that set none. Throws SetupError if the system has no
+  /// pseudo terminal left.
   explicit PseudoTerminal(double rate = 1e6);
   ~PseudoTerminal();
   PseudoTerminal(const PseudoTerminal&) = delete;
   PseudoTerminal& operator=(const PseudoTerminal&) = delete;
 
-  /// Of the end that programs open: "/dev/pts/3".
+  /// Path of the end that programs open: "/dev/pts/3".
   [[nodiscard]] const std::string& name() const { return name_; }
-  /// Whether a program has it open now.
+  /// Whether a program has it open at present.
   [[nodiscard]] bool is_open() const noexcept;
-  /// Appends what programs have sent, up to where they have chosen another rate. Never waits.
+  /// Appends bytes that programs have sent, up to a change of their rate. Never waits.
   void receive(std::vector<std::uint8_t>& bytes) noexcept;
-  /// [bit/s] of what was received last.
+  /// [bit/s] of the bytes received last.
   [[nodiscard]] double rate() const noexcept { return rate_; }
-  /// How many bytes there was room for; the others are lost. Never waits.
+  /// Returns the number of bytes that fit; the others are lost. Never waits.
   std::size_t send(std::span<const std::uint8_t> bytes) noexcept;
-  /// Forgets what was sent and nobody has read.
+  /// Drops bytes that were sent and not read.
   void discard() noexcept;
 
  private:
@@ -44,14 +44,14 @@ class PseudoTerminal {
   std::unique_ptr<TerminalDrain> drain_;
 };
 
-/// Makes the folder of a link if it is not there. Throws SetupError if that cannot be, or if anything else than a link to a terminal,
-/// which a program left behind, has that path.
+/// Creates the folder of a link if it does not exist. Throws SetupError if that fails, or if anything else than a link to a terminal,
+/// left behind by a program, has that path.
 void check_link_place(const std::filesystem::path& path);
 
 /// A symbolic link to a terminal, for as long as this lives.
 class TerminalLink {
  public:
-  /// Replaces what a program left behind. Throws SetupError as check_link_place does, or if it cannot be made.
+  /// Replaces a link that a program left behind. Throws SetupError as check_link_place does, or if the link cannot be made.
   TerminalLink(std::filesystem::path path, std::string terminal);
   ~TerminalLink();
   TerminalLink(const TerminalLink&) = delete;

@@ -1,4 +1,4 @@
-/// quiet_thread.h - a thread that handles no signals: those of a program are its main thread's.
+/// quiet_thread.h - starts a thread that handles no signals: those are left to the main thread of the program.
 #pragma once
 
 #include <csignal>

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/servo_law.h"
@@ -78,6 +79,7 @@ void SerialSoftware::add_joint(const Model& model, const ServoPlace& place) {
   joints_.push_back(joint);
 }
 
+/// Without a name, an IMU is on the bus only if the robot has one of the usual name.
 void SerialSoftware::find_imu(const Setup& setup, connect::RobotPort& port) {
   const std::string name = options_.imu.empty() ? "imu" : options_.imu;
   const sensors::Reading* reading = sensors::find_reading(setup.entity(), name);
@@ -90,12 +92,13 @@ void SerialSoftware::find_imu(const Setup& setup, connect::RobotPort& port) {
   }
 }
 
-/// [rad] of the servo's shaft.
+/// [rad] Angle of the servo's shaft.
 double SerialSoftware::angle_of(const Joint& joint, double q) const {
+  MUROSIMF_ASSERT(std::abs(joint.place.direction) == 1);
   return joint.place.direction * (q - joint.place.zero);
 }
 
-/// As when a robot gets its power.
+/// Resets the bus to its state after power-on.
 void SerialSoftware::switch_on() {
   bus_ = std::make_unique<dynamixel::Bus>();
   const double rate = options_.first_rate();
@@ -131,7 +134,8 @@ connect::CallOutcome SerialSoftware::start() {
 }
 
 connect::CallOutcome SerialSoftware::step(Duration now) noexcept {
-  if (terminal_ && !link_ && !remembers()) {  // who finds it is answered from now on
+  if (terminal_ && !link_ &&
+      !remembers()) {  // made at the first step, so that a client that finds the link is answered
     try {
       link_.emplace(link_place_, terminal_->name());
     } catch (const SetupError& error) {
@@ -139,6 +143,7 @@ connect::CallOutcome SerialSoftware::step(Duration now) noexcept {
     }
   }
   const double time = seconds(now);
+  // Measure, communicate, move the servos, command: a read returns the values of this step, a write acts in it.
   sense(time);
   if (terminal_ || repeated_) exchange_bytes(now);
   for (const Joint& joint : joints_) joint.servo->advance(period_);
@@ -152,6 +157,7 @@ void SerialSoftware::sense(double now) {
   for (const Joint& joint : joints_) {
     const std::size_t i = joint.place.joint;
     const auto object = static_cast<std::size_t>(joint.object);
+    MUROSIMF_ASSERT(i < position_->count && object < voltage_.size() && joint.servo != nullptr);
     const double voltage = joint.place.own_type && voltage_[object] > 0 ? voltage_[object] : unknown;
     joint.servo->sense({.angle = angle_of(joint, position_->values[i]),
                         .velocity = joint.place.direction * velocity_->values[i],
@@ -170,15 +176,15 @@ void SerialSoftware::sense(double now) {
 
 SerialSoftware::Heard SerialSoftware::listen(double now) {
   Heard heard;
-  // A wire that is busy takes no more: the client waits, as before a real port.
+  // A busy wire accepts no more: the client waits, as with a real port.
   constexpr double longest_queue = 0.05;  // [s]
   if (line_->free_at() < now + longest_queue)
-    terminal_->receive(heard.bytes);  // also what a client has sent before it went
+    terminal_->receive(heard.bytes);  // includes bytes of a client that has disconnected
   if (!heard.bytes.empty()) {
     last_byte_ = WallClock::now();
     if (terminal_->rate() > 0 && terminal_->rate() != line_->rate()) heard.rate = terminal_->rate();
   } else if (line_->has_partial()) {
-    constexpr auto longest_silence = std::chrono::milliseconds(100);  // within a packet, as servos have it
+    constexpr auto longest_silence = std::chrono::milliseconds(100);  // within a packet, as in servos
     heard.fell_silent = WallClock::now() - last_byte_ > longest_silence;
   }
   const bool client = terminal_->is_open();
@@ -189,6 +195,7 @@ SerialSoftware::Heard SerialSoftware::listen(double now) {
 namespace {
 
 /// [bit/s]
+// [bit/s]
 double rate_of(const ExternalInput& note) {
   double rate = 0;
   std::from_chars(note.bytes.data(), note.bytes.data() + note.bytes.size(), rate);
@@ -210,7 +217,7 @@ SerialSoftware::Heard SerialSoftware::repeat(Duration now) {
       heard.fell_silent = true;
     }
   }
-  if (heard.client == client_) heard.client.reset();  // as it was before time has jumped
+  if (heard.client == client_) heard.client.reset();  // unchanged by the jump in time
   return heard;
 }
 
@@ -221,20 +228,21 @@ SerialSoftware::Heard SerialSoftware::remember() {
       heard.bytes.insert(heard.bytes.end(), note->bytes.begin(), note->bytes.end());
     if (note->kind == ExternalInput::asked) heard.rate = rate_of(*note);
     if (note->kind == ExternalInput::fell_silent) heard.fell_silent = true;
-    if (note->kind == ExternalInput::left) line_->hang_up();  // the client that is there now is another matter
+    if (note->kind == ExternalInput::left) line_->hang_up();  // independent of the client that is connected now
   }
   return heard;
 }
 
 SerialSoftware::Heard SerialSoftware::heard_at(Duration now) {
   if (remembers()) return remember();
-  // what was on its way when time jumped belongs to another time
+  // bytes in transit at the time of the jump belong to another time
   const bool jumped = std::exchange(jumped_, false) && now != next_;
   if (jumped && !repeated_) line_->hang_up();
   next_ = now + from_seconds(period_);
   return repeated_ ? repeat(now) : listen(seconds(now));
 }
 
+/// What clients sent is written down, so that the run can be repeated without them.
 void SerialSoftware::write_down(const Heard& heard) {
   const auto write = [&](ExternalInput::Kind kind, const std::string& bytes = {}) {
     pen_.write(kind, bytes);
@@ -266,6 +274,7 @@ void SerialSoftware::send() {
   say_("the client of the serial line does not read: bytes are lost");
 }
 
+/// Told once for each client: a controller that reconnects often must not fill the log.
 void SerialSoftware::look_after(bool client) {
   client_ = client;
   const std::string place = terminal_ ? link_place_.string() : "the serial line";
@@ -289,13 +298,15 @@ void SerialSoftware::command() {
     if (rate_ && joint.turns) rate_->values[i] = joint.place.direction * servo.target_velocity();
     if (!servo.torque()) continue;
     const double target = joint.place.zero + joint.place.direction * servo.target();
-    target_->values[i] = std::clamp(target, joint.range.x, joint.range.y);  // an end is not met to the last bit
+    target_->values[i] =
+        std::clamp(target, joint.range.x, joint.range.y);  // conversion to steps may exceed a limit by rounding
   }
 }
 
-/// What the registers say of gains and limits, for the simulated servo.
+/// Applies gains and limits of the registers to the simulated servo.
 void SerialSoftware::tune(const Joint& joint) {
   const std::size_t i = joint.place.joint;
+  MUROSIMF_ASSERT(joint.own != nullptr);
   const double own_damping = joint.own->law == "ideal_pd" ? joint.own->velocity_gain : 0;
   position_gain_->values[i] = joint.own->position_gain * joint.servo->gain_share();
   velocity_gain_->values[i] = own_damping + joint.own->position_gain * joint.servo->damping_time();

@@ -1,9 +1,9 @@
 /// serial_software.h - control software behind a virtual serial line: the robot's bus of servos, and its IMU, at the end of a pseudo
 /// terminal.
 ///
-/// The line is looked after in every step (1 ms of simulated time as a rule): what the client has sent by then is done, and
-/// answered. At the speed 1 (Clock) that is a bus with a latency of a millisecond; as fast as possible, simulated time runs on
-/// while the client thinks. A client that goes, is killed, sends garbage or does not read disturbs nobody.
+/// The line is served in every step (usually 1 ms of simulated time): received packets are executed and
+/// answered. At the speed 1 (Clock) that is a bus with a latency of a millisecond; as fast as possible, simulated time continues
+/// while the client computes. A client that disconnects, is killed, sends garbage or does not read has no effect on the run.
 #pragma once
 
 #include <chrono>
@@ -27,19 +27,19 @@ namespace murosimf::serial {
 struct SerialOptions {
   int protocol = 2;       ///< of servos of the MX series, and of the IMU
   std::string bus;        ///< file for read_layout; empty: usual_layout
-  double baud_rate = 0;   ///< [bit/s] that all listen at in the beginning; 0: usual_rate, and bytes take no time
-  bool torque = false;    ///< servos have their torque on at the start
-  std::string imu;        ///< sensor that is on the bus; empty: 'imu' if there is one
+  double baud_rate = 0;   ///< [bit/s] initial rate of all devices; 0: usual_rate, and bytes take no time
+  bool torque = false;    ///< torque of all servos is enabled at the start
+  std::string imu;        ///< sensor on the bus; empty: 'imu' if there is one
   int imu_id = 200;       ///< its id, as that of boards of real robots
-  bool imu_ping = false;  ///< it answers pings to everybody
+  bool imu_ping = false;  ///< whether it answers broadcast pings
 
-  static constexpr double usual_rate = 1e6;  ///< [bit/s] of many robots; servos leave the factory at another
+  static constexpr double usual_rate = 1e6;  ///< [bit/s] of many robots; the factory setting of servos differs
   [[nodiscard]] double first_rate() const { return baud_rate > 0 ? baud_rate : usual_rate; }
 };
 
 class SerialSoftware final : public connect::ControlSoftware {
  public:
-  /// `folder` is where the link to the terminal stands, named as the robot, from the first step on; empty, or if what comes is
+  /// `folder` contains the link to the terminal, named as the robot, from the first step on; empty, or if input is
   /// repeated: there is no terminal. Throws SetupError.
   SerialSoftware(Setup& setup, connect::RobotPort& port, connect::SayLine say, std::vector<ServoPlace> layout,
                  SerialOptions options, const std::filesystem::path& folder, const ExternalInputOptions& outside = {});
@@ -62,7 +62,7 @@ class SerialSoftware final : public connect::ControlSoftware {
     dynamixel::ServoOptions options;
     int object = 0;
     Vec3d range;                              // [rad | m] of the joint: x to y
-    bool turns = false;                       // follows a rate
+    bool turns = false;                       // controlled by velocity
     const Servo* own = nullptr;               // the simulated one; null: the joint has none
     dynamixel::ServoDevice* servo = nullptr;  // on the bus
   };
@@ -70,16 +70,16 @@ class SerialSoftware final : public connect::ControlSoftware {
   void find_imu(const Setup& setup, connect::RobotPort& port);
   void switch_on();
   void sense(double now);
-  /// What has come in a step.
+  /// Input of a step.
   struct Heard {
-    std::optional<double> rate{};  // [bit/s] that the client has chosen
+    std::optional<double> rate{};  // [bit/s] chosen by the client
     dynamixel::Bytes bytes{};      // at that rate
     bool fell_silent = false;      // within a packet
-    std::optional<bool> client{};  // has come, or gone
+    std::optional<bool> client{};  // has connected, or disconnected
   };
   [[nodiscard]] Heard listen(double now);
   [[nodiscard]] Heard repeat(Duration now);
-  /// Of what is remembered of an instant that was there before.
+  /// Input of an instant that is repeated from the history.
   [[nodiscard]] Heard remember();
   [[nodiscard]] Heard heard_at(Duration now);
   [[nodiscard]] bool remembers() const { return memory_ && memory_->repeats(); }
@@ -99,7 +99,7 @@ class SerialSoftware final : public connect::ControlSoftware {
   const murosimf_signal *position_, *velocity_, *torque_;
   const murosimf_signal *gyroscope_ = nullptr, *accelerometer_ = nullptr;  // null: no IMU
   murosimf_command *target_, *enabled_, *position_gain_, *velocity_gain_, *torque_limit_, *led_, *rate_ = nullptr;
-  std::span<const double> voltage_, temperature_;  // by object; NaN while nobody simulates them
+  std::span<const double> voltage_, temperature_;  // by object; NaN while not simulated
   std::unique_ptr<dynamixel::Bus> bus_;
   std::optional<dynamixel::BusLine> line_;
   dynamixel::ImuBoard* imu_ = nullptr;
@@ -111,10 +111,10 @@ class SerialSoftware final : public connect::ControlSoftware {
   dynamixel::Bytes to_send_;
   std::shared_ptr<ExternalInputLog> notes_;  // the pen's
   ExternalInputRecorder pen_;
-  std::shared_ptr<const ExternalInputLog> repeated_;  // null: it is live
+  std::shared_ptr<const ExternalInputLog> repeated_;  // null: live
   ExternalInputReader reader_;
   std::shared_ptr<ExternalInputHistory> remembered_;  // the channel's
-  ExternalInputHistory::Channel* memory_ = nullptr;   // null: nobody goes back in time
+  ExternalInputHistory::Channel* memory_ = nullptr;   // null: time does not jump
   bool jumped_ = false;                               // a state was loaded since the last step that was live
   Duration next_{-1};                                 // of the step after that one
 };

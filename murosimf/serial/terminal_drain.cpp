@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <cstdint>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/serial/line_rate.h"
 #include "murosimf/serial/quiet_thread.h"
@@ -16,8 +17,7 @@
 namespace murosimf::serial {
 namespace {
 
-constexpr std::size_t most_waiting =
-    1 << 16;  // of a flood; then programs wait, as before a port that is slower than they
+constexpr std::size_t most_waiting = 1 << 16;  // [byte] limits memory; beyond it programs wait, as for a slower port
 
 }  // namespace
 
@@ -26,6 +26,7 @@ TerminalDrain::TerminalDrain(int terminal) : terminal_(terminal), stop_(eventfd(
   thread_ = quiet_thread([this] { keep_reading(); });
 }
 
+/// The event wakes the thread from its wait.
 TerminalDrain::~TerminalDrain() {
   const std::uint64_t one = 1;
   while (write(stop_, &one, sizeof one) < 0 && errno == EINTR) {
@@ -41,6 +42,7 @@ void TerminalDrain::read_all() noexcept {
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0) return;
     const double rate = line_rate(terminal_);
+    // the rate is read after the bytes: a program sets it before it writes
     if (pieces_.empty() || pieces_.back().rate != rate) pieces_.push_back({{}, rate});
     std::vector<std::uint8_t>& bytes = pieces_.back().bytes;
     bytes.insert(bytes.end(), some.data(), some.data() + count);
@@ -56,11 +58,12 @@ void TerminalDrain::drain() noexcept {
 
 void TerminalDrain::take(std::vector<std::uint8_t>& bytes, double& rate) noexcept {
   const std::scoped_lock lock(mutex_);
-  read_all();  // also what has come this instant
+  read_all();  // includes bytes that the thread has not read yet
   if (pieces_.empty()) return;
   Piece& first = pieces_.front();
   bytes.insert(bytes.end(), first.bytes.begin(), first.bytes.end());
   rate = first.rate;
+  MUROSIMF_ASSERT(waiting_ >= first.bytes.size());
   waiting_ -= first.bytes.size();
   pieces_.pop_front();
 }
@@ -78,7 +81,7 @@ std::uint64_t TerminalDrain::arrived() const noexcept {
   return moved_.load(std::memory_order_relaxed) + static_cast<std::uint64_t>(ready);
 }
 
-/// What has come may stay where it is for a moment: there is room for 4 kB, and no flush reaches it there.
+/// Bytes may stay in the kernel for a moment: there is room for 4 kB, and no flush reaches them there. Hence one read per pause.
 void TerminalDrain::keep_reading() noexcept {
   constexpr int pause = 1;  // [ms]
   std::array<pollfd, 2> files{pollfd{stop_, POLLIN, 0}, pollfd{terminal_, POLLIN, 0}};

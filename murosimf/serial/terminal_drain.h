@@ -1,10 +1,10 @@
-/// terminal_drain.h - takes bytes from the simulation's end of a pseudo terminal as soon as programs have written them, whatever the
-/// simulation does meanwhile.
+/// terminal_drain.h - reads bytes from the simulation's end of a pseudo terminal as soon as programs have written them, independent
+/// of the state of the simulation.
 ///
-/// A real port has sent N bytes N * 10 bit times after they were written; whoever flushes its output later loses nothing. A pseudo
-/// terminal keeps them in the kernel until somebody reads, and a flush drops what is there. Two things are against that: a thread
-/// waits for bytes and reads them, so that no more than a moment's are in the kernel; and programs that flush right after a
-/// write are kept from running on until their bytes have come through (writer_hold.h).
+/// A real port has sent N bytes N * 10 bit times after they were written; flushing the output later loses nothing. A pseudo
+/// terminal keeps them in the kernel until they are read, and a flush drops them. Two measures prevent that: a thread
+/// waits for bytes and reads them, so that only the most recent ones are in the kernel; and programs that flush right after a
+/// write are delayed until their bytes have passed (writer_hold.h).
 #pragma once
 
 #include <atomic>
@@ -20,17 +20,17 @@ namespace murosimf::serial {
 
 class TerminalDrain {
  public:
-  /// Of a terminal that does not block; it must live longer than this.
+  /// `terminal` must be non-blocking and outlive this object.
   explicit TerminalDrain(int terminal);
   ~TerminalDrain();
   TerminalDrain(const TerminalDrain&) = delete;
   TerminalDrain& operator=(const TerminalDrain&) = delete;
 
-  /// Appends what has come at one rate [bit/s], all of it or up to where the rate has changed. Never waits for programs.
+  /// Appends bytes received at one rate [bit/s]: all, or up to a change of the rate. Never waits for programs.
   void take(std::vector<std::uint8_t>& bytes, double& rate) noexcept;
-  /// Forgets what has come.
+  /// Drops received bytes.
   void discard() noexcept;
-  /// How many bytes have come through the kernel so far, read or ready to be read.
+  /// Number of bytes that have passed the kernel so far, read or ready to be read.
   [[nodiscard]] std::uint64_t arrived() const noexcept;
 
  private:

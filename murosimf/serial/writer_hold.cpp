@@ -18,7 +18,7 @@
 namespace murosimf::serial {
 namespace {
 
-/// That this process may run on.
+/// Processors that this process may run on.
 std::vector<int> processors_here() {
   cpu_set_t set;
   CPU_ZERO(&set);
@@ -37,7 +37,7 @@ void stay_on(int processor) {
   pthread_setaffinity_np(pthread_self(), sizeof set, &set);
 }
 
-/// Before others, where that is allowed.
+/// Raises the priority of this thread above ordinary ones, where permitted.
 void go_first() {
   int policy = 0;
   sched_param priority{};
@@ -48,6 +48,7 @@ void go_first() {
 
 }  // namespace
 
+/// One for all terminals of the process: its threads occupy every processor.
 std::shared_ptr<WriterHold> WriterHold::shared() {
   static std::mutex mutex;
   static std::weak_ptr<WriterHold> existing;
@@ -104,6 +105,7 @@ void WriterHold::remove(const TerminalDrain& drain) {
   }
 }
 
+/// A watch wakes this thread as soon as a client writes; it runs before the client on the same processor.
 void WriterHold::look_after(Processor& processor) const {
   stay_on(processor.number);
   go_first();
@@ -122,6 +124,7 @@ void WriterHold::hold(Processor& processor) {
   const std::scoped_lock lock(processor.mutex);
   for (ssize_t at = 0; at + static_cast<ssize_t>(sizeof(inotify_event)) <= size;) {
     inotify_event event{};
+    // copied, since the buffer gives no alignment for the second event
     std::memcpy(&event, events.data() + at, sizeof event);
     at += static_cast<ssize_t>(sizeof event + event.len);
     const auto found = processor.drains.find(event.wd);

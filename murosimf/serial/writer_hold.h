@@ -1,11 +1,11 @@
-/// writer_hold.h - keeps programs that have written to a pseudo terminal from running on until their bytes have come through.
+/// writer_hold.h - delays programs that have written to a pseudo terminal until their bytes have passed the kernel.
 ///
-/// Linux hands what is written to a pseudo terminal over in a thread of the kernel, some microseconds later; a program that flushes its
-/// output right after a write (tcflush, TCOFLUSH) can be faster, and the kernel then drops the bytes. So there is one thread for
-/// each processor, which the write itself wakes (inotify), and which takes the writer's processor for the moment that the kernel
+/// Linux passes bytes written to a pseudo terminal on in a kernel thread, some microseconds later; a program that flushes its
+/// output right after a write (tcflush, TCOFLUSH) can be faster, and the kernel then drops the bytes. Therefore one thread for
+/// each processor is woken by the write itself (inotify) and occupies the writer's processor for the moment that the kernel
 /// needs, at most longest_hold. With real-time priority (root, CAP_SYS_NICE or RLIMIT_RTPRIO) that is nearly always
-/// soon enough, without it only where the scheduler agrees. On machines with more than most_processors nobody is held:
-/// the kernel finds an idle one there.
+/// soon enough, without it only if the scheduler happens to allow it. On machines with more than most_processors no thread is used:
+/// the kernel finds an idle processor there.
 #pragma once
 
 #include <chrono>
@@ -25,16 +25,16 @@ class WriterHold {
   static constexpr std::chrono::microseconds longest_hold{100};
   static constexpr std::size_t most_processors = 8;
 
-  /// That of this process; it lives as long as anybody has it.
+  /// The instance of this process; it lives as long as it is used.
   [[nodiscard]] static std::shared_ptr<WriterHold> shared();
 
   ~WriterHold();
   WriterHold(const WriterHold&) = delete;
   WriterHold& operator=(const WriterHold&) = delete;
 
-  /// From now on those who write to the terminal of that name ("/dev/pts/3") are held.
+  /// Programs that write to the terminal of that name ("/dev/pts/3") are delayed from now on.
   void add(const std::string& terminal, TerminalDrain& drain);
-  /// From now on not; nobody uses the drain any more.
+  /// Ends that; the drain is no longer used afterwards.
   void remove(const TerminalDrain& drain);
 
  private:
@@ -42,8 +42,8 @@ class WriterHold {
 
   struct Watched {
     TerminalDrain* drain = nullptr;
-    std::uint64_t arrived = 0;  // of it, after the last hold
-    bool late = false;          // that one has ended before its bytes came
+    std::uint64_t arrived = 0;  // bytes counted after the last hold
+    bool late = false;          // the last hold ended before its bytes arrived
   };
   struct Processor {
     int number = 0;

@@ -3,6 +3,7 @@
 #include <span>
 #include <utility>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/session/own_state.h"
 
@@ -25,9 +26,9 @@ void LiveSource::begin() {
   live_ = {timeline_.present(), simulation_.now()};
 }
 
-/// The run begins, with a past of its own.
+/// Starts a branch without a parent.
 void LiveSource::begin_branch() {
-  (void)outside().take();
+  (void)outside().take();  // input of the previous run
   timeline_.begin(simulation_.now(), scene_.save());
   noted_ = simulation_.commands().size();
 }
@@ -40,7 +41,7 @@ void LiveSource::step() {
   }
   simulation_.step();
   timeline_.advance(simulation_.now());
-  note_commands();  // of who posts to the scene itself
+  note_commands();  // posted directly to the scene
   note_outside();
   live_ = {timeline_.present(), simulation_.now()};
   if (!timeline_.wants_state(simulation_.now())) return;
@@ -50,6 +51,7 @@ void LiveSource::step() {
 
 void LiveSource::note_commands() {
   const std::vector<Command>& all = simulation_.commands();
+  MUROSIMF_ASSERT(all.size() >= noted_);
   if (all.size() == noted_) return;
   timeline_.note(std::span(all).subspan(noted_));
   noted_ = all.size();
@@ -63,7 +65,7 @@ void LiveSource::change(const std::vector<std::string>& changes) {
     scene_.change(changes);
   } catch (...) {
     (void)outside().take();
-    note_commands();  // of others
+    note_commands();  // posted meanwhile by others
     throw;
   }
   note_commands();
@@ -72,6 +74,7 @@ void LiveSource::change(const std::vector<std::string>& changes) {
 
 void LiveSource::reset(std::optional<std::uint64_t> seed) {
   if (!options_.no_way_back.empty()) throw SetupError("no reset: " + options_.no_way_back);
+  // a scene may fail to start with another seed: then everything is restored
   const std::vector<std::byte> before = scene_.save();
   const std::vector<Command> commands = simulation_.commands();
   outside().at(Duration{});
@@ -92,17 +95,19 @@ void LiveSource::seek(Duration time, std::optional<int> branch, const std::funct
   if (!options_.no_way_back.empty()) throw SetupError("no way back in time: " + options_.no_way_back);
   const int to = branch.value_or(timeline_.present());
   const Timeline::Way way = timeline_.way_to(to, time);
+  MUROSIMF_ASSERT(way.state != nullptr);
   scene_.load(*way.state);
   simulation_.commands_were(way.before);
   repeat(way, time, given_up);
   timeline_.go_back(to, simulation_.now());
   noted_ = simulation_.commands().size();
+  // back at the instant reached live: external participants continue as if nothing had happened
   const bool is_live = live_ == Place{to, simulation_.now()};
   diagnostic_ = is_live ? "" : own_state_from(simulation_.world(), &outside(), simulation_.now());
   diagnostics_ = !diagnostic_.empty();
 }
 
-/// From the state to that time, by what is remembered.
+/// Repeats the run from the state to that time, with the recorded commands and inputs.
 void LiveSource::repeat(const Timeline::Way& way, Duration time, const std::function<bool()>& given_up) {
   struct Repeats {
     ExternalInputHistory& memory;
@@ -125,6 +130,7 @@ void LiveSource::repeat(const Timeline::Way& way, Duration time, const std::func
   while (simulation_.now() < time && !given_up()) step();
 }
 
+/// The loaded state begins a new branch: it does not follow from what was stepped before.
 void LiveSource::load(const std::function<void(scene::Scene&)>& load) {
   if (!options_.no_way_back.empty()) throw SetupError("no state of somewhere else: " + options_.no_way_back);
   load(scene_);

@@ -1,4 +1,4 @@
-/// live_source.h - a scene that is computed while a session runs, with a time line on which one can go back.
+/// live_source.h - a scene that is computed while a session runs, with a timeline for going back.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,8 @@
 namespace murosimf::session {
 
 struct LiveOptions {
-  TimelineOptions timeline{};  ///< what is kept for going back
-  std::string no_way_back{};   ///< why it cannot be reset or go back in time ("it is recorded"); empty: it can
+  TimelineOptions timeline{};  ///< states kept for going back
+  std::string no_way_back{};   ///< reason why reset and going back are impossible ("it is recorded"); empty: possible
 };
 
 class LiveSource final : public PlaybackSource {
@@ -46,15 +46,15 @@ class LiveSource final : public PlaybackSource {
   Simulation& simulation_;
   LiveOptions options_;
   Timeline timeline_;
-  std::size_t noted_ = 0;  // commands
+  std::size_t noted_ = 0;  // number of commands noted
   struct Place {
     int branch = -1;
     Duration time{};
     friend bool operator==(const Place&, const Place&) = default;
   };
-  Place live_;                // where those outside are
+  Place live_;                // instant reached by external participants
   std::string diagnostic_;    // PlaybackSource::diagnostic
-  bool diagnostics_ = false;  // it has not been said yet of the run
+  bool diagnostics_ = false;  // not yet reported for the present run
   int told_branch_ = -1;
   bool new_state_ = false;
   std::vector<std::string> all_;  // empty

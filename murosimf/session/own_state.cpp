@@ -8,6 +8,7 @@
 
 namespace murosimf::session {
 
+/// Names the participants whose memory is outside of the state: from there on a run cannot be the same.
 std::string own_state(const World& world, const ExternalInputHistory* memory) {
   std::vector<std::string> robots, subjects;
   for (const auto& entity : world.entities()) {
@@ -22,9 +23,9 @@ std::string own_state(const World& world, const ExternalInputHistory* memory) {
 }
 
 std::string own_state_from(const World& world, const ExternalInputHistory* memory, Duration time) {
-  const std::string who = own_state(world, memory);
-  if (who.empty()) return {};
-  return fmt::format("{}: from {:g} s on this is not the run that was there before", who, seconds(time));
+  const std::string participants = own_state(world, memory);
+  if (participants.empty()) return {};
+  return fmt::format("{}: from {:g} s on this is not the run that was there before", participants, seconds(time));
 }
 
 }  // namespace murosimf::session

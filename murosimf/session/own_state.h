@@ -1,4 +1,4 @@
-/// own_state.h - who outside of a run remembers what no state of the run holds, and goes on as it is when time jumps.
+/// own_state.h - participants outside of a run with state that is not part of the run's state, and therefore unaffected by jumps in time.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace murosimf::session {
 
-/// "software of blue1, blue2 and the GameController keep their own state"; empty: nobody does, or nobody is there.
+/// "software of blue1, blue2 and the GameController keep their own state"; empty: there is none.
 [[nodiscard]] std::string own_state(const World& world, const ExternalInputHistory* memory);
 
-/// What follows of a run that goes on live at `time` where it had been before; empty: nothing.
+/// The consequence for a run that continues live at `time` after a jump; empty: none.
 [[nodiscard]] std::string own_state_from(const World& world, const ExternalInputHistory* memory, Duration time);
 
 }  // namespace murosimf::session

@@ -1,7 +1,7 @@
-/// playback_source.h - what a session leads through time: a scene that is computed (live_source.h), or a recording of one that is played
+/// playback_source.h - what a session plays: a scene that is computed (live_source.h), or a recording of one
 /// (recording/recorded_source.h).
 ///
-/// All of it is called by the thread that runs the session.
+/// All functions are called by the thread that runs the session.
 #pragma once
 
 #include <cstdint>
@@ -20,40 +20,40 @@ class PlaybackSource {
  public:
   virtual ~PlaybackSource() = default;
 
-  /// Where everything is seen; now() is its simulation's.
+  /// The scene that shows the present instant; now() is its simulation's.
   [[nodiscard]] virtual scene::Scene& scene() = 0;
-  /// Initializes; once, before everything else.
+  /// Initializes; once, before all other calls.
   virtual void begin() = 0;
-  /// To the next instant; nothing if at_end().
+  /// Advances to the next instant; nothing if at_end().
   virtual void step() = 0;
-  /// Nothing comes after this instant.
+  /// Whether this is the last instant.
   [[nodiscard]] virtual bool at_end() const { return false; }
 
-  // These throw SetupError if it cannot be done.
+  // These throw SetupError if it is impossible.
 
-  /// Back to the start.
+  /// Returns to the start.
   virtual void reset(std::optional<std::uint64_t> seed) = 0;
-  /// To an instant that was there before, of the present branch if none is given. Ends on the way there when `given_up` says so.
+  /// To an earlier instant, of the present branch if none is given. Stops on the way there when `given_up` returns true.
   virtual void seek(Duration time, std::optional<int> branch, const std::function<bool()>& given_up) = 0;
-  /// `load` puts a state of somewhere else into the scene, or throws and changes nothing: a branch without a parent begins there.
+  /// `load` puts a state from elsewhere into the scene, or throws and changes nothing: a branch without a parent begins there.
   virtual void load(const std::function<void(scene::Scene&)>& load) = 0;
-  /// Each PATH = VALUE as of Scene::post; all of them, or none if one cannot be.
+  /// Each PATH = VALUE as of Scene::post; all of them, or none if one fails.
   virtual void change(const std::vector<std::string>& changes) = 0;
 
-  /// What is to be said of what goes on from the present instant ("software of ... keeps its own state: ..."); empty: nothing.
+  /// Diagnostic of the run from the present instant on ("software of ... keeps its own state: ..."); empty: none.
   [[nodiscard]] virtual std::string diagnostic() const { return {}; }
 
-  // Of the time line.
+  // The timeline.
 
   [[nodiscard]] virtual int branch() const = 0;
-  /// Of the present branch, with what led to it.
+  /// Limits of the present branch, including its ancestors.
   [[nodiscard]] virtual Duration first() const = 0;
   [[nodiscard]] virtual Duration last() const = 0;
   [[nodiscard]] virtual std::vector<BranchView> branches() const = 0;
-  /// Whether there is more of them since the last call.
+  /// Whether there are more of them since the last call.
   [[nodiscard]] virtual bool has_grown() = 0;
 
-  /// Names of the properties whose columns are right at every instant; empty: all are. Can be asked from any thread.
+  /// Names of the properties whose columns are valid at every instant; empty: all are. From any thread.
   [[nodiscard]] virtual const std::vector<std::string>& known_properties() const = 0;
 };
 

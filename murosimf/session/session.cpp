@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/session/live_source.h"
 #include "murosimf/session/session_inside.h"
 
@@ -20,6 +21,7 @@ Session::Session(scene::Scene& scene, const SessionOptions& options)
 
 Session::Session(std::unique_ptr<PlaybackSource> source, const SessionOptions& options)
     : inside_(std::make_unique<Inside>(std::move(source), options)) {
+  MUROSIMF_ASSERT(inside_->source != nullptr);
   inside_->source->begin();
   inside_->publish(options.paused);
 }
@@ -33,6 +35,7 @@ void Session::pause() {
 void Session::go_on() {
   if (status().at_end) (void)reset();
   const Duration now = status().time;
+  // paused, steps and end under one lock: the run must not see half of a request
   inside_->request([now](Inside::Requests& requests) {
     requests.paused = false, requests.steps = 0;
     if (requests.end <= now) requests.end = never;
@@ -74,6 +77,7 @@ std::future<void> Session::reset(std::optional<std::uint64_t> seed) {
 }
 
 std::future<void> Session::seek(Duration time, std::optional<int> branch) {
+  // the number identifies the newest seek: older ones give up when they see it
   const std::uint64_t number = ++inside_->seeks;
   return inside_->ask([inside = inside_.get(), time, branch, number] { inside->seek(time, branch, number); });
 }
@@ -114,7 +118,7 @@ void Session::run(Duration end, const std::function<void(Duration)>& progress) {
   try {
     inside_->run(progress);
   } catch (...) {
-    inside_->refuse_all();  // who waits for something, waits no more
+    inside_->refuse_all();  // waiting futures get their error
     throw;
   }
 }

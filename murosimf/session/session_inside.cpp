@@ -3,17 +3,18 @@
 #include <algorithm>
 #include <utility>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::session {
 namespace {
 
-constexpr Duration patience =
-    std::chrono::milliseconds(20);  // until a stop of the simulation is seen while it is paused
+constexpr Duration patience = std::chrono::milliseconds(20);  // polling period of a stop while paused
 constexpr Duration between_reports = std::chrono::milliseconds(100);
 
 }  // namespace
 
+/// Calls run in the thread of the run, between two steps; after its end they fail at once, since no step would come any more.
 std::future<void> Session::Inside::ask(std::function<void()> call) {
   Job job{std::move(call), {}};
   std::future<void> done = job.done.get_future();
@@ -28,6 +29,7 @@ std::future<void> Session::Inside::ask(std::function<void()> call) {
   return done;
 }
 
+/// Until the end, whether the simulation advances or is paused; requests of other threads come between two steps.
 void Session::Inside::run(const std::function<void(Duration)>& progress) {
   restart_clock();
   auto next_report = std::chrono::steady_clock::now();
@@ -46,13 +48,14 @@ void Session::Inside::run(const std::function<void(Duration)>& progress) {
   refuse_all();
 }
 
-/// Whether no step is to be made now.
+/// Whether no step is due at present.
 bool Session::Inside::stands() const {
   const std::lock_guard lock(mutex);
   if (requests.finished || source->at_end()) return true;
   return requests.paused ? requests.steps == 0 : simulation.now() >= requests.end;
 }
 
+/// A session that stays waits at its end for a jump back in time.
 bool Session::Inside::ends() {
   if (simulation.stopped()) return true;
   const std::lock_guard lock(mutex);
@@ -61,12 +64,13 @@ bool Session::Inside::ends() {
   return !options.stays && !requests.paused && done && jobs.empty();
 }
 
-/// Until somebody wants something.
+/// Waits for a request.
 void Session::Inside::wait() {
   publish(true);
   std::unique_lock lock(mutex);
   while (!attention.load() && !simulation.stopped()) changed.wait_for(lock, patience);
   lock.unlock();
+  // the pause must not count as delay
   restart_clock();
 }
 
@@ -85,6 +89,7 @@ void Session::Inside::step() {
   publish(false);
   const auto wakes = [&] { return attention.load() || simulation.stopped(); };
   clock.wait_until(simulation.now(), wakes);
+  // a request may arrive while the clock waits: served at once, then the clock continues to wait
   while (attention.exchange(false)) {
     attend();
     if (stands()) return;
@@ -92,7 +97,7 @@ void Session::Inside::step() {
   }
 }
 
-/// Does what others have asked for.
+/// Executes the requests of other threads.
 void Session::Inside::attend() {
   std::deque<Job> all;
   {
@@ -110,8 +115,10 @@ void Session::Inside::attend() {
     }
   }
   for (Job& job : all) {
+    MUROSIMF_ASSERT(job.call != nullptr);
     try {
       job.call();
+      // published before the future is ready: a caller that waits for it sees the new status
       publish(status.paused);
       job.done.set_value();
     } catch (...) {
@@ -121,6 +128,7 @@ void Session::Inside::attend() {
   }
 }
 
+/// Under the mutex: other threads read the status at any time.
 void Session::Inside::publish(bool paused) {
   const Lateness& late = clock.lateness();
   const std::lock_guard lock(mutex);
@@ -142,6 +150,7 @@ void Session::Inside::publish(bool paused) {
   if (paused || other) branches = source->branches();
 }
 
+/// After a jump in time, the clock must not try to catch up.
 void Session::Inside::has_jumped() {
   {
     const std::lock_guard lock(mutex);

@@ -1,4 +1,4 @@
-/// session_inside.h - what a session consists of, and the loop of the thread that runs it. Only for session.cpp.
+/// session_inside.h - the data of a session, and the loop of the thread that runs it. Only for session.cpp.
 #pragma once
 
 #include <atomic>
@@ -14,7 +14,7 @@
 namespace murosimf::session {
 
 struct Session::Inside {
-  /// Something that somebody waits for.
+  /// A request with its promise.
   struct Job {
     std::function<void()> call;
     std::promise<void> done;
@@ -70,14 +70,14 @@ struct Session::Inside {
     bool paused = false, finished = false, new_speed = false;
     std::optional<double> speed;
     Duration end{};
-    std::int64_t steps = 0;  // to be made although it is paused
+    std::int64_t steps = 0;  // still to be made while paused
   } requests;
-  bool closed = false;  // nobody runs it any more
+  bool closed = false;  // run() has returned
   std::deque<Job> jobs;
   SessionStatus status;
   std::vector<BranchView> branches;
   Lateness lateness;
-  std::atomic<bool> attention{false};  // somebody wants something
+  std::atomic<bool> attention{false};  // there is a request
   std::atomic<std::uint64_t> seeks{0};
 };
 

@@ -1,5 +1,7 @@
 #include "murosimf/session/speedometer.h"
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::session {
 namespace {
 
@@ -13,6 +15,8 @@ void Speedometer::restart(Duration simulated, WallClock::time_point wall) {
 }
 
 void Speedometer::advance(Duration simulated, WallClock::time_point wall) {
+  MUROSIMF_ASSERT(wall >= old_.wall);
+  // Two marks half a second apart: the mean covers between half a second and a second.
   if (wall - newer_.wall >= window) {
     old_ = newer_;
     newer_ = {simulated, wall};

@@ -1,4 +1,4 @@
-/// speedometer.h - how fast simulated time goes by: a mean over about the last second of wall time.
+/// speedometer.h - measured speed of simulated time: a mean over about the last second of wall time.
 #pragma once
 
 #include <chrono>
@@ -11,7 +11,7 @@ class Speedometer {
  public:
   using WallClock = std::chrono::steady_clock;
 
-  /// From here on.
+  /// Restarts the measurement.
   void restart(Duration simulated, WallClock::time_point wall = WallClock::now());
   void advance(Duration simulated, WallClock::time_point wall = WallClock::now());
   /// Simulated seconds per wall second since one to two half seconds ago, or since the restart.

@@ -5,11 +5,13 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::session {
 
 void Timeline::begin(Duration now, State state) {
+  MUROSIMF_ASSERT(options_.period >= Duration{});
   add_branch({{}, now, now, {}, {}});
   now_ = now;
   looks_back_ = false;
@@ -30,7 +32,7 @@ bool Timeline::leads_here(std::size_t branch) const {
   return false;
 }
 
-/// The new one is the present one; the oldest ones that did not lead to it go.
+/// Makes the new branch the present one; forgets the oldest ones that are no ancestors of it.
 void Timeline::add_branch(Branch branch) {
   branches_.push_back(std::move(branch));
   present_ = static_cast<int>(branches_.size()) - 1;
@@ -38,6 +40,7 @@ void Timeline::add_branch(Branch branch) {
   for (std::size_t i = 0; i < branches_.size() && alive > options_.most_branches; ++i) {
     Branch& old = branches_[i];
     if (old.forgotten || leads_here(i)) continue;
+    // the first state of a run without a parent is not counted (timeline.h)
     for (std::size_t state = old.parent ? 0 : 1; state < old.states.size(); ++state)
       bytes_ -= old.states[state].state->size();
     drop_notes(old);
@@ -46,7 +49,7 @@ void Timeline::add_branch(Branch branch) {
   }
 }
 
-/// Who goes on from within a branch makes another one.
+/// Continuing within a branch starts another one; at its end, commands and notes of that instant are replaced.
 void Timeline::settle() {
   if (!std::exchange(looks_back_, false)) return;
   if (now_ < here().end) return add_branch({present_, now_, now_, {}, {}});
@@ -58,12 +61,14 @@ void Timeline::settle() {
 }
 
 void Timeline::advance(Duration now) {
+  MUROSIMF_ASSERT(now >= now_);
   settle();
   now_ = now;
   here().end = now;
 }
 
 void Timeline::keep(Duration now, State state) {
+  MUROSIMF_ASSERT(here().states.empty() || here().states.back().time <= now);
   bytes_ += state.size();
   here().states.push_back({now, std::make_shared<const State>(std::move(state))});
   thin_out();
@@ -75,6 +80,7 @@ void Timeline::note(std::span<const Command> commands) {
   here().commands.insert(here().commands.end(), commands.begin(), commands.end());
 }
 
+/// What came from outside is kept with the branch, so that its steps can be repeated.
 void Timeline::note(std::vector<RememberedInput> notes) {
   if (notes.empty()) return;
   settle();
@@ -95,7 +101,7 @@ void Timeline::drop_notes(Branch& branch) {
   branch.notes.clear();
 }
 
-/// Of the oldest branch first.
+/// Drops notes of the oldest branch first, and all of an instant together: half of an instant cannot be repeated.
 void Timeline::forget_oldest_notes() {
   for (Branch& branch : branches_) {
     auto& notes = branch.notes;
@@ -107,7 +113,7 @@ void Timeline::forget_oldest_notes() {
   }
 }
 
-/// Drops those states whose loss makes the gap between their neighbors grow least, for their age.
+/// Drops the states whose loss makes the gap between their neighbors, relative to their age, smallest.
 void Timeline::thin_out() {
   while (bytes_ > options_.most_bytes) {
     Branch* of = nullptr;
@@ -123,6 +129,7 @@ void Timeline::thin_out() {
       }
     }
     if (!of) return;
+    MUROSIMF_ASSERT(bytes_ >= of->states[least].state->size());
     bytes_ -= of->states[least].state->size();
     of->states.erase(of->states.begin() + static_cast<std::ptrdiff_t>(least));
   }
@@ -136,6 +143,7 @@ auto Timeline::at(int branch) const -> const Branch& {
 }
 
 void Timeline::collect(int number, Duration begin, Duration end, Way& way) const {
+  // ancestors first, so that everything is ordered by time
   const Branch& branch = at(number);
   if (branch.parent) collect(*branch.parent, begin, std::min(end, branch.begin), way);
   const auto add = [&](const std::vector<Command>& all, std::vector<Command>& found) {
@@ -153,10 +161,12 @@ void Timeline::collect(int number, Duration begin, Duration end, Way& way) const
                     seconds(branch.notes_from), seconds(way.from)));
   }
   const auto time_of = [](const RememberedInput& note) { return note.note.time; };
+  MUROSIMF_ASSERT(std::ranges::is_sorted(branch.notes, {}, time_of));
   auto note = std::ranges::lower_bound(branch.notes, begin, {}, time_of);
   for (; note != branch.notes.end() && note->note.time < end; ++note) way.notes.push_back(*note);
 }
 
+/// A branch begins with the commands of its parent, up to where it left it.
 std::vector<Command> Timeline::commands_until(int number, Duration end) const {
   const Branch& branch = at(number);
   std::vector<Command> commands;
@@ -199,6 +209,7 @@ Duration Timeline::first() const {
   return first;
 }
 
+/// Numbers stay the same when branches are forgotten: views refer to them.
 std::vector<BranchView> Timeline::branches() const {
   std::vector<BranchView> views;
   for (std::size_t i = 0; i < branches_.size(); ++i) {

@@ -1,12 +1,12 @@
-/// timeline.h - states of a run, kept so that one can go back to any instant and on from there.
+/// timeline.h - states of a run, kept for going back to any instant and continuing from there.
 ///
-/// States are bytes of Scene::save(). They are thinned with their age: of the last seconds many are kept, of what is long ago few, so
-/// that a whole run fits into a bounded memory. Between two states the run is repeated, with the commands that came then, and with what
-/// came from outside (runtime/external_input_history.h). Of these notes, too, only so many are kept: where the oldest have gone, one can go back to
-/// kept states alone.
+/// States are bytes of Scene::save(). They are thinned with their age: many of the last seconds are kept, few of older ones, so
+/// that a whole run fits into a bounded memory. Between two states the run is repeated, with its commands and its
+/// external input (runtime/external_input_history.h). The amount of this input is limited, too: before the oldest kept input only
+/// kept states can be reached.
 ///
-/// A run that goes on from an earlier instant is a branch; the rest of its parent stays. A state is that before the commands of its
-/// instant: these belong to what comes after it. Of many branches the oldest are forgotten.
+/// Continuing from an earlier instant starts a branch; the rest of its parent remains. A state precedes the commands of its
+/// instant: these belong to the run after it. Of many branches the oldest are forgotten.
 #pragma once
 
 #include <cstddef>
@@ -26,18 +26,18 @@ namespace murosimf::session {
 struct TimelineOptions {
   Duration period =
       std::chrono::milliseconds(500);               ///< [simulated] from one state to the next; 0: only starts are kept
-  std::size_t most_bytes = std::size_t{256} << 20;  ///< of all states but those that resets began with
+  std::size_t most_bytes = std::size_t{256} << 20;  ///< of all states except the first ones of runs
   std::size_t most_branches = 64;
-  std::size_t most_note_bytes = std::size_t{128} << 20;  ///< of what has come from outside, of all branches together
+  std::size_t most_note_bytes = std::size_t{128} << 20;  ///< of external input, of all branches together
 };
 
-/// What others see of a branch.
+/// Description of a branch for observers.
 struct BranchView {
   int number = 0;
-  std::optional<int> parent;      ///< of which it went on; none: it began with a reset or a loaded state
-  Duration begin{}, end{};        ///< begin: where it left its parent
+  std::optional<int> parent;      ///< branch that it continues; none: it began with a reset or a loaded state
+  Duration begin{}, end{};        ///< begin: where it departs from its parent
   std::vector<Command> commands;  ///< of its own
-  std::vector<Duration> states;   ///< that are kept
+  std::vector<Duration> states;   ///< of kept states
 };
 
 class Timeline {
@@ -46,37 +46,37 @@ class Timeline {
 
   explicit Timeline(const TimelineOptions& options) : options_(options) {}
 
-  /// A run begins, at any simulated time: a branch without a parent, which is the present one from now on.
+  /// A run begins, at any simulated time: a branch without a parent, which becomes the present one.
   void begin(Duration now, State state);
-  /// Whether it is time for a state.
+  /// Whether a state is due.
   [[nodiscard]] bool wants_state(Duration now) const;
-  /// The run has come to `now`. The first call after go_back() to before a branch's end begins another branch.
+  /// The run has reached `now`. The first call after go_back() to before a branch's end starts another branch.
   void advance(Duration now);
   void keep(Duration now, State state);
-  /// Commands that have been carried out since the last call, at the time of the present state.
+  /// Commands that were executed since the last call, at the time of the present state.
   void note(std::span<const Command> commands);
-  /// What has come from outside since the last call, in the step that led to the present state, or before the next one.
+  /// External input since the last call, in the step that led to the present state, or before the next one.
   void note(std::vector<RememberedInput> notes);
-  /// What is to be said of the run from the present instant of the present branch on.
+  /// Records a diagnostic of the run from the present instant of the present branch on.
   void diagnostic(std::string text);
 
-  /// How to come to an instant.
+  /// The way to reach an instant.
   struct Way {
     std::shared_ptr<const State> state;
     Duration from{};                     ///< of the state
-    std::vector<Command> before;         ///< that had led to it, from the start on
+    std::vector<Command> before;         ///< that led to it, from the start on
     std::vector<Command> then;           ///< from there to the instant (excluded)
     std::vector<RememberedInput> notes;  ///< likewise
     std::vector<Command> diagnostics;    ///< likewise
   };
-  /// Throws SetupError for branches and times that there are not.
+  /// Throws SetupError for unknown branches and times.
   [[nodiscard]] Way way_to(int branch, Duration time) const;
-  /// The run is at that instant of that branch now.
+  /// The run has moved to that instant of that branch.
   void go_back(int branch, Duration time);
 
   [[nodiscard]] int present() const { return present_; }
   [[nodiscard]] std::vector<BranchView> branches() const;
-  /// Of the present branch with its ancestors.
+  /// Of the present branch including its ancestors.
   [[nodiscard]] Duration first() const;
   [[nodiscard]] Duration last() const { return branches_[static_cast<std::size_t>(present_)].end; }
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
@@ -95,7 +95,7 @@ class Timeline {
     bool forgotten = false;
     std::deque<RememberedInput> notes{};    // by time
     std::vector<Command> diagnostics{};     // by time
-    Duration notes_from = Duration::min();  // the first instant of which all notes are there
+    Duration notes_from = Duration::min();  // the first instant from which all notes are kept
   };
 
   [[nodiscard]] const Branch& at(int branch) const;
@@ -104,7 +104,7 @@ class Timeline {
   void add_branch(Branch branch);
   void settle();
   void thin_out();
-  /// Commands, notes and diagnostics of a branch and its ancestors with begin <= time < end. Throws SetupError if notes are gone.
+  /// Commands, notes and diagnostics of a branch and its ancestors with begin <= time < end. Throws SetupError if notes were dropped.
   void collect(int branch, Duration begin, Duration end, Way& way) const;
   [[nodiscard]] std::vector<Command> commands_until(int branch, Duration end) const;
   void forget_oldest_notes();
@@ -115,7 +115,7 @@ class Timeline {
   int present_ = 0;
   Duration now_{};
   bool looks_back_ = false;  // since go_back()
-  std::size_t bytes_ = 0;    // of what may be thinned out
+  std::size_t bytes_ = 0;    // of states that may be thinned out
   std::size_t note_bytes_ = 0;
 };
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/locomotion/gait_feedback.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/scene/scene.h"
 #include "murosimf/studies/parallel_runs.h"
@@ -22,6 +23,7 @@ constexpr double weakest = 0.75, strongest = 1.15;     // [1] of the impulse
 constexpr double most_falls = 0.25, of_largest = 0.6;  // [1]
 constexpr std::array push_ways{Vec3d{1, 0, 0}, Vec3d{-1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, -1, 0}};
 
+/// Pushes act where most of the mass is: lighter bodies would only be shaken.
 std::string heaviest_body(const Model& model) {
   std::string heaviest;
   double most = 0;
@@ -33,6 +35,7 @@ std::string heaviest_body(const Model& model) {
   return heaviest;
 }
 
+/// The first four stand: their commands stay 0.
 std::array<Vec3d, robots_of_a_balance> commands_for(const locomotion::WalkParameters& walk, double speed) {
   std::array<Vec3d, robots_of_a_balance> commands{};
   for (std::size_t i = 4; i < 8; ++i) commands[i] = {speed, 0, 0};
@@ -55,6 +58,7 @@ class BalanceRun {
     kind_.model = with_balance(*kind_.model, balance, steps);
     walk_ = locomotion::balanced_walk(*kind_.model, {});
     spec_ = row_of_robots(robot, one, robots_of_a_balance);
+    MUROSIMF_ASSERT(spec_.robots.size() == robots_of_a_balance);
     commands_ = commands_for(walk_, task.speed);
     for (std::size_t i = 0; i < robots_of_a_balance; ++i) {
       spec_.robots[i].controller = "motions";
@@ -71,6 +75,7 @@ class BalanceRun {
     std::vector<WalkWatch> watches;
     for (std::size_t i = 0; i < robots_of_a_balance; ++i)
       watches.emplace_back(simulation.world().entity(fmt::format("r{}", i)), commands_[i], task_.duration);
+    // Short runs: a fall is dated by the first look that sees it.
     while (seconds(simulation.now()) < task_.duration - 1e-9) {
       simulation.run(between_balance_looks);
       if (simulation.stopped()) return {};
@@ -78,11 +83,14 @@ class BalanceRun {
     }
     std::vector<WalkOutcome> outcomes;
     for (const WalkWatch& watch : watches) outcomes.push_back(watch.outcome());
+    MUROSIMF_ASSERT(outcomes.size() == robots_of_a_balance);
     return outcomes;
   }
 
+  /// Strength and instant come from the case: two numbers for each push.
  private:
   void add_push(std::size_t i) {
+    MUROSIMF_ASSERT(i < spec_.robots.size());
     const double impulse = task_.impulse * (weakest + (strongest - weakest) * share_of(one_, 2 * i));
     const double begin = push_at + walk_.period * share_of(one_, 2 * i + 1);
     spec_.pushes.push_back(
@@ -105,6 +113,7 @@ class BalanceRun {
 
 }  // namespace
 
+/// Two rounds judge a candidate: the first walks without feedback, the second with what was learned.
 LearnedSteps steps_for(const VariedRobot& robot, const OptionValues& balance, int threads, const StopRequest& stop) {
   StepLearningOptions options{.model = robot.file().string(), .rigid = {"full_dynamics"}, .duration = 4, .rounds = 2};
   options.robot = robot.kind(1, 1);
@@ -114,6 +123,7 @@ LearnedSteps steps_for(const VariedRobot& robot, const OptionValues& balance, in
   const StepLearning learning = learn_steps(options);
   if (learning.stopped || learning.rounds.empty()) return {};
   const StepLearning::Round& last = learning.rounds.back();
+  MUROSIMF_ASSERT(last.walks > 0 && last.fell <= last.walks);
   return {.table = std::make_shared<const locomotion::StepTable>(learning.table),
           .fell = static_cast<double>(last.fell) / static_cast<double>(last.walks)};
 }
@@ -126,12 +136,14 @@ std::vector<BalanceOutcome> balance_trials(const VariedRobot& robot, const Balan
                   [&](std::size_t i) { steps[i] = steps_for(robot, candidates[i], 1, task.stop); });
   if (task.stop && task.stop()) return {};
   std::vector<BalanceOutcome> all(candidates.size());
+  // What a candidate costs that falls too often while it learns; the runs below replace it for the others.
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     all[i].costs.assign(cases.size(), 2 + steps[i].fell);
     all[i].stood.assign(cases.size(), 0);
   }
   run_in_parallel(candidates.size() * cases.size(), task.threads, task.stop, [&](std::size_t k) {
     const std::size_t i = k / cases.size(), which = k % cases.size();
+    MUROSIMF_ASSERT(i < candidates.size());
     if (steps[i].fell > most_falls) return;
     const std::vector<WalkOutcome> outcomes =
         BalanceRun(robot, task, cases[which], candidates[i], steps[i].table).run();

@@ -1,4 +1,4 @@
-/// balance_trials.h - walks with feedback of many candidates, undisturbed and pushed, and what they cost.
+/// balance_trials.h - walks with feedback of many candidates, undisturbed and pushed, and their costs.
 ///
 /// Every candidate first learns how its own steady walk looks (step_learning.h, two rounds of walks of 4 s at `full_dynamics` and
 /// `articulated_dynamics`): if it falls in more than a quarter of these, it costs 2 and the share of falls, and is not tried further.
@@ -36,7 +36,7 @@ struct BalanceOutcome {
 };
 
 /// By candidate, each values of options of [balance] (locomotion/gait_feedback.h); empty if it was stopped. Throws SetupError for a scene
-/// that cannot be.
+/// that cannot be built.
 [[nodiscard]] std::vector<BalanceOutcome> balance_trials(const VariedRobot& robot, const BalanceTask& task,
                                                          const std::vector<OptionValues>& candidates,
                                                          const std::vector<TuningCase>& cases);

@@ -10,6 +10,7 @@
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/locomotion/leg.h"
 #include "murosimf/locomotion/walk_options.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/recording/attached_files.h"
@@ -28,6 +29,7 @@ std::vector<TunedNumber> balance_numbers(const Model& model) {
   return all;
 }
 
+/// A share of the momentum of a pendulum as long as the leg: robots of all sizes are pushed about equally hard for their balance.
 double usual_impulse(const Model& model) {
   constexpr double g = 9.81, share = 0.45;  // [m/s^2], [1]
   const auto& leg = locomotion::legs_of(model)[0];
@@ -56,10 +58,13 @@ std::vector<TuningCheck> check_balances(const VariedRobot& robot, const BalanceT
   const auto cases = tuning_cases(options.levels, options.checks, options.budget.seed, "tuning checks");
   const auto outcomes = balance_trials(robot, task, {tuning.before, tuning.after}, cases);
   if (outcomes.empty()) return {};
+  MUROSIMF_ASSERT(outcomes.size() == 2 && options.checks > 0);
   std::vector<TuningCheck> checks;
+  // Cases come level by level: every `checks` of them a new row begins.
   for (std::size_t i = 0; i < cases.size(); ++i) {
     if (i % options.checks == 0)
       checks.push_back({.level = cases[i].level, .runs = options.checks * robots_of_a_balance});
+    MUROSIMF_ASSERT(!checks.empty());
     checks.back().before += outcomes[0].stood[i];
     checks.back().after += outcomes[1].stood[i];
   }
@@ -102,6 +107,7 @@ BalanceTuning tune_balance(const BalanceTuningOptions& options) {
   search.space.seed = options.budget.seed;
   search.minutes = options.budget.minutes;
   search.state = options.budget.state;
+  // A state of a search with other inputs must not be continued.
   search.what = what_balances(options, tuning.impulse, read);
   search.stop = task.stop;
   search.progress = options.budget.progress;
@@ -124,6 +130,7 @@ std::string to_text(const BalanceTuning& tuning) {
 std::string to_toml(const BalanceTuning& tuning, const std::string& how, const std::string& steps) {
   std::string text = as_comment(how + "\n" + to_text(tuning)) + fmt::format("[balance]\nsteps = \"{}\"\n", steps);
   for (const auto& [name, value] : tuning.kept) text += fmt::format("{} = {:.5g}\n", name, std::get<double>(value));
+  // In the order of the options, so that files of different searches can be compared line by line.
   for (const OptionInfo& info : locomotion::balanced_walk_options()) {
     const auto value = tuning.after.find(info.name);
     if (value == tuning.after.end()) continue;

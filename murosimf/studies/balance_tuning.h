@@ -41,7 +41,7 @@ struct BalanceTuning {
 /// another search.
 [[nodiscard]] BalanceTuning tune_balance(const BalanceTuningOptions& options);
 
-/// For people.
+/// Text for users.
 [[nodiscard]] std::string to_text(const BalanceTuning& tuning);
 /// Section [balance] of the TOML file beside the robot, with the best and the table of steps in the file `steps`; `how`: lines for its head.
 [[nodiscard]] std::string to_toml(const BalanceTuning& tuning, const std::string& how, const std::string& steps);

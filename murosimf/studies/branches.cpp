@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "murosimf/files/json_document.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/studies/chosen_results.h"
 #include "murosimf/studies/parallel_runs.h"
@@ -16,6 +17,7 @@
 namespace murosimf::studies {
 namespace {
 
+/// The changes of one branch; empty ones are skipped.
 std::vector<std::string> single_changes(const std::string& text) {
   std::vector<std::string> changes;
   for (std::size_t begin = 0; begin <= text.size();) {
@@ -26,6 +28,7 @@ std::vector<std::string> single_changes(const std::string& text) {
   return changes;
 }
 
+/// The chosen time, or that of the last whole state.
 Duration start_of(const recording::RecordedRun& run, const BranchOptions& options) {
   if (!options.time) {
     const recording::RecordedState* last = run.states().last_until(Duration::max());
@@ -55,6 +58,7 @@ Branch run_one(const recording::RecordedRun& run, const BranchOptions& options, 
     const std::lock_guard lock(mutex);  // one file, one reader
     run.begin(*scene, from);
   }
+  // Between two states the run is repeated up to the moment.
   simulation.run(std::max(Duration{}, from - simulation.now()));
   std::vector<std::future<void>> done;
   for (const std::string& one : single_changes(change)) done.push_back(scene->post(one));
@@ -72,6 +76,7 @@ Branch run_one(const recording::RecordedRun& run, const BranchOptions& options, 
     names.push_back(result.name);
     branch.values.push_back(result.value);
   }
+  // Branches end in any order: the first one names the results, and all others must have the same.
   if (all.results.empty()) all.results = names;
   if (all.results != names) throw SetupError(fmt::format("--set '{}': it has other results than the others", change));
   all.from = begin;
@@ -93,8 +98,10 @@ std::string name_of(const Branch& branch) { return branch.change.empty() ? "as i
 Branches branch(const recording::RecordedRun& run, const BranchOptions& options) {
   const std::vector<std::string> patterns = options.results.empty() ? usual_results() : options.results;
   Branches all{.file = run.file().file().string(), .from = {}, .to = {}, .results = {}, .branches = {}};
+  // The first branch has no change: the others are compared with it.
   all.branches.push_back({});
   for (const std::string& change : options.changes) all.branches.push_back({.change = change, .values = {}});
+  MUROSIMF_ASSERT(all.branches.size() == options.changes.size() + 1);
   std::mutex mutex;
   run_in_parallel(all.branches.size(), options.repeat.threads, options.repeat.stop, [&](std::size_t i) {
     all.branches[i] = run_one(run, options, all.branches[i].change, patterns, all, mutex);
@@ -103,11 +110,13 @@ Branches branch(const recording::RecordedRun& run, const BranchOptions& options)
   return all;
 }
 
+/// Branches that were stopped have no row.
 std::string to_text(const Branches& branches) {
   TextTable table;
   table.add(head_of(branches));
   for (const Branch& one : branches.branches) {
     if (one.values.empty()) continue;
+    MUROSIMF_ASSERT(one.values.size() == branches.results.size());
     std::vector<std::string> row{name_of(one)};
     for (const double value : one.values) row.push_back(fmt::format("{:.4g}", value));
     row.push_back(fmt::format("{:016x}", one.state_hash));
@@ -117,10 +126,12 @@ std::string to_text(const Branches& branches) {
          table.text();
 }
 
+/// All digits: programs read it.
 std::string to_csv(const Branches& branches) {
   std::string text = csv_line(head_of(branches));
   for (const Branch& one : branches.branches) {
     if (one.values.empty()) continue;
+    MUROSIMF_ASSERT(one.values.size() == branches.results.size());
     std::vector<std::string> row{name_of(one)};
     for (const double value : one.values) row.push_back(fmt::format("{}", value));
     row.push_back(fmt::format("{:016x}", one.state_hash));

@@ -1,4 +1,4 @@
-/// branches.h - several continuations of one moment of a recorded run, each with other changes: what if?
+/// branches.h - several continuations of one moment of a recorded run, each with other changes.
 #pragma once
 
 #include <optional>

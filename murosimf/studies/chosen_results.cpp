@@ -13,7 +13,7 @@ namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-/// What the report has of everybody.
+/// All numbers of the report, entity by entity.
 std::vector<ChosenResult> reported(const scene::Scene& scene) {
   std::vector<ChosenResult> all;
   for (const scene::EntityReport& one : make_report(scene).entities) {
@@ -28,7 +28,7 @@ std::vector<ChosenResult> reported(const scene::Scene& scene) {
   return all;
 }
 
-/// What --log would mean by it; errors are those of another option here.
+/// The numbers that the same pattern means for --log; errors name this option instead.
 std::vector<logging::LoggedNumber> logged(const World& world, const std::string& pattern) {
   try {
     return logging::find_logged(world, {pattern});
@@ -66,6 +66,7 @@ std::vector<ChosenResult> results_of(scene::Scene& scene, const std::vector<std:
     for (const ChosenResult& one : report) {
       if (logging::matches_name(pattern, one.name.substr(0, one.name.find(" [")))) results.push_back(one);
     }
+    // A pattern that matches nothing in the report may name a logged number.
     if (results.size() > before) continue;
     for (const logging::LoggedNumber& number : logged(scene.simulation().world(), pattern)) {
       results.push_back({number.name(), value_of(number)});

@@ -1,4 +1,4 @@
-/// cma_es.h - the least cost of a function of n numbers, of which nothing is known but its values: CMA-ES, in a box.
+/// cma_es.h - CMA-ES: minimizes a function of n numbers from its values alone, inside a box.
 ///
 ///     CmaEs search({.start = {0.5, 0.5}, .sigma = 0.2, .low = {0, 0}, .high = {1, 1}});
 ///     while (search.sigma() > 1e-6) search.tell(costs_of(search.ask()));
@@ -6,13 +6,13 @@
 /// Each generation draws points from a normal distribution, mean m, covariance sigma^2 C, ranks them by cost, and moves m, sigma and C
 /// towards the better ones, C also away from the worse ones. Ranks alone count, so neither the scale of costs nor that of numbers matters much.
 /// Source: Hansen, "The CMA Evolution Strategy: A Tutorial", arXiv:1604.00772 (2016, 2023), fig. 6 and table 1: all constants are its
-/// defaults, negative weights included; C is taken apart anew in every generation, which is cheap for some dozens of numbers.
+/// defaults, negative weights included; C is decomposed anew in every generation, which is cheap for some dozens of numbers.
 ///
-/// The box: what is drawn outside is reflected at the sides until it is inside, and counts there; the distribution itself knows no box.
+/// The box: what is drawn outside is reflected at the sides until it is inside, and counts there; the distribution itself has no bounds.
 /// Source: the method "reflection" of Biedrzycki, "Handling bound constraints in CMA-ES: an experimental study", Swarm and
 /// Evolutionary Computation 52 (2020).
 ///
-/// Random numbers are counted by seed, generation and place, so `state()` is all that goes on: a search that begins with it makes the same
+/// Random numbers are counted by seed, generation and place, so a continuation needs nothing but `state()`: a search that begins with it makes the same
 /// points, bit for bit, as one that was never interrupted.
 #pragma once
 
@@ -45,7 +45,7 @@ class CmaEs {
  public:
   /// Throws SetupError: no numbers, a start that is not finite, a sigma that is not above 0, a box of another size or without inside.
   explicit CmaEs(const CmaEsOptions& options);
-  /// Goes on. `options` as of the search that left the state. Throws SetupError also for a state of other sizes, or with impossible numbers.
+  /// Continues a search. `options` as of the search that left the state. Throws SetupError also for a state of other sizes, or with impossible numbers.
   CmaEs(const CmaEsOptions& options, CmaEsState state);
   ~CmaEs();
   CmaEs(CmaEs&&) noexcept;

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "murosimf/files/json_document.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/studies/compare_outcome.h"
 #include "murosimf/studies/compare_report.h"
 #include "murosimf/studies/compare_seeds.h"
@@ -56,6 +57,7 @@ json outcomes_object(const Comparison& c, const CompareEntry& entry, const Thres
   for (const NamedOutcome& outcome : c.outcomes) {
     const OutcomeOff off = outcome_off(outcome, entry, c.entries[c.reference], thresholds);
     object[outcome.name()] = {{"within", off.reason.empty()}};
+    // Falls and touches have no number.
     if (!std::isnan(off.value)) object[outcome.name()]["off"] = off.value;
   }
   return object;
@@ -69,6 +71,7 @@ json deviations_object(const Deviations& deviations) {
 }
 
 json entry_object(const Comparison& c, std::size_t i, const Thresholds& thresholds) {
+  MUROSIMF_ASSERT(i < c.entries.size() && c.reference < c.entries.size());
   const CompareEntry& e = c.entries[i];
   json object{{"level", e.level}, {"contact", e.contact}, {"ran", e.ran()}, {"reference", i == c.reference}};
   if (!e.ran()) {
@@ -95,11 +98,13 @@ json entry_object(const Comparison& c, std::size_t i, const Thresholds& threshol
   object["sensors"] = sensors_array(e);
   object["deviations"] = deviations_object(e.deviations);
   object["outcomes"] = outcomes_object(c, e, thresholds);
+  // JSON has no infinity: a run without a fall is compared up to its end.
   object["compared_until_s"] = std::isinf(e.compared_until) ? c.end : e.compared_until;
   return object;
 }
 
 json recommendation_object(const Comparison& c, const Recommendation& r) {
+  MUROSIMF_ASSERT(r.verdicts.size() == c.entries.size() && r.of_sensors.size() == c.entries.size());
   json levels = json::array();
   for (std::size_t i = 0; i < c.entries.size(); ++i) {
     levels.push_back({{"level", c.entries[i].level},
@@ -114,7 +119,9 @@ json recommendation_object(const Comparison& c, const Recommendation& r) {
           {"level", r.level},       {"contact", r.contact}, {"levels", std::move(levels)}};
 }
 
+/// Thresholds are part of it: verdicts cannot be understood without them.
 json document(const Comparison& c, const Recommendation& recommendation, const Thresholds& thresholds) {
+  MUROSIMF_ASSERT(thresholds.values.size() == quantities().size());
   json limits;
   for (std::size_t q = 0; q < thresholds.values.size(); ++q) limits[quantities()[q].name] = thresholds.values[q];
   limits["fall_time"] = thresholds.fall_time;
@@ -144,7 +151,9 @@ json seeds_verdict(const SeedsVerdict& verdict) {
           {"judgement", to_string(verdict.judgement)}};
 }
 
+/// The reference has no verdict: it is what the others are compared with.
 json seeds_object(const SeedsComparison& s) {
+  MUROSIMF_ASSERT(s.levels.size() == s.first.entries.size());
   json levels = json::array(), yardstick = nullptr;
   for (std::size_t i = 0; i < s.levels.size(); ++i) {
     if (i != s.first.reference) levels.push_back(seeds_verdict(s.levels[i]));

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::studies {
 namespace {
 
@@ -29,6 +31,7 @@ std::vector<PostureEvent> events_of(const std::vector<MotionSample>& samples) {
 }
 
 double highest(const MotionRecord& record, std::size_t foot) {
+  MUROSIMF_ASSERT(foot < record.soles);
   double result = 0;
   for (const MotionSample& sample : record.samples) result = std::max(result, sample.clearance[foot]);
   return result;
@@ -44,6 +47,7 @@ double distance(const Vec3d& point, const Vec3d& a, const Vec3d& b) {
 
 double distance(const Vec3d& point, const std::vector<MotionSample>& path) {
   double nearest = std::numeric_limits<double>::infinity();
+  // To the pieces between samples, not only to the samples: both robots pass a place at different times.
   for (std::size_t i = 1; i < path.size(); ++i) {
     nearest = std::min(nearest, distance(point, path[i - 1].base, path[i].base));
   }
@@ -80,6 +84,7 @@ void compare_in_time(Deviations& d, const std::vector<MotionSample>& ours, const
     rolls += (a.roll - b.roll) * (a.roll - b.roll);
     rates += dot(a.rate - b.rate, a.rate - b.rate);
   }
+  // Without samples all sums are 0.
   const double samples = std::max(1.0, static_cast<double>(count));
   d.pitch = std::sqrt(pitches / samples);
   d.roll = std::sqrt(rolls / samples);
@@ -94,6 +99,7 @@ double length_of_way(const std::vector<Vec3d>& places, double apart) {
   Vec3d last = places.front();
   for (const Vec3d& place : places) {
     const double step = horizontal(place - last);
+    // Swaying does not add up: a place counts when it is `apart` from the last one that counted.
     if (step < apart) continue;
     length += step;
     last = place;
@@ -115,6 +121,7 @@ double fall_begins(const MotionRecord& record) {
 MotionRecord part_until(const MotionRecord& record, double end) {
   MotionRecord part = record;
   std::erase_if(part.samples, [&](const MotionSample& sample) { return sample.time > end; });
+  // Rows of all joints, one for each sample.
   part.torques.resize(part.samples.size() * part.joints.size());
   return part;
 }
@@ -130,8 +137,10 @@ Measures measures_of(const MotionRecord& record) {
   m.rate = std::sqrt(m.rate / static_cast<double>(record.samples.size()));
   m.falls = falls_in(m.events);
   for (std::size_t foot = 0; foot < record.soles; ++foot) m.clearance = std::max(m.clearance, highest(record, foot));
+  MUROSIMF_ASSERT(record.torques.empty() || !record.joints.empty());
   for (std::size_t i = 0; i < record.torques.size(); ++i) {
     const double torque = std::abs(record.torques[i]);
+    // A torque of 0 names its joint, too: no name means that the level has no torques.
     if (!m.peak_joint.empty() && torque <= m.peak_torque) continue;
     m.peak_torque = torque;
     m.peak_joint = record.joints[i % record.joints.size()];
@@ -139,6 +148,7 @@ Measures measures_of(const MotionRecord& record) {
   return m;
 }
 
+/// NaN where a level has no torques: 0 would mean that they agree.
 Deviations deviations_of(const MotionRecord& record, const MotionRecord& reference) {
   Deviations d;
   const Measures mine = measures_of(record), other = measures_of(reference);

@@ -1,4 +1,4 @@
-/// compare_metrics.h - what one run of a robot shows, and how far it is from a more detailed one (docs/compare.md).
+/// compare_metrics.h - measures of one run of a robot, and how far they are from a more detailed one (docs/compare.md).
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace murosimf::studies {
 
-/// [m] Differences of shorter ways are told as shares of this one. 20 % of it, 5 cm, is what a ball or a robot may end off where it
+/// [m] Differences of shorter ways are given as shares of this one. 20 % of it, 5 cm, is what a ball or a robot may end off where it
 /// hardly moves: less than the radius of a ball.
 inline constexpr double shortest_way = 0.25;
 /// [m] A walker sways by less: its way is that of places so far apart.
@@ -26,8 +26,8 @@ struct Measures {
   double slip = 0;         ///< [m] of both soles
   double rate = 0;         ///< [rad/s] rms of the torso's angular rate
   double clearance = 0;    ///< [m] how high a sole came at most
-  double peak_torque = 0;  ///< [N m | N] largest mean over a sample; 0 if the level knows none
-  std::string peak_joint;  ///< where; empty if the level knows no torques
+  double peak_torque = 0;  ///< [N m | N] largest mean over a sample; 0 if the level has none
+  std::string peak_joint;  ///< where; empty if the level has no torques
 };
 
 [[nodiscard]] Measures measures_of(const motion::MotionRecord& record);
@@ -57,7 +57,7 @@ struct Deviations {
   double rate = 0;         ///< [rad/s] rms of the length of the difference
   double slip = 0;         ///< [m/s] difference of the mean rates: slip per simulated second
   double clearance = 0;    ///< [m] difference of the largest clearances
-  // What becomes of others (compare_outcome.h), as shares of what the reference has there:
+  // Of other entities (compare_outcome.h), as shares of what the reference has there:
   OfAnother others_way{};    ///< [1] difference of the lengths of their ways (of shortest_way at least)
   OfAnother others_end{};    ///< [1] distance of their last places, of the same
   OfAnother others_speed{};  ///< [1] difference of their peak speeds (of slowest_speed at least)

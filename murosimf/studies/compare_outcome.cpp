@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/studies/posture_events.h"
 
 namespace murosimf::studies {
@@ -13,7 +14,7 @@ namespace {
 
 constexpr std::size_t samples_around = 5;  // a touch: 50 ms
 
-void see(double value, const std::string& name, OfAnother& worst) {
+void keep_largest(double value, const std::string& name, OfAnother& worst) {
   if (value > worst.value) worst = {value, name};
 }
 
@@ -54,20 +55,22 @@ OtherMeasures measures_of(const OtherRecord& record, double until) {
 }
 
 void compare_outcome(const OutcomeRecord& mine, const OutcomeRecord& reference, double fall, Deviations& deviations) {
+  MUROSIMF_ASSERT(mine.others.size() == reference.others.size());
   for (std::size_t i = 0; i < mine.others.size(); ++i) {
     const OtherRecord &ours = mine.others[i], &theirs = reference.others[i];
     if (ours.samples.empty() || theirs.samples.empty()) continue;
     const double until = judged_until(ours, theirs, fall);
     const OtherMeasures a = measures_of(ours, until), b = measures_of(theirs, until);
     const double way = std::max(b.way, shortest_way), speed = std::max(b.peak_speed, slowest_speed);
-    see(std::abs(a.way - b.way) / way, ours.name, deviations.others_way);
-    see(norm(a.end - b.end) / way, ours.name, deviations.others_end);
-    see(std::abs(a.peak_speed - b.peak_speed) / speed, ours.name, deviations.others_speed);
+    keep_largest(std::abs(a.way - b.way) / way, ours.name, deviations.others_way);
+    keep_largest(norm(a.end - b.end) / way, ours.name, deviations.others_end);
+    keep_largest(std::abs(a.peak_speed - b.peak_speed) / speed, ours.name, deviations.others_speed);
   }
 }
 
 std::vector<std::string> different_touches(const OutcomeRecord& mine, const OutcomeRecord& reference) {
   std::vector<std::string> differences;
+  MUROSIMF_ASSERT(mine.others.size() == reference.others.size());
   for (std::size_t i = 0; i < mine.others.size(); ++i) {
     const OtherRecord &ours = mine.others[i], &theirs = reference.others[i];
     if (ours.touched.has_value() == theirs.touched.has_value()) continue;
@@ -80,6 +83,7 @@ std::vector<std::string> different_touches(const OutcomeRecord& mine, const Outc
 std::vector<std::string> different_falls_of_others(const OutcomeRecord& mine, const OutcomeRecord& reference,
                                                    double tolerance) {
   std::vector<std::string> differences;
+  MUROSIMF_ASSERT(mine.others.size() == reference.others.size());
   for (std::size_t i = 0; i < mine.others.size(); ++i) {
     if (!mine.others[i].can_fall) continue;
     const auto line = difference(postures_of(mine.others[i]), postures_of(reference.others[i]), tolerance);
@@ -92,6 +96,7 @@ double duty_while_touching(const motion::MotionRecord& robot, const OutcomeRecor
   const std::size_t count = std::min(robot.samples.size(), outcome.touching.size());
   std::size_t near = 0, full = 0;
   for (std::size_t i = 0; i < count; ++i) {
+    // Samples shortly before and after a touch count as part of it: servos load up around the impact.
     const std::size_t first = i > samples_around ? i - samples_around : 0;
     const std::size_t end = std::min(count, i + samples_around + 1);
     const auto begin = outcome.touching.begin();

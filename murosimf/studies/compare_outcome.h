@@ -10,11 +10,11 @@
 
 namespace murosimf::studies {
 
-/// [m/s] Differences of slower speeds are told as shares of this one: half of what a gentle kick gives a ball. On carpet a ball of that
+/// [m/s] Differences of slower speeds are given as shares of this one: half of what a gentle kick gives a ball. On carpet a ball of that
 /// speed rolls about as far as shortest_way.
 inline constexpr double slowest_speed = 0.5;
 
-/// What became of one other entity.
+/// Measures of one other entity.
 struct OtherMeasures {
   double way = 0;         ///< [m] along the ground; of what has joints without its swaying
   double peak_speed = 0;  ///< [m/s] of its base, of all samples
@@ -30,7 +30,7 @@ struct OtherMeasures {
 /// When it fell and got up.
 [[nodiscard]] std::vector<PostureEvent> postures_of(const OtherRecord& record);
 
-/// Fills in what is told of others: of each quantity the one that is off by most. Both runs have the same entities. `fall` [s] is
+/// Fills in the deviations of others: of each quantity the one that is off by most. Both runs have the same entities. `fall` [s] is
 /// when one of the robots begins to fall first. What the robot had touched before, and has not touched since, shows what was
 /// done before the fall: it counts to its end; all others count up to the fall.
 void compare_outcome(const OutcomeRecord& mine, const OutcomeRecord& reference, double fall, Deviations& deviations);
@@ -38,7 +38,7 @@ void compare_outcome(const OutcomeRecord& mine, const OutcomeRecord& reference, 
 /// "touches ball, the reference does not": for every entity that only one of the runs has touched.
 [[nodiscard]] std::vector<std::string> different_touches(const OutcomeRecord& mine, const OutcomeRecord& reference);
 
-/// "red1: falls once, the reference does not": of everybody else who can fall; `tolerance` [s] between falls of both.
+/// "red1: falls once, the reference does not": of every other entity that can fall; `tolerance` [s] between falls of both.
 [[nodiscard]] std::vector<std::string> different_falls_of_others(const OutcomeRecord& mine,
                                                                  const OutcomeRecord& reference, double tolerance);
 

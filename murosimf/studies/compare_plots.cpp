@@ -6,6 +6,7 @@
 
 #include "murosimf/files/output_file.h"
 #include "murosimf/logging/plot.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/studies/compare_report.h"
 
 namespace murosimf::studies {
@@ -43,7 +44,9 @@ std::string busiest_joint(const Comparison& c) {
   const auto less = [](const CompareEntry& a, const CompareEntry& b) {
     return a.measures.peak_torque < b.measures.peak_torque;
   };
+  MUROSIMF_ASSERT(c.reference < c.entries.size());
   const CompareEntry& reference = c.entries[c.reference];
+  // The plot follows the reference; a level without torques has no joint to name.
   if (!reference.measures.peak_joint.empty()) return reference.measures.peak_joint;
   return std::max_element(c.entries.begin(), c.entries.end(), less)->measures.peak_joint;
 }
@@ -97,6 +100,7 @@ void check_plots(const std::filesystem::path& folder) {
   files::check_writable(folder / "center_of_mass.png");
 }
 
+/// One curve for each level, panels with a common axis of time.
 void write_plots(const Comparison& c, const std::filesystem::path& folder) {
   const std::string title = fmt::format("{}, {}", c.scene, c.entity);
   const auto plot = [&](const char* file, const std::string& what, std::vector<logging::Panel> panels) {

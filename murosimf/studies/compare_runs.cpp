@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/catalog/algorithm_catalog.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/math/random.h"
 #include "murosimf/motion/torque_watch.h"
 #include "murosimf/scene/scene.h"
@@ -58,18 +59,21 @@ void append(const std::vector<std::string>& more, std::vector<std::string>& all)
   all.insert(all.end(), more.begin(), more.end());
 }
 
-/// As the state has it, and the robot changed there: it keeps its motion, as at a change of level in a run.
+/// At the state, in which the robot is then changed: it keeps its motion, as at a change of level in a run.
 std::unique_ptr<scene::Scene> build_at_start(const CompareOptions& options, const CompareEntry& entry) {
   auto scene = std::make_unique<scene::Scene>(options.scene, scene_options(options));
   scene->simulation().initialize();
   options.go_to_start(*scene);
   const auto robot = std::ranges::find(scene->spec().robots, options.entity, &scene_file::RobotSpec::name);
+  MUROSIMF_ASSERT(robot != scene->spec().robots.end());
+  // A copy, which keeps what the robot was before the changes below.
   const scene_file::RobotSpec before = *robot;
   if (before.level != entry.level) scene->exchange_level(options.entity, entry.level);
   if (!entry.contact.empty() && before.contact != entry.contact) scene->exchange_contact(options.entity, entry.contact);
   return scene;
 }
 
+/// Overrides are those of the scene, so that all else is the same at every level.
 std::unique_ptr<scene::Scene> build(const CompareOptions& options, const CompareEntry& entry) {
   if (options.go_to_start) return build_at_start(options, entry);
   scene::SceneOptions scene = scene_options(options);
@@ -142,6 +146,7 @@ bool asked_to_stop(const CompareOptions& options) { return options.stop && optio
 void tell(const CompareOptions& options, const Comparison& c, std::size_t runs_done, const std::string& what) {
   if (!options.progress) return;
   const std::size_t all = c.entries.size() * static_cast<std::size_t>(1 + options.repeat);
+  MUROSIMF_ASSERT(all > 0);
   options.progress(static_cast<double>(runs_done) / static_cast<double>(all), what);
 }
 
@@ -153,6 +158,7 @@ void observe(const CompareOptions& options, const Comparison& comparison, Compar
   Simulation& simulation = scene->simulation();
   const Duration start = simulation.now(), end = from_seconds(comparison.end);
   const double longest = comparison.end - comparison.start;
+  MUROSIMF_ASSERT(longest > 0);
   Entity& robot = simulation.world().entity(options.entity);
   const bool servos = entry.traits.servos;
   if (servos && !robot.model().joints().empty() && !has_servos(robot.model())) {
@@ -180,6 +186,7 @@ void observe(const CompareOptions& options, const Comparison& comparison, Compar
   entry.overload = motion::overload_message(robot);
 }
 
+/// A level that cannot run is part of the result, unless none can.
 void observe_all(const CompareOptions& options, Comparison& result) {
   for (std::size_t i = 0; i < result.entries.size(); ++i) {
     CompareEntry& entry = result.entries[i];
@@ -222,11 +229,13 @@ double timed_run(const CompareOptions& options, double end, const CompareEntry& 
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   const std::size_t n = values.size();
+  MUROSIMF_ASSERT(n > 0);
   return n % 2 == 1 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
 }
 
 /// Levels take turns, so that a machine that becomes slower does not make one of them look dear.
 void measure_cost(const CompareOptions& options, Comparison& result) {
+  MUROSIMF_ASSERT(result.end > result.start);
   std::vector<std::vector<double>> times(result.entries.size());
   for (int round = 0; round < options.repeat; ++round) {
     for (std::size_t i = 0; i < times.size(); ++i) {
@@ -244,6 +253,7 @@ void measure_cost(const CompareOptions& options, Comparison& result) {
 
 /// Only up to where one of both begins to fall: after a fall, runs drift apart at any level.
 void compare_with(const CompareEntry& reference, CompareEntry& entry) {
+  MUROSIMF_ASSERT(entry.ran() && reference.ran());
   const double fall = std::min(fall_begins(entry.record), fall_begins(reference.record));
   entry.compared_until = fall;
   entry.deviations = deviations_of(part_until(entry.record, fall), part_until(reference.record, fall));
@@ -251,7 +261,9 @@ void compare_with(const CompareEntry& reference, CompareEntry& entry) {
   compare_sensors(entry.sensors, reference.sensors, fall, entry.deviations);
 }
 
+/// How much servos matter: the reference once more, with the gains of the model.
 void observe_as_modeled(const CompareOptions& options, Comparison& result) {
+  MUROSIMF_ASSERT(result.reference < result.entries.size());
   const CompareEntry& reference = result.entries[result.reference];
   if (options.servo_tolerance == 0 || asked_to_stop(options)) return;
   if (!reference.traits.servos) {
@@ -298,6 +310,7 @@ Comparison compare(const CompareOptions& options) {
   if (options.repeat < 0) throw SetupError(fmt::format("--repeat {}: must be at least 0", options.repeat));
   Comparison result;
   {
+    // This scene only checks the options; every run builds its own.
     scene::Scene scene(options.scene, scene_options(options));
     const scene_file::SceneSpec& spec = scene.spec();
     result.scene = spec.name;

@@ -36,9 +36,9 @@ struct CompareOptions {
       0;  ///< [1] share by which gains of the robot's servos are off, at levels that have servos: at most
   /// Brings a scene that was just built to where all runs begin, for example to a saved state; empty: its own beginning.
   std::function<void(scene::Scene& scene)> go_to_start{};
-  /// Told what runs, and the share of the work that is done; may be empty.
+  /// Called with what runs now and the share of the work that is done; may be empty.
   std::function<void(double share, const std::string& what)> progress{};
-  std::function<bool()> stop{};  ///< true: end with what there is; may be empty
+  std::function<bool()> stop{};  ///< true: ends with the results so far; may be empty
 };
 
 /// One level under one contact law.
@@ -47,9 +47,9 @@ struct CompareEntry {
   LevelTraits traits;    ///< of the level
   std::string contact;   ///< empty at levels without contact
   std::string refusal;   ///< why it did not run; empty: it ran
-  bool stopped = false;  ///< it did not run to its end because somebody asked for that
+  bool stopped = false;  ///< it did not run to its end because `stop` was true
   std::string frozen;    ///< why the robot was frozen on the way; empty: it was not
-  std::string overload;  ///< which servos were too weak for what was told (full_dynamics); empty: none
+  std::string overload;  ///< which servos were too weak for their targets (full_dynamics); empty: none
   motion::MotionRecord record;
   OutcomeRecord outcome;
   std::vector<InertialRecord> sensors;  ///< of its accelerometers and gyroscopes

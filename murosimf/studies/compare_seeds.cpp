@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::studies {
@@ -13,6 +14,7 @@ namespace {
 
 constexpr double half_of_seeds = 0.5;
 
+/// Exact: a seed that has no effect gives the same bits.
 bool same_motion(const CompareEntry& a, const CompareEntry& b) {
   const auto equal_place = [](const auto& p, const auto& q) { return norm(p - q) == 0; };
   const auto robot = [&](const motion::MotionSample& s, const motion::MotionSample& t) {
@@ -29,6 +31,7 @@ bool same_motion(const CompareEntry& a, const CompareEntry& b) {
 
 /// Apart from servos that are made to vary.
 bool same_motion(const Comparison& a, const Comparison& b) {
+  MUROSIMF_ASSERT(a.entries.size() == b.entries.size());
   for (std::size_t i = 0; i < a.entries.size(); ++i) {
     const bool varied = a.as_modeled && a.entries[i].traits.servos;
     if (!varied && !same_motion(a.entries[i], b.entries[i])) return false;
@@ -37,11 +40,13 @@ bool same_motion(const Comparison& a, const Comparison& b) {
 }
 
 void count(const LevelVerdict& verdict, SeedsVerdict& counted) {
+  MUROSIMF_ASSERT(verdict.adequate || !verdict.reasons.empty());
   counted.adequate.push_back(verdict.adequate);
   counted.reasons.push_back(verdict.adequate ? "" : verdict.reasons.front());
 }
 
 void add_seed(const Comparison& c, const Recommendation& r, const Thresholds& thresholds, SeedsComparison& result) {
+  MUROSIMF_ASSERT(c.entries.size() == result.levels.size() && r.verdicts.size() == result.levels.size());
   for (std::size_t i = 0; i < c.entries.size(); ++i) count(r.verdicts[i], result.levels[i]);
   if (!c.as_modeled) return;
   if (result.yardstick.empty()) {
@@ -54,6 +59,8 @@ void add_seed(const Comparison& c, const Recommendation& r, const Thresholds& th
 void set_share(bool each_counts, SeedsVerdict& verdict) {
   std::vector<double> cases;
   for (const bool adequate : verdict.adequate) cases.push_back(adequate ? 1 : 0);
+  MUROSIMF_ASSERT(!cases.empty());
+  // Seeds without effect repeat the same run: they are one case.
   if (!each_counts) cases.resize(1);
   verdict.share = studies::mean_interval(cases);
 }
@@ -96,6 +103,7 @@ void conclude(SeedsComparison& result) {
 
 /// Seeds of scenes are up to the largest std::int64_t.
 void check_last_seed(std::uint64_t first, int seeds) {
+  MUROSIMF_ASSERT(seeds >= 1);
   constexpr auto largest = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
   if (first > largest - static_cast<std::uint64_t>(seeds - 1)) {
     throw SetupError(fmt::format("--seeds {}: the last one would be above {}, the largest seed", seeds, largest));
@@ -106,9 +114,11 @@ void check_last_seed(std::uint64_t first, int seeds) {
 
 std::string_view to_string(Judgement judgement) {
   constexpr std::string_view words[] = {"adequate", "not adequate", "undecided"};
+  MUROSIMF_ASSERT(static_cast<std::size_t>(judgement) < std::size(words));
   return words[static_cast<std::size_t>(judgement)];
 }
 
+/// A single case has no interval: its verdict is that of the case.
 Judgement judgement(const studies::MeanInterval& share, const studies::MeanInterval* yardstick) {
   if (share.count == 1) return share.mean == 1 ? Judgement::adequate : Judgement::not_adequate;
   const bool as_good = yardstick && share.mean > 0 && share.mean >= yardstick->mean;
@@ -137,6 +147,7 @@ SeedsComparison compare_seeds(const CompareOptions& options, int seeds, const Th
       check_last_seed(result.seed, seeds);
       for (const CompareEntry& entry : c.entries) result.levels.push_back({label(c, entry), {}, {}, {}});
     }
+    // A seed that was stopped says nothing; the first one is needed even so, for its entries.
     if (i == 0 || !c.stopped) add_seed(c, r, thresholds, result);
     if (i > 0 && !c.stopped) result.seeds_differ = result.seeds_differ || !same_motion(result.first, c);
     if (i == 0) {

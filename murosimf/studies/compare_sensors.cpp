@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::studies {
 namespace {
 
-void see(double mine, double reference, double least, const std::string& name, OfAnother& worst) {
+void keep_largest(double mine, double reference, double least, const std::string& name, OfAnother& worst) {
+  MUROSIMF_ASSERT(least > 0);
   const double off = std::abs(mine - reference) / std::max(reference, least);
   if (off > worst.value) worst = {off, name};
 }
@@ -18,6 +21,7 @@ InertialMeasures measures_of(const InertialRecord& record, double until) {
   double forces = 0, rates = 0, count = 0;
   for (const InertialSample& sample : record.samples) {
     if (sample.time > until) break;
+    // The robot may have been put down at the start and still come to rest.
     if (sample.time < record.samples.front().time + settling) continue;
     forces += sample.force * sample.force;
     rates += sample.rate * sample.rate;
@@ -35,10 +39,10 @@ void compare_sensors(const std::vector<InertialRecord>& mine, const std::vector<
     const InertialMeasures a = measures_of(mine[i], until), b = measures_of(reference[i], until);
     const std::string& name = reference[i].name;
     if (reference[i].accelerometer) {
-      see(a.force_rms, b.force_rms, least_force, name, deviations.accelerometer);
-      see(a.force_peak, b.force_peak, least_force, name, deviations.accelerometer_peak);
+      keep_largest(a.force_rms, b.force_rms, least_force, name, deviations.accelerometer);
+      keep_largest(a.force_peak, b.force_peak, least_force, name, deviations.accelerometer_peak);
     }
-    if (reference[i].gyroscope) see(a.rate_rms, b.rate_rms, least_sensor_rate, name, deviations.gyroscope);
+    if (reference[i].gyroscope) keep_largest(a.rate_rms, b.rate_rms, least_sensor_rate, name, deviations.gyroscope);
   }
 }
 

@@ -8,7 +8,7 @@
 
 namespace murosimf::studies {
 
-/// Differences of smaller sizes are told as shares of these: a robot that stands shows noise.
+/// Differences of smaller sizes are given as shares of these: a robot that stands shows noise.
 inline constexpr double least_force = 0.5;         ///< [m/s^2]
 inline constexpr double least_sensor_rate = 0.05;  ///< [rad/s]
 
@@ -24,7 +24,7 @@ struct InertialMeasures {
 
 [[nodiscard]] InertialMeasures measures_of(const InertialRecord& record, double until);
 
-/// Fills in what is told of sensors up to `until` [s]: of each quantity the sensor that is off by most. Both robots have the same.
+/// Fills in the deviations of sensors up to `until` [s]: of each quantity the sensor that is off by most. Both robots have the same.
 void compare_sensors(const std::vector<InertialRecord>& mine, const std::vector<InertialRecord>& reference,
                      double until, Deviations& deviations);
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/studies/compare_verdict.h"
 
 namespace murosimf::studies {
@@ -12,8 +13,11 @@ namespace {
 class Sentence {
  public:
   Sentence(const Comparison& comparison, const Thresholds& thresholds, const std::vector<LevelVerdict>& verdicts)
-      : c_(comparison), thresholds_(thresholds), verdicts_(verdicts), reference_(c_.entries[c_.reference]) {}
+      : c_(comparison), thresholds_(thresholds), verdicts_(verdicts), reference_(c_.entries[c_.reference]) {
+    MUROSIMF_ASSERT(verdicts.size() == c_.entries.size());
+  }
 
+  /// Cheap levels come first: a later one must be clearly cheaper to take their place.
   [[nodiscard]] std::size_t best() const {
     std::size_t best = c_.entries.size();
     for (std::size_t i = 0; i < c_.entries.size(); ++i) {
@@ -24,6 +28,7 @@ class Sentence {
   }
 
   [[nodiscard]] std::string verdict(std::size_t best) const {
+    MUROSIMF_ASSERT(best < c_.entries.size());
     const CompareEntry& entry = c_.entries[best];
     if (best != c_.reference) {
       return fmt::format("{} is adequate: {}{} {}", label(c_, entry), closeness(entry), cost_of(entry),
@@ -42,6 +47,7 @@ class Sentence {
   /// "full_dynamics and up are needed for torso angular rate, joint torques": what simpler levels do not show.
   [[nodiscard]] std::vector<std::string> needs() const {
     const auto levels = ladder();
+    MUROSIMF_ASSERT(!levels.empty());
     std::vector<std::vector<std::string>> needed(levels.size());
     const auto look = [&](std::string_view words, const auto& fails) {
       for (std::size_t i = levels.size() - 1; i-- > 0;) {
@@ -100,6 +106,8 @@ class Sentence {
       return fmt::format("{},", fmt::join(all, ", "));
     }
     if (fell()) {
+      // The same falls, or the level would not be adequate.
+      MUROSIMF_ASSERT(entry.measures.events.size() == reference_.measures.events.size());
       double apart = 0;
       for (std::size_t i = 0; i < entry.measures.events.size(); ++i) {
         apart = std::max(apart, std::abs(entry.measures.events[i].time - reference_.measures.events[i].time));
@@ -111,10 +119,12 @@ class Sentence {
     return fmt::format("within {:.0f} % of the path, {}", 100 * entry.deviations.path_length, center);
   }
 
+  /// The first reason is the worst one.
   [[nodiscard]] std::string failures() const {
     std::string text;
     for (std::size_t i = 0; i < verdicts_.size(); ++i) {
       if (!c_.entries[i].ran() || verdicts_[i].adequate) continue;
+      MUROSIMF_ASSERT(!verdicts_[i].reasons.empty());
       text += fmt::format("; {} is not: {}", label(c_, c_.entries[i]), verdicts_[i].reasons.front());
     }
     return text;
@@ -139,6 +149,7 @@ class Sentence {
 std::string sensors_sentence(const Comparison& c, const std::vector<LevelVerdict>& verdicts) {
   const CompareEntry& reference = c.entries[c.reference];
   if (reference.sensors.empty() || !reference.frozen.empty()) return {};
+  MUROSIMF_ASSERT(verdicts.size() == c.entries.size());
   std::vector<std::string> right, wrong;
   for (std::size_t i = 0; i < c.entries.size(); ++i) {
     if (!c.entries[i].ran() || i == c.reference) continue;
@@ -165,7 +176,8 @@ std::string nothing_to_say(const Comparison& c) {
   return ran < 2 ? fmt::format("nothing can be said: only {} ran", label(c, reference)) : std::string{};
 }
 
-void take_back(LevelVerdict& verdict) {
+/// A comparison that was stopped shows no level to be adequate.
+void withdraw(LevelVerdict& verdict) {
   if (verdict.adequate) verdict.reasons.emplace_back("the comparison was stopped");
   verdict.adequate = false;
 }
@@ -175,13 +187,14 @@ void take_back(LevelVerdict& verdict) {
 Recommendation recommend(const Comparison& comparison, const Thresholds& thresholds) {
   Recommendation result;
   const auto& entries = comparison.entries;
+  MUROSIMF_ASSERT(comparison.reference < entries.size());
   const CompareEntry& reference = entries[comparison.reference];
   for (const CompareEntry& entry : entries) {
     result.verdicts.push_back(judge(entry, reference, thresholds, comparison.outcomes));
     result.of_sensors.push_back(judge_sensors(entry, reference, thresholds));
     if (!comparison.stopped) continue;
-    take_back(result.verdicts.back());
-    take_back(result.of_sensors.back());
+    withdraw(result.verdicts.back());
+    withdraw(result.of_sensors.back());
   }
   result.verdict = result.sentence = nothing_to_say(comparison);
   if (!result.sentence.empty()) return result;

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/studies/compare_outcome.h"
 #include "murosimf/studies/compare_report.h"
 #include "murosimf/studies/compare_seeds.h"
@@ -53,6 +54,7 @@ std::string compared(const Comparison& c, const std::string& seeds) {
                      subject(c), until);
 }
 
+/// [characters] of the longest name, so that columns are aligned.
 std::size_t width_of(const Comparison& c) {
   std::size_t width = 0;
   for (const CompareEntry& entry : c.entries) width = std::max(width, label(c, entry).size());
@@ -70,6 +72,7 @@ std::string share_of(const SeedsVerdict& verdict) {
 
 /// "; seed 3: falls once, the reference does not": the first one for which it is not adequate.
 std::string example(const SeedsComparison& s, const SeedsVerdict& verdict) {
+  MUROSIMF_ASSERT(verdict.reasons.size() == verdict.adequate.size());
   for (std::size_t i = 0; i < verdict.adequate.size(); ++i) {
     if (!verdict.adequate[i]) return fmt::format("; seed {}: {}", s.seed + i, verdict.reasons[i]);
   }
@@ -87,6 +90,7 @@ std::string seeds_of(const SeedsComparison& s) {
 
 std::string summary(const SeedsComparison& s) {
   const Comparison& c = s.first;
+  MUROSIMF_ASSERT(s.levels.size() == c.entries.size());
   std::string text = fmt::format("{}: {}\n", c.scene, s.verdict);
   for (std::size_t i = 0; i < c.entries.size(); ++i) {
     if (i == c.reference) continue;
@@ -109,6 +113,7 @@ std::string summary(const SeedsComparison& s) {
 }
 
 std::string summary(const Comparison& c, const Recommendation& r) {
+  MUROSIMF_ASSERT(r.verdicts.size() == c.entries.size());
   std::string text = fmt::format("{}: {}\n", c.scene, r.verdict);
   for (std::size_t i = 0; i < c.entries.size(); ++i) {
     if (i != c.reference) text += line_of(c, c.entries[i], r.verdicts[i], width_of(c));

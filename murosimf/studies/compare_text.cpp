@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/studies/compare_outcome.h"
 #include "murosimf/studies/compare_report.h"
 #include "murosimf/studies/compare_sensors.h"
@@ -40,6 +41,7 @@ std::string happened(const CompareEntry& e, double reference_cost) {
 }
 
 std::string happened(const Comparison& c) {
+  MUROSIMF_ASSERT(c.reference < c.entries.size());
   std::string text =
       fmt::format("\n{:<20} {:<19} {:>9} {:>5} {:>7} {:>7} {:>7} {:>10} {:>9} {:>14}  {}\n", "level", "contact",
                   "us per s", "cost", "path", "slip", "lift", "torque", "falls", "ends at", "servos");
@@ -56,7 +58,7 @@ std::set<std::string> touched_in_any(const Comparison& c) {
   return names;
 }
 
-/// What became of what the robot has touched.
+/// What the robot has touched: its way, speed and falls in each run.
 std::string happened_to_others(const Comparison& c) {
   std::string rows;
   for (const std::string& name : touched_in_any(c)) {
@@ -138,6 +140,7 @@ std::string judged(const CompareEntry& e, const LevelVerdict& verdict) {
 /// Those that can be compared with the reference: their deviations, then what follows from them.
 std::string compared(const Comparison& c, const Recommendation& r) {
   const CompareEntry& reference = c.entries[c.reference];
+  MUROSIMF_ASSERT(r.verdicts.size() == c.entries.size() && r.of_sensors.size() == c.entries.size());
   std::string words, sensors;
   for (std::size_t i = 0; i < c.entries.size(); ++i) {
     if (!compared(c, i)) continue;

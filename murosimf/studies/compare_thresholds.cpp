@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/math/scalar.h"
 #include "murosimf/model/error.h"
 
@@ -49,7 +50,7 @@ double value_of(const std::string& text, std::size_t begin, const std::string& w
 
 std::span<const ComparedQuantity> quantities() { return all; }
 
-const std::string& ComparedQuantity::who(const Deviations& deviations) const {
+const std::string& ComparedQuantity::owner(const Deviations& deviations) const {
   static const std::string the_robot;
   return of_another ? (deviations.*of_another).name : the_robot;
 }
@@ -63,6 +64,7 @@ Thresholds::Thresholds() {
 }
 
 void Thresholds::set(const std::string& text) {
+  MUROSIMF_ASSERT(values.size() == all.size());
   const std::string where = fmt::format("--threshold '{}'", text);
   const auto equals = text.find('=');
   if (equals == std::string::npos) throw SetupError(where + ": write NAME=VALUE, for example 'pitch=5'");

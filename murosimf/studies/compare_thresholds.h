@@ -28,8 +28,8 @@ struct ComparedQuantity {
   [[nodiscard]] double of(const Deviations& deviations) const {
     return scale * (of_another ? (deviations.*of_another).value : deviations.*deviation);
   }
-  /// Whose it is: another's, or a sensor; empty: the robot's.
-  [[nodiscard]] const std::string& who(const Deviations& deviations) const;
+  /// Name of the other entity or the sensor that deviates; empty: the robot itself.
+  [[nodiscard]] const std::string& owner(const Deviations& deviations) const;
 };
 
 [[nodiscard]] std::span<const ComparedQuantity> quantities();
@@ -37,7 +37,7 @@ struct ComparedQuantity {
 /// "12.9 %"
 [[nodiscard]] std::string number_of(const ComparedQuantity& quantity, double value);
 
-/// What still counts as the same.
+/// Limits up to which deviations count as none.
 struct Thresholds {
   Thresholds();
   /// "NAME=VALUE", in the unit of the quantity. Throws SetupError with the nearest name.

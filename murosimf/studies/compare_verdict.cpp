@@ -6,12 +6,13 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/studies/compare_outcome.h"
 
 namespace murosimf::studies {
 namespace {
 
-/// What servos do that a level has none of: they give way to what the robot touches. Whether that matters, its outcome says: servos
+/// Servos give way to what the robot touches; levels without servos do not show that. Whether it matters, the outcome decides: servos
 /// of a robot that walks give all they have in half of the time anyway.
 std::string missing_servos(const CompareEntry& entry, const CompareEntry& reference, double limit) {
   if (entry.traits.servos || !reference.traits.servos) return {};
@@ -29,7 +30,7 @@ void add(std::vector<std::string> lines, std::vector<std::string>& all) {
   }
 }
 
-/// What the robot has done to others.
+/// The effects of the robot on others.
 void judge_outcome(const CompareEntry& entry, const CompareEntry& reference, const Thresholds& thresholds,
                    std::vector<std::string>& reasons) {
   add(different_touches(entry.outcome, reference.outcome), reasons);
@@ -44,15 +45,17 @@ std::vector<std::string> not_comparable(const CompareEntry& entry, const Compare
 /// What is over its threshold, the worst first.
 std::vector<std::string> excesses(const Deviations& deviations, const Thresholds& thresholds, bool of_sensors) {
   std::vector<std::pair<double, std::string>> found;
+  MUROSIMF_ASSERT(thresholds.values.size() == quantities().size());
   for (std::size_t q = 0; q < quantities().size(); ++q) {
     const ComparedQuantity& quantity = quantities()[q];
     if ((quantity.concern == Concern::sensors) != of_sensors) continue;
     const double value = quantity.of(deviations), limit = thresholds.values[q];
     if (value <= limit) continue;  // NaN is not
-    const std::string& who = quantity.who(deviations);
+    const std::string& owner = quantity.owner(deviations);
+    // NaN has no rank: it counts as the largest excess.
     found.emplace_back(std::isnan(value) ? std::numeric_limits<double>::infinity() : value / limit,
                        fmt::format("{} {} off, more than {:g}{}", quantity.words, number_of(quantity, value), limit,
-                                   who.empty() ? "" : " (" + who + ")"));
+                                   owner.empty() ? "" : " (" + owner + ")"));
   }
   std::ranges::stable_sort(found, [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<std::string> lines;

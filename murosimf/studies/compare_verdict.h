@@ -18,8 +18,8 @@ struct LevelVerdict {
   std::vector<std::string> diagnostics;  ///< what is worth knowing, and refuses nothing
 };
 
-/// Adequate is what ran to its end, fell and got up when the reference did, touched and threw over whom the reference did, and deviates
-/// by less than the thresholds, also in what became of others. Runs after a fall drift apart at any level: deviations are those of the
+/// Adequate is what ran to its end, fell and got up when the reference did, touched and threw over the same entities, and deviates
+/// by less than the thresholds, also those of others. Runs after a fall drift apart at any level: deviations are those of the
 /// part before it (CompareEntry::compared_until), and of what the robot had touched by then.
 /// If `outcomes` are named, they alone decide, over the whole run.
 [[nodiscard]] LevelVerdict judge(const CompareEntry& entry, const CompareEntry& reference, const Thresholds& thresholds,

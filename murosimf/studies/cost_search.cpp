@@ -10,6 +10,7 @@
 
 #include "murosimf/files/input_file.h"
 #include "murosimf/files/output_file.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::studies {
@@ -34,7 +35,7 @@ CmaEsState cma_of(const nlohmann::json& json) {
   return cma;
 }
 
-/// Whole or as it was before, although this command may have read it.
+/// The file is complete or as it was before, also if this command has read it.
 void write_state(const std::filesystem::path& file, const std::string& text) {
   files::PartFile part(file);
   std::ofstream out(part.path(), std::ios::binary);
@@ -53,6 +54,7 @@ class RunningSearch {
   CostSearch run() {
     load();
     if (!cma_) begin();
+    // One evaluation is kept for the middle of the last distribution.
     while (!found_.stopped && has_time_for(cma_->population() + 1)) next_generation();
     if (!found_.stopped && found_.generations > 0) try_points({cma_->mean()});
     found_.seconds = elapsed();
@@ -60,13 +62,14 @@ class RunningSearch {
   }
 
  private:
-  /// Costs of the points, which count; empty: stopped.
+  /// Costs of the points, and keeps the best of them; empty: stopped.
   std::vector<double> try_points(const std::vector<std::vector<double>>& points) {
     std::vector<double> costs = costs_of_(points);
     if (costs.size() < points.size()) {
       found_.stopped = true;
       return {};
     }
+    MUROSIMF_ASSERT(costs.size() == points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (!(costs[i] < found_.best_cost)) continue;
       found_.best_cost = costs[i];
@@ -76,6 +79,7 @@ class RunningSearch {
     return costs;
   }
 
+  /// The distribution begins at the best of the first points.
   void begin() {
     std::vector<std::vector<double>> points{options_.space.start};
     points.insert(points.end(), options_.first.begin(), options_.first.end());
@@ -90,6 +94,7 @@ class RunningSearch {
   }
 
   void next_generation() {
+    MUROSIMF_ASSERT(cma_.has_value());
     const std::vector<double> costs = try_points(cma_->ask());
     if (costs.empty()) return;
     cma_->tell(costs);
@@ -106,7 +111,9 @@ class RunningSearch {
     return !found_.stopped && found_.evaluations + points <= options_.evaluations && elapsed() < 60 * options_.minutes;
   }
 
+  /// Written before progress is told: what was told is in the file.
   void note() {
+    MUROSIMF_ASSERT(cma_.has_value() && found_.best.size() == found_.start.size());
     if (!options_.state.empty()) {
       const nlohmann::json json{{"kind", state_kind},
                                 {"what", options_.what},
@@ -127,6 +134,7 @@ class RunningSearch {
                        .share = std::max(of_points, elapsed() / (60 * options_.minutes))});
   }
 
+  /// A file of another search is refused, not overwritten: it may hold hours of work.
   void load() {
     std::error_code error;
     if (options_.state.empty() || !std::filesystem::exists(options_.state, error)) return;

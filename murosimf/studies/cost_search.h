@@ -1,4 +1,4 @@
-/// cost_search.h - the point of least cost, searched by CMA-ES within so many evaluations or minutes; goes on after whatever has ended it.
+/// cost_search.h - the point of least cost, searched by CMA-ES within so many evaluations or minutes; it continues after any interruption.
 ///
 /// First all of `first` are tried, then generations from the best of them. After each generation everything that the search
 /// knows is in the file `state`, whole: a search that finds it goes on from there and ends as if it had never been interrupted,
@@ -43,7 +43,7 @@ struct CostSearch {
   double start_cost = 0, best_cost = 0;
   std::size_t evaluations = 0;
   std::size_t generations = 0;
-  std::size_t taken_over = 0;  ///< evaluations that the file knew
+  std::size_t taken_over = 0;  ///< evaluations that the file had
   double seconds = 0;          ///< [s] wall time
   bool stopped = false;        ///< by `stop`; `best` is the best so far, the start before there is any
 };

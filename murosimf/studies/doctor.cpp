@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
@@ -75,10 +76,11 @@ std::vector<EntityEnding> run(scene::Scene& scene, Duration duration) {
   return endings;
 }
 
-/// A scene that cannot be is an answer, too.
+/// A scene that cannot be built is a result, too.
 DoctorRun run_case(const DoctorOptions& options, const DoctorCase& one, Duration duration) {
   DoctorRun result{one.label, {}, {}};
   scene::SceneOptions changed = options.common;
+  // Runs are parallel: one thread steps each of them.
   changed.threads = 1;
   changed.overrides.insert(changed.overrides.end(), one.overrides.begin(), one.overrides.end());
   if (one.seed) changed.seed = one.seed;
@@ -97,6 +99,7 @@ double median_way(const DoctorDimension& dimension, std::size_t entity) {
     if (entity < run.entities.size() && std::isfinite(run.entities[entity].way))
       ways.push_back(run.entities[entity].way);
   }
+  // The upper one of two in the middle: a way that a run really has.
   const auto middle = ways.begin() + static_cast<std::ptrdiff_t>(ways.size() / 2);
   std::ranges::nth_element(ways, middle);
   return *middle;
@@ -114,6 +117,7 @@ std::string difference(const EntityEnding& one, const EntityEnding& as_it_is, do
 }
 
 void find_flips(DoctorDimension& dimension, std::vector<std::string>& flips) {
+  MUROSIMF_ASSERT(!dimension.runs.empty());
   const std::vector<EntityEnding>& as_it_is = dimension.runs.front().entities;
   for (DoctorRun& run : dimension.runs) {
     for (std::size_t i = 0; i < run.entities.size() && i < as_it_is.size(); ++i) {
@@ -142,6 +146,7 @@ std::string name_of(Ending ending) {
 
 Checkup examine(const DoctorOptions& given) {
   DoctorOptions options = given;
+  // All runs share models and meshes, which hardly any change affects.
   if (!options.common.assets) options.common.assets = std::make_shared<scene::Assets>();
   scene::SceneOptions unchanged = options.common;
   unchanged.threads = 1;
@@ -163,6 +168,7 @@ Checkup examine(const DoctorOptions& given) {
   });
   checkup.stopped = options.common.stop && options.common.stop();
   if (checkup.stopped) return checkup;
+  // The scene must run as it is; only changes of it may be refused.
   if (!runs.front().refused.empty()) throw SetupError(runs.front().refused);
 
   auto next = runs.begin() + 1;
@@ -175,6 +181,7 @@ Checkup examine(const DoctorOptions& given) {
     if (!dimension.runs.empty()) find_flips(dimension, checkup.flips);
     checkup.dimensions.push_back(std::move(dimension));
   }
+  MUROSIMF_ASSERT(next == runs.end());
   return checkup;
 }
 

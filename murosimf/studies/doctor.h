@@ -4,7 +4,7 @@
 ///     fmt::print("{}", to_text(checkup));
 ///
 ///     steps     of 0.5, 1, 2, 5 and 10 ms
-///     levels    all robots at each level that the program knows
+///     levels    all robots at each level of the program
 ///     gravity   none, that of the moon, that of the earth
 ///     seeds     1 to 5
 ///     servos    position and velocity gains of all servos 20 % lower and higher
@@ -31,7 +31,7 @@ struct DoctorOptions {
   std::function<void(std::size_t done, std::size_t all)> progress{};  ///< from any thread, one at a time
 };
 
-/// How a run has ended for somebody.
+/// How a run has ended for one entity.
 enum class Ending {
   stands,  ///< a robot; it never fell, or began lying
   got_up,  ///< it fell, and stands
@@ -39,7 +39,7 @@ enum class Ending {
   lies,    ///< as it began
   there,   ///< no robot
   absent,  ///< not in the scene
-  frozen,  ///< its numbers had become insane
+  frozen,  ///< its numbers were no longer plausible
 };
 [[nodiscard]] std::string name_of(Ending ending);
 
@@ -52,7 +52,7 @@ struct EntityEnding {
 
 struct DoctorRun {
   std::string label;                   ///< "0.5 ms"
-  std::string refused;                 ///< why there is no such scene; then nobody is in it
+  std::string refused;                 ///< why there is no such scene; then it has no entities
   std::vector<EntityEnding> entities;  ///< in the order of the scene
 };
 
@@ -76,7 +76,7 @@ struct Checkup {
 /// Throws SetupError: a scene that cannot be built as it is, an unknown dimension.
 [[nodiscard]] Checkup examine(const DoctorOptions& options);
 
-/// For people: a table for each dimension, then all flips.
+/// Text for users: a table for each dimension, then all flips.
 [[nodiscard]] std::string to_text(const Checkup& checkup);
 /// docs/json.md.
 [[nodiscard]] std::string to_json(const Checkup& checkup);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/catalog/algorithm_catalog.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/find_entry.h"
 #include "murosimf/model/properties.h"
@@ -12,6 +13,7 @@
 namespace murosimf::studies {
 namespace {
 
+/// Results should not depend on the step.
 std::vector<DoctorCase> steps(bool quick) {
   std::vector<DoctorCase> cases;
   for (const double ms : quick ? std::vector{0.5, 10.0} : std::vector{0.5, 1.0, 2.0, 5.0, 10.0}) {
@@ -45,10 +47,12 @@ std::vector<DoctorCase> seeds(bool quick) {
 }
 
 void add_gains(const Entity& robot, double factor, std::vector<std::string>& overrides) {
+  MUROSIMF_ASSERT(factor > 0);
   const Model& model = robot.model();
   for (const int joint : model.joints()) {
     const Servo* servo = model.find(properties::servo, joint);
     if (!servo) continue;
+    // A gain of 0 stays 0.
     const auto add = [&](const char* gain, double value) {
       if (value <= 0) return;
       overrides.push_back(
@@ -81,6 +85,7 @@ CasesOfDimension cases_of(const std::string& name, bool quick, const scene::Scen
     if (scene.spec().robots.empty()) return {name, "the scene has no robots", {}};
     return {name, {}, levels(scene)};
   }
+  MUROSIMF_ASSERT(name == "servos");
   std::vector<DoctorCase> cases = servos(scene);
   if (cases.empty()) return {name, "no robot is moved by servos: that is so at articulated_dynamics only", {}};
   return {name, {}, std::move(cases)};

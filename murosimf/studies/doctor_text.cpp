@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "murosimf/files/json_document.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/studies/doctor.h"
 #include "murosimf/studies/text_table.h"
 
@@ -19,10 +20,12 @@ std::string table_of(const DoctorDimension& dimension) {
   std::vector<std::string> head{dimension.name};
   for (const DoctorRun& run : dimension.runs) head.push_back(run.label);
   table.add(head);
+  MUROSIMF_ASSERT(!dimension.runs.empty());
   const std::vector<EntityEnding>& as_it_is = dimension.runs.front().entities;
   for (std::size_t i = 0; i < as_it_is.size(); ++i) {
     std::vector<std::string> row{as_it_is[i].name};
     for (const DoctorRun& run : dimension.runs) {
+      // A scene that was refused has no entities.
       row.push_back(i < run.entities.size() ? cell_of(run.entities[i]) : "refused");
     }
     table.add(row);

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::studies {
@@ -12,7 +13,7 @@ namespace {
 
 constexpr std::size_t most_runs = 1'000'000;
 
-/// At commas outside of brackets.
+/// Parts between commas outside of brackets.
 std::vector<std::string> split(const std::string& text) {
   std::vector<std::string> parts(1);
   int depth = 0;
@@ -31,6 +32,7 @@ std::vector<std::string> split(const std::string& text) {
 std::uint64_t parse_seed(const std::string& word, const std::string& all) {
   std::uint64_t seed = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), seed);
+  // Scene files have signed numbers.
   const bool fits = seed <= static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
   if (error == std::errc{} && end == word.data() + word.size() && fits) return seed;
   throw SetupError(fmt::format("--seeds '{}': write numbers and ranges, like 1..20 or 3,5,8", all));
@@ -68,6 +70,7 @@ std::vector<GridPoint> points_of(const std::vector<GridAxis>& axes, const std::v
   std::vector<std::vector<std::string>> combinations(1);
   for (const GridAxis& axis : axes) {
     std::vector<std::vector<std::string>> longer;
+    // Checked before they are made: they could fill the memory.
     if (combinations.size() * axis.values.size() > most_runs) refuse_many();
     for (const auto& combination : combinations) {
       for (const std::string& value : axis.values) {
@@ -82,6 +85,7 @@ std::vector<GridPoint> points_of(const std::vector<GridAxis>& axes, const std::v
   for (const auto& combination : combinations) {
     for (const std::uint64_t seed : seeds) points.push_back({.values = combination, .seed = seed});
   }
+  MUROSIMF_ASSERT(points.size() == combinations.size() * seeds.size());
   return points;
 }
 

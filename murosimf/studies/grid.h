@@ -7,7 +7,7 @@
 
 namespace murosimf::studies {
 
-/// Values that something in the scene takes, one after the other.
+/// Values that one setting of the scene takes in turn.
 struct GridAxis {
   std::string path;                 ///< as of --set: "walker.command.0"
   std::vector<std::string> values;  ///< as they were written

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::studies {
 namespace {
 
@@ -14,6 +16,7 @@ std::span<const double> output_of(const sensors::Reading& reading, std::string_v
 }  // namespace
 
 InertialRecorder::InertialRecorder(Setup& setup, double longest) : gravity_(norm(setup.world().gravity)) {
+  MUROSIMF_ASSERT(longest >= 0);
   for (const sensors::Reading* reading : sensors::readings_of(setup.entity())) {
     const Source source{reading, output_of(*reading, "accelerometer"), output_of(*reading, "gyroscope"),
                         reading->samples};
@@ -23,13 +26,16 @@ InertialRecorder::InertialRecorder(Setup& setup, double longest) : gravity_(norm
     record.name = reading->info->name;
     record.accelerometer = !source.force.empty();
     record.gyroscope = !source.rate.empty();
+    // Room for all samples: step() must not allocate.
     record.samples.reserve(static_cast<std::size_t>(longest / seconds(reading->info->period)) + 2);
   }
 }
 
 void InertialRecorder::step(const Instant&) noexcept {
+  MUROSIMF_ASSERT(records_.size() == sources_.size());
   for (std::size_t i = 0; i < sources_.size(); ++i) {
     Source& source = sources_[i];
+    // Sensors may be slower than steps.
     if (source.reading->samples == source.seen) continue;
     source.seen = source.reading->samples;
     InertialSample sample{seconds(source.reading->time)};

@@ -1,4 +1,4 @@
-/// inertial_recorder.h - algorithm: writes down what the inertial sensors of a robot show, in sizes that do not depend on how it is turned.
+/// inertial_recorder.h - algorithm: records what the inertial sensors of a robot show, in sizes that do not depend on how it is turned.
 ///
 /// It takes every sample of the sensors, with their filters and noise, when it has arrived, and changes nothing.
 #pragma once

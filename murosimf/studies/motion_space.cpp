@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "murosimf/locomotion/leg.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/rate_limit.h"
@@ -55,6 +56,7 @@ MotionSpace::MotionSpace(const Model& model, const KeyframeMotion& motion, doubl
 }
 
 MotionSpace::Bounds MotionSpace::bounds_of(std::size_t column) const {
+  MUROSIMF_ASSERT(column < motion_.columns.size() && !motion_.columns[column].empty());
   const Channel& first = motion_.columns[column][0];
   if (is_foot(first)) {
     if (first.name.ends_with(".pitch")) return {radian, -foot_pitch, foot_pitch};
@@ -70,6 +72,7 @@ MotionSpace::Bounds MotionSpace::bounds_of(std::size_t column) const {
       const Vec3d* range = model_.find(*property, sink.object);
       if (!range) continue;
       has_range = true;
+      // A column that moves a joint against its sign has the mirrored range.
       bounds.low = std::max(bounds.low, sink.sign > 0 ? range->x : -range->y);
       bounds.high = std::min(bounds.high, sink.sign > 0 ? range->y : -range->x);
     }
@@ -87,6 +90,7 @@ MotionSpace::Bounds MotionSpace::bounds_of(std::size_t column) const {
                                motion_.name, first.name));
 }
 
+/// Numbers in units of about equal effect: one sigma fits all of them.
 CmaEsOptions MotionSpace::space() const {
   CmaEsOptions space{.start = {}, .sigma = first_sigma};
   for (const Number& number : numbers_) {
@@ -99,7 +103,9 @@ CmaEsOptions MotionSpace::space() const {
   return space;
 }
 
+/// Frames that would demand too high rates are stretched, so that every point is a possible motion.
 KeyframeMotion MotionSpace::motion_at(const std::vector<double>& point) const {
+  MUROSIMF_ASSERT(point.size() == numbers_.size());
   KeyframeMotion motion = motion_;
   for (std::size_t i = 0; i < numbers_.size(); ++i) {
     const Number& number = numbers_[i];
@@ -108,17 +114,20 @@ KeyframeMotion MotionSpace::motion_at(const std::vector<double>& point) const {
     value = std::clamp(point[i] * number.scale, number.low, number.high);
   }
   const std::vector<double> shares = rate_shares(motion);
+  MUROSIMF_ASSERT(shares.size() == motion.frames.size());
   for (std::size_t i = 0; i < motion.frames.size(); ++i)
     motion.frames[i].duration *= std::max(1.0, shares[i] / within_rate);
   return motion;
 }
 
 std::vector<double> MotionSpace::rates(const KeyframeMotion& motion, std::size_t index) const {
+  MUROSIMF_ASSERT(index < motion.frames.size());
   const locomotion::KeyFrame& frame = motion.frames[index];
   const std::vector<double>& from = index == 0 ? motion.start : motion.frames[index - 1].values;
   std::vector<double> values(from), before(static_cast<std::size_t>(model_.size())), now(before);
   std::vector<double> largest(model_.joints().size());
   targets_.write(values, before);
+  // The player moves along a half cosine from frame to frame.
   for (int k = 1; k <= samples_of_a_frame; ++k) {
     const double share = 0.5 * (1 - std::cos(pi * k / samples_of_a_frame));
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = from[i] + share * (frame.values[i] - from[i]);
@@ -136,6 +145,7 @@ std::vector<double> MotionSpace::rate_shares(const KeyframeMotion& motion) const
   std::vector<double> shares;
   for (std::size_t frame = 0; frame < motion.frames.size(); ++frame) {
     const std::vector<double> all = rates(motion, frame);
+    MUROSIMF_ASSERT(all.size() == fastest_.size());
     double share = 0;
     for (std::size_t j = 0; j < all.size(); ++j) {
       if (fastest_[j] > 0) share = std::max(share, all[j] / fastest_[j]);

@@ -1,7 +1,7 @@
 /// motion_space.h - a key-frame motion as numbers that a search may change.
 ///
 /// The numbers are the duration of every frame and the values of all but the last one; the start and the last frame stay, since other
-/// motions go on from there. Bounds are those of the joints (their range, and that of their servo's targets; without any 0.4 rad beyond what
+/// motions continue from there. Bounds are those of the joints (their range, and that of their servo's targets; without any 0.4 rad beyond what
 /// the motion has), for feet half a leg's length around the stance and 0.6 rad. Whatever the numbers are, the motion keeps to its servos: where a target of a joint would run faster than the
 /// servo's no-load rate, or the joint's own largest rate, the frame takes as much longer.
 #pragma once
@@ -17,7 +17,7 @@ namespace murosimf::studies {
 
 class MotionSpace {
  public:
-  /// `model` lives as long; `fastest` [rad/s]: of hinges for which the model knows no largest rate, 0: any. Throws SetupError as
+  /// `model` lives as long; `fastest` [rad/s]: of hinges for which the model has no largest rate, 0: any. Throws SetupError as
   /// KeyframeTargets, and for a column whose joints have no position in common.
   MotionSpace(const Model& model, const locomotion::KeyframeMotion& motion, double fastest = 0);
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/locomotion/keyframe_player.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/scene/scene.h"
 #include "murosimf/studies/parallel_runs.h"
@@ -37,7 +38,7 @@ KeyframeMotion with_zero_errors(KeyframeMotion motion, const TuningCase& one) {
   return motion;
 }
 
-/// What is seen of one robot in one run.
+/// Observations of one robot in one run.
 struct Observed {
   double uprightness = 0, seen_at_end = 0;  // sum, number
   bool stood = true, fell = false, lies = false, whole = true;
@@ -64,6 +65,7 @@ MotionOutcome judged(const Observed& seen, const MotionTask& task, double height
     cost = std::min(1.0, seen.down_at) + 0.5 * (1 - std::clamp(seen.way / height, 0.0, 1.0));
   }
   outcome.cost = (outcome.good ? 0 : 1) + cost + extra;
+  // Numbers that broke down count as the worst: NaN must not lead a search.
   if (!seen.whole || !std::isfinite(outcome.cost)) outcome = {.good = false, .cost = 3};
   return outcome;
 }
@@ -83,14 +85,16 @@ struct MotionTrials::World {
                                                                                motion));
     }
     if (scene.spec().ball) ball = &scene.simulation().world().entity("ball");
+    MUROSIMF_ASSERT(!robots.empty() && robots.size() == players.size());
     for (const int joint : robots[0]->model().joints()) {
       const Servo* servo = robots[0]->model().find(properties::servo, joint);
       if (servo && servo->stall_torque > 0) joints.push_back({joint, servo->stall_torque});
     }
   }
 
-  /// What comes of the motions, or nothing: stopped.
+  /// Observations, motion by motion; empty: stopped.
   std::vector<Observed> run(std::span<const KeyframeMotion> motions) {
+    MUROSIMF_ASSERT(!motions.empty() && motions.size() <= players.size());
     double longest = 0;
     for (std::size_t i = 0; i < players.size(); ++i) {
       const KeyframeMotion& motion = motions[std::min(i, motions.size() - 1)];
@@ -111,6 +115,7 @@ struct MotionTrials::World {
   }
 
   void look(std::size_t i, double motion_time, Observed& seen) {
+    MUROSIMF_ASSERT(i < robots.size() && i < begins.size());
     const double now = seconds(scene.simulation().now());
     if (now > motion_time + rest_after(task.goal) + 1e-9) return;
     ObjectAccess base = robots[i]->base();
@@ -127,6 +132,7 @@ struct MotionTrials::World {
     seen.lies = cosine < down;
     seen.way = dot(place - begins[i], toward);
     if (ball) seen.ball_speed = std::max(seen.ball_speed, dot(ball->base().get(properties::linear_velocity), toward));
+    // Only the rest after the motion shows whether the robot stands.
     if (now > motion_time) {
       seen.uprightness += 0.5 * std::max(-0.2, cosine) + 0.5 * std::min(1.0, place.z / height);
       seen.seen_at_end += 1;
@@ -135,6 +141,7 @@ struct MotionTrials::World {
     add_effort(*robots[i], seen);
   }
 
+  /// Levels without torques have no effort: their share of the cost is 0.
   void add_effort(Entity& robot, Observed& seen) const {
     if (!robot.find(properties::joint_torque) || joints.empty()) return;
     double sum = 0;
@@ -162,7 +169,8 @@ struct MotionTrials::World {
 
 MotionTrials::MotionTrials(const VariedRobot& robot, const KeyframeMotion& motion, MotionTask task)
     : robot_(robot), motion_(motion), task_(std::move(task)), space_(robot.model(), motion, task_.fastest) {
-  // how high the base is above the ground if the robot stands as in the last frame
+  // Height of the base above the ground when the robot stands as in the last frame.
+  MUROSIMF_ASSERT(!motion.frames.empty());
   KeyframeMotion last = motion;
   last.start = motion.frames.back().values;
   scene_file::SceneSpec spec = row_of_robots(robot_, {.level = "simplified_dynamics"}, 1);
@@ -174,6 +182,7 @@ MotionTrials::MotionTrials(const VariedRobot& robot, const KeyframeMotion& motio
 
 MotionTrials::~MotionTrials() = default;
 
+/// The errors of the case are in the robot's posture, its model and the ground.
 std::unique_ptr<MotionTrials::World> MotionTrials::make_world(const TuningCase& one, std::size_t count) const {
   scene_file::SceneSpec spec = row_of_robots(robot_, one, count);
   for (scene_file::RobotSpec& each : spec.robots) {
@@ -202,15 +211,17 @@ std::vector<std::vector<MotionOutcome>> MotionTrials::run(const std::vector<Keyf
     haste.push_back(sum / static_cast<double>(motion.frames.size()));
   }
   std::vector<std::vector<MotionOutcome>> all(motions.size(), std::vector<MotionOutcome>(cases.size()));
-  // Worlds are kept for the cases of a search, which come again and again.
+  // Worlds are kept: a search tries the same cases in every generation.
   const std::size_t needed = rows * cases.size();
   if (worlds_.size() < needed) worlds_.resize(needed);
   worlds_of_.resize(worlds_.size());
   run_in_parallel(needed, task_.threads, task_.stop, [&](std::size_t i) {
     const std::size_t which = i / rows, first = i % rows * robots_in_a_row;
     const TuningCase& one = cases[which];
+    MUROSIMF_ASSERT(which < cases.size() && first < motions.size());
     const std::size_t count = std::min(robots_in_a_row, motions.size() - first);
     const std::size_t robots = task_.goal == MotionGoal::kicks ? 1 : count;  // there is one ball: one after the other
+    // Everything that the world depends on: only with the same values it can be used again.
     const std::string key = fmt::format("{} {} {} {} {} {} {} {} {} {}", one.level, one.friction, one.mass, one.gain,
                                         one.roll, one.pitch, one.heading, one.ball.x, one.ball.y, robots);
     if (!worlds_[i] || worlds_of_[i] != key) {
@@ -225,6 +236,7 @@ std::vector<std::vector<MotionOutcome>> MotionTrials::run(const std::vector<Keyf
       if (some.empty()) return;  // stopped
       seen.insert(seen.end(), some.begin(), some.end());
     }
+    MUROSIMF_ASSERT(seen.size() == count);
     for (std::size_t k = 0; k < seen.size(); ++k) {
       const std::size_t m = first + k;
       all[m][which] = judged(seen[k], task_, height_, haste[m], duration(motions[m]));

@@ -1,4 +1,4 @@
-/// motion_trials.h - plays key-frame motions under many circumstances at once, and says what they cost.
+/// motion_trials.h - plays key-frame motions under many circumstances at once, and computes their costs.
 ///
 /// Of one run, T the motion's duration, each part from 0 to about 1, what counts first with a step of 1:
 ///     stands   [not standing] + 1 - u + e, u the mean over 1.2 s after T of half the cosine of the torso's lean and half its height, over the
@@ -8,7 +8,7 @@
 ///              goes in the wanted direction until 0.6 s after T, over its height, 0 to 1; lying: leans by more than 60 degrees
 ///     e        0.05 effort + 0.05 haste + 0.02 T/(1 s): effort the mean over joints and time of (torque / stall torque)^2, each at most 4, at levels
 ///              that have torques; haste the mean over frames of (largest rate of a target / that of its joint)^2
-/// Sensors are off: key frames ask none.
+/// Sensors are off: key frames read none.
 #pragma once
 
 #include <cstdint>
@@ -45,7 +45,7 @@ struct MotionOutcome {
 
 class MotionTrials {
  public:
-  /// All live as long. Throws SetupError for a scene that cannot be: a level that cannot begin so, or a model without what it needs.
+  /// All live as long. Throws SetupError for a scene that cannot be built: a level that cannot begin so, or a model without what it needs.
   MotionTrials(const VariedRobot& robot, const locomotion::KeyframeMotion& motion, MotionTask task);
   ~MotionTrials();
 

@@ -10,6 +10,7 @@
 
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/files/files_read.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/recording/attached_files.h"
 #include "murosimf/robot/motion_file.h"
@@ -48,6 +49,7 @@ std::vector<TuningCheck> check(MotionTrials& trials, const MotionTuning& tuning,
   const auto cases = tuning_cases(levels, checks_of_a_level, seed, "tuning checks");
   const auto outcomes = trials.run({tuning.before, tuning.after}, cases);
   if (outcomes.empty()) return {};
+  MUROSIMF_ASSERT(outcomes.size() == 2 && outcomes[0].size() == levels.size() * checks_of_a_level);
   std::vector<TuningCheck> checks;
   for (std::size_t level = 0; level < levels.size(); ++level) {
     TuningCheck& one = checks.emplace_back(TuningCheck{.level = levels[level], .runs = checks_of_a_level});
@@ -91,7 +93,9 @@ void refuse_levels_that_stand(const std::vector<std::string>& levels, const std:
 }
 
 std::size_t population_for(std::size_t numbers) {
+  MUROSIMF_ASSERT(numbers > 0);
   const auto usual = 4 + static_cast<std::size_t>(3 * std::log(static_cast<double>(numbers)));
+  // A row that is not full takes as long as one that is.
   return (usual + robots_in_a_row - 1) / robots_in_a_row * robots_in_a_row;
 }
 
@@ -125,6 +129,7 @@ MotionTuning tune_motion(const MotionTuningOptions& options) {
   search.space.seed = options.budget.seed;
   search.minutes = options.budget.minutes;
   search.state = options.budget.state;
+  // A state of a search with other inputs must not be continued.
   search.what = what_is_tuned(options, motion, read);
   search.stop = task.stop;
   search.progress = options.budget.progress;

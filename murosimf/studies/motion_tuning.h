@@ -57,7 +57,7 @@ struct MotionTuning {
 /// Throws SetupError: an unknown motion, model or level, joints that the model does not have, a state of another search.
 [[nodiscard]] MotionTuning tune_motion(const MotionTuningOptions& options);
 
-/// For people.
+/// Text for users.
 [[nodiscard]] std::string to_text(const MotionTuning& tuning);
 /// A motion as scenes read it; `how`: lines for its head, like the command.
 [[nodiscard]] std::string to_toml(const MotionTuning& tuning, const std::string& how);

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/studies/compare_outcome.h"
 #include "murosimf/studies/compare_verdict.h"
@@ -47,11 +48,14 @@ double tolerance_of(const std::string& text, std::size_t begin, const std::strin
 }
 
 const ComparedQuantity& quantity_named(std::string_view name) {
-  return *std::ranges::find(quantities(), name, &ComparedQuantity::name);
+  const auto found = std::ranges::find(quantities(), name, &ComparedQuantity::name);
+  MUROSIMF_ASSERT(found != quantities().end());
+  return *found;
 }
 
 /// [share of what the reference has] that the thresholds allow.
 double allowed(std::string_view name, const Thresholds& thresholds) {
+  MUROSIMF_ASSERT(thresholds.values.size() == quantities().size());
   const auto index = static_cast<std::size_t>(&quantity_named(name) - quantities().data());
   return thresholds.values[index] / quantity_named(name).scale;
 }
@@ -79,6 +83,7 @@ std::string different_touch(const OtherRecord& mine, const OtherRecord& referenc
   if (mine.touched.has_value() != reference.touched.has_value()) {
     return mine.touched ? "touches it, the reference does not" : "does not touch it, the reference does";
   }
+  // Both touch it, or none does.
   if (!mine.touched || std::abs(*mine.touched - *reference.touched) <= tolerance) return {};
   return fmt::format("touches it {:.2f} s off", std::abs(*mine.touched - *reference.touched));
 }
@@ -150,7 +155,9 @@ OutcomeOff outcome_off(const NamedOutcome& outcome, const CompareEntry& entry, c
   const auto of = [&](const CompareEntry& e) {
     return std::ranges::find(e.outcome.others, outcome.owner, &OtherRecord::name);
   };
-  return other_off(outcome, *of(entry), *of(reference), thresholds);
+  const auto mine = of(entry), theirs = of(reference);
+  MUROSIMF_ASSERT(mine != entry.outcome.others.end() && theirs != reference.outcome.others.end());
+  return other_off(outcome, *mine, *theirs, thresholds);
 }
 
 }  // namespace murosimf::studies

@@ -10,7 +10,7 @@ namespace murosimf::studies {
 struct CompareEntry;
 struct Thresholds;
 
-/// One that outcomes may be told of.
+/// An entity of which outcomes can be named.
 struct OutcomeOwner {
   std::string name;
   bool is_robot = false;  ///< whose level changes
@@ -24,7 +24,7 @@ struct NamedOutcome {
   [[nodiscard]] std::string name() const { return owner + "." + quantity; }
 };
 
-/// "OWNER.QUANTITY" or "OWNER.QUANTITY=TOLERANCE". Throws SetupError, with what is known for an unknown name.
+/// "OWNER.QUANTITY" or "OWNER.QUANTITY=TOLERANCE". Throws SetupError, with all known names for an unknown one.
 [[nodiscard]] NamedOutcome named_outcome(const std::string& text, const std::vector<OutcomeOwner>& owners);
 
 /// How far an outcome is off the reference's, over the whole run.

@@ -1,5 +1,6 @@
 #include "murosimf/studies/outcome_recorder.h"
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_recorder.h"
 
@@ -9,7 +10,9 @@ OutcomeRecorder::OutcomeRecorder(Setup& setup, const Entity& robot, const std::v
     : robot_(setup.world().index_of(&robot)),
       pairs_(setup.read(collision::pair_contacts)[0]),
       stride_(motion::steps_per_sample(setup.period())) {
+  MUROSIMF_ASSERT(longest >= 0 && stride_ > 0);
   const auto samples = static_cast<std::size_t>(longest * motion::MotionRecorder::samples_per_second) + 2;
+  // Room for all samples: step() must not allocate.
   record_.touching.reserve(samples);
   for (Entity* entity : others) {
     Setup other = setup.of(*entity);
@@ -23,6 +26,7 @@ OutcomeRecorder::OutcomeRecorder(Setup& setup, const Entity& robot, const std::v
 }
 
 void OutcomeRecorder::step(const Instant& instant) noexcept {
+  // Contacts and motions are those at the end of the step.
   const double now = seconds(instant.now + instant.period);
   watch_touches(now);
   if (++steps_ % stride_ == 0) take_sample(now);
@@ -38,6 +42,7 @@ void OutcomeRecorder::watch_touches(double now) noexcept {
   }
 }
 
+/// The first touch counts for verdicts; the last one shows until when the robot had an effect.
 void OutcomeRecorder::touch(int number, double now) noexcept {
   touching_ = true;
   for (std::size_t i = 0; i < sources_.size(); ++i) {
@@ -49,8 +54,10 @@ void OutcomeRecorder::touch(int number, double now) noexcept {
 }
 
 void OutcomeRecorder::take_sample(double now) noexcept {
+  // A touch between two samples belongs to the later one.
   record_.touching.push_back(touching_);
   touching_ = false;
+  MUROSIMF_ASSERT(record_.others.size() == sources_.size());
   for (std::size_t i = 0; i < sources_.size(); ++i) {
     const Source& s = sources_[i];
     record_.others[i].samples.push_back({now, s.r[0], norm(s.v[0]), (s.R[0] * Vec3d{0, 0, 1}).z});

@@ -1,5 +1,5 @@
-/// outcome_recorder.h - algorithm: writes down what becomes of everything else while one robot is looked at: where the ball goes,
-/// who else falls, what the robot touches.
+/// outcome_recorder.h - algorithm: records all other entities while one robot is examined: their ways and falls, and which of them
+/// the robot touches.
 ///
 /// It belongs to the world, reads what every level has and changes nothing. Samples are taken when MotionRecorder takes them.
 #pragma once

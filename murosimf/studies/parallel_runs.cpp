@@ -8,10 +8,13 @@
 #include <thread>
 #include <vector>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::studies {
 
 void run_in_parallel(std::size_t count, int threads, const std::function<bool()>& stop,
                      const std::function<void(std::size_t)>& run) {
+  MUROSIMF_ASSERT(static_cast<bool>(run));
   std::atomic<std::size_t> next{0};
   std::atomic<bool> failed{false};
   std::mutex mutex;
@@ -23,12 +26,14 @@ void run_in_parallel(std::size_t count, int threads, const std::function<bool()>
       try {
         run(i);
       } catch (...) {
+        // The others often follow from the first failure.
         const std::lock_guard lock(mutex);
         if (!first) first = std::current_exception();
         failed = true;
       }
     }
   };
+  // This thread works, too.
   std::vector<std::thread> others;
   const std::size_t wanted = std::min(count, static_cast<std::size_t>(std::max(threads, 1)));
   try {

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/math/scalar.h"
 
 namespace murosimf::studies {
@@ -16,6 +17,7 @@ const double cos_up = std::cos(pi / 6);
 std::string times(int count) { return count == 1 ? "once" : fmt::format("{} times", count); }
 
 std::string different_falls(int mine, int reference) {
+  MUROSIMF_ASSERT(mine != reference);
   if (mine == 0) return "does not fall, the reference does";
   if (reference == 0) return fmt::format("falls {}, the reference does not", times(mine));
   return fmt::format("falls {}, the reference {}", times(mine), times(reference));
@@ -24,6 +26,7 @@ std::string different_falls(int mine, int reference) {
 }  // namespace
 
 void Posture::see(double time, double cos_lean) {
+  // Two limits: a torso that sways around one of them does not fall again and again.
   if (events_.empty()) {
     events_.push_back({time, cos_lean < cos_down});
   } else if (events_.back().down ? cos_lean > cos_up : cos_lean < cos_down) {

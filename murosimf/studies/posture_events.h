@@ -1,4 +1,4 @@
-/// posture_events.h - when somebody falls and gets up, and how two runs differ in that.
+/// posture_events.h - when an entity falls and gets up, and how two runs differ in that.
 #pragma once
 
 #include <string>

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::studies {
 
 /// Few degrees of freedom from the usual tables, more by the series of Cornish and Fisher, which is good to 5 digits there.
@@ -24,6 +26,7 @@ namespace {
 
 /// Of `n` cases, the share `p` of which was 1: the p' at which the observed share is 1.96 standard deviations away.
 void set_wilson(MeanInterval& result) {
+  MUROSIMF_ASSERT(result.count >= 2 && result.mean >= 0 && result.mean <= 1);
   constexpr double z = 1.959963984540054, z2 = z * z;
   const double n = static_cast<double>(result.count), p = result.mean, scale = 1 / (1 + z2 / n);
   const double middle = scale * (p + z2 / (2 * n));

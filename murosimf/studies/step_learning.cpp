@@ -8,6 +8,7 @@
 #include "murosimf/files/data_path.h"
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/locomotion/motion_engine.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/scene/assets.h"
 #include "murosimf/scene/scene.h"
@@ -52,6 +53,7 @@ void take_walk(const StepLearningOptions& options, const scene::SceneOptions& co
   const Duration cycle = from_seconds(1 / locomotion::MotionEngine::rate_hz);
   const auto column = [&](const auto& property) { return robot.base().get(property); };
   for (double time = 0; time < options.duration; time += seconds(cycle)) {
+    // Those with which the cycle begins: it measures its signals under them.
     const double phase = column(properties::gait_phase);
     const Vec3d v = column(properties::gait_velocity);
     simulation.run(cycle);
@@ -59,6 +61,7 @@ void take_walk(const StepLearningOptions& options, const scene::SceneOptions& co
     if (state.falls > 0 || state.mode != 0) walk.fell = true;
     if (walk.fell) return;
     if (time < warm_up || column(properties::gait_amplitude) < 1) continue;
+    // A step of the right foot is the mirror image of one of the left: both are fitted together.
     const bool left = phase < pi;
     const double mirror = left ? 1 : -1;
     walk.samples.push_back({.share = (left ? phase : phase - pi) / pi,
@@ -90,6 +93,7 @@ double error_of(const locomotion::StepTable& table, const std::vector<LearningWa
   return count > 0 ? std::sqrt(sum / count) : 0;
 }
 
+/// Walks are parallel: each is stepped by one thread.
 class StepLearner {
  public:
   explicit StepLearner(const StepLearningOptions& options) : options_(options) {
@@ -105,8 +109,10 @@ class StepLearner {
     return learning_;
   }
 
+  /// Each round walks with the feedback that counts from the table of the round before.
  private:
   void learn_round(int round) {
+    MUROSIMF_ASSERT(round == 0 || !learning_.rounds.empty());
     std::vector<LearningWalk> walks = walks_of(options_);
     const locomotion::StepTablePtr known =
         round == 0 ? nullptr : std::make_shared<const locomotion::StepTable>(learning_.table);
@@ -135,6 +141,7 @@ class StepLearner {
     return options;
   }
 
+  /// Levels with rigid and with compliant joints have tables of their own: their feet lag differently.
   void fit(const std::vector<LearningWalk>& walks) {
     StepLearning::Round round{.walks = walks.size()};
     for (const bool compliant : {false, true}) {

@@ -45,7 +45,7 @@ struct StepLearning {
 /// Throws SetupError: a robot that cannot be read or has no legs to walk with, or an unknown level.
 [[nodiscard]] StepLearning learn_steps(const StepLearningOptions& options);
 
-/// For people: a line for each round.
+/// Text for users: a line for each round.
 [[nodiscard]] std::string to_text(const StepLearning& learning);
 
 }  // namespace murosimf::studies

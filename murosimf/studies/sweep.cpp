@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "murosimf/files/files_read.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/recording/attached_files.h"
 #include "murosimf/scene/assets.h"
@@ -18,6 +19,7 @@ namespace {
 
 /// How the scene of a run is built.
 scene::SceneOptions options_of(const SweepOptions& sweep, const GridPoint& point) {
+  MUROSIMF_ASSERT(point.values.size() == sweep.axes.size());
   scene::SceneOptions options = sweep.common;
   options.threads = 1;
   options.seed = point.seed;
@@ -55,6 +57,7 @@ std::string describe(const SweepOptions& options, const Plan& plan, const files:
 
 Plan plan_of(const SweepOptions& options, const std::vector<std::string>& patterns) {
   Plan plan;
+  // Notes all files that are read while it lives: a sweep of other files is another one.
   const files::FilesRead read;
   scene::SceneOptions as_it_is = options.common;
   as_it_is.threads = 1;
@@ -84,10 +87,11 @@ std::vector<double> run_one(const SweepOptions& options, const Plan& plan, const
     throw SetupError(fmt::format("seed {}, {}: it has other results than the first run: {}", point.seed,
                                  fmt::join(point.values, ", "), fmt::join(names, ", ")));
   }
+  MUROSIMF_ASSERT(values.size() == plan.results.size());
   return values;
 }
 
-/// The sweep goes on where the disk is full; `trouble` says why.
+/// A sweep continues without its file where the disk is full; `trouble` has the reason.
 void note(SweepFile& file, std::size_t run, const std::vector<double>& values, std::string& trouble) {
   try {
     file.add(run, values);

@@ -24,8 +24,8 @@ struct SweepOptions {
   std::vector<std::string> results{};  ///< patterns (chosen_results.h); none: usual_results()
   scene::SceneOptions common{};        ///< of all runs; `threads`: runs at a time, each is stepped by one
   std::filesystem::path
-      file{};  ///< where runs that are done are noted, so that a sweep goes on that was killed; empty: nowhere
-  std::string program{};                                              ///< whose runs may be mixed: noted in the file
+      file{};             ///< where runs that are done are noted, so that a killed sweep can continue; empty: nowhere
+  std::string program{};  ///< whose runs may be mixed: noted in the file
   std::function<void(std::size_t done, std::size_t all)> progress{};  ///< from any thread, one at a time
 };
 
@@ -49,7 +49,7 @@ struct Sweep {
 
 // The same runs give the same bytes.
 
-/// For people: a row for each combination of values, with mean and 95 % interval over the seeds.
+/// Text for users: a row for each combination of values, with mean and 95 % interval over the seeds.
 [[nodiscard]] std::string to_text(const Sweep& sweep);
 /// A row for each run.
 [[nodiscard]] std::string to_csv(const Sweep& sweep);

@@ -8,6 +8,7 @@
 
 #include "murosimf/files/file_lock.h"
 #include "murosimf/files/input_file.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::studies {
@@ -52,7 +53,7 @@ SweepFile::SweepFile(std::filesystem::path file, const std::string& what, std::s
     refuse_writing(file_);
 }
 
-/// No other sweep may go on with it meanwhile.
+/// Locks the file, so that no other sweep continues it meanwhile.
 void SweepFile::open() {
   stream_.reset(std::fopen(file_.c_str(), "ab"));
   if (!stream_) refuse_writing(file_);
@@ -74,6 +75,7 @@ void SweepFile::read(const std::string& text, const std::string& head, std::size
   good_bytes_ = head.size();
   while (good_bytes_ < text.size()) {
     const std::size_t end = text.find('\n', good_bytes_);
+    // The last line was cut off: its run is done again.
     if (end == std::string::npos) return;
     std::size_t run = 0;
     const std::string_view line = std::string_view(text).substr(good_bytes_, end - good_bytes_);
@@ -85,6 +87,7 @@ void SweepFile::read(const std::string& text, const std::string& head, std::size
 }
 
 void SweepFile::add(std::size_t run, const std::vector<double>& values) {
+  MUROSIMF_ASSERT(stream_ != nullptr && !values.empty());
   const std::string line = fmt::format("{} {}\n", run, fmt::join(values, " "));
   if (std::fwrite(line.data(), 1, line.size(), stream_.get()) != line.size() || std::fflush(stream_.get()) != 0)
     refuse_writing(file_);

@@ -1,4 +1,4 @@
-/// sweep_file.h - the runs of a sweep that are done, one a line, so that it goes on after whatever has ended it.
+/// sweep_file.h - the runs of a sweep that are done, one a line, so that the sweep can continue after any interruption.
 ///
 ///     MuRoSimF sweep 1
 ///     {"scene": ...}             what the sweep is: one line
@@ -17,7 +17,7 @@ namespace murosimf::studies {
 
 class SweepFile {
  public:
-  /// Goes on with the file if it is there. `what`: one line. Throws SetupError: it is of another sweep, or cannot be written,
+  /// Continues the file if it is there. `what`: one line. Throws SetupError: it is of another sweep, or cannot be written,
   /// as while another sweep writes it.
   SweepFile(std::filesystem::path file, const std::string& what, std::size_t results);
 

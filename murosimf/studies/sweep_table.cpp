@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "murosimf/files/json_document.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/studies/statistics.h"
 #include "murosimf/studies/sweep.h"
 #include "murosimf/studies/text_table.h"
@@ -22,6 +23,7 @@ struct Group {
 
 std::vector<Group> groups_of(const Sweep& sweep) {
   std::vector<Group> groups;
+  // The seed changes before the values: runs of one combination follow each other.
   for (const SweepRun& run : sweep.runs) {
     if (groups.empty() || groups.back().values != run.point.values) groups.push_back({run.point.values, {}});
     if (!run.values.empty()) groups.back().runs.push_back(&run);
@@ -54,6 +56,7 @@ std::string cell_of(const MeanInterval& interval, bool alone) {
 }
 
 MeanInterval interval_of(const Group& group, std::size_t result) {
+  MUROSIMF_ASSERT(group.runs.empty() || result < group.runs.front()->values.size());
   std::vector<double> values;
   for (const SweepRun* run : group.runs) values.push_back(run->values[result]);
   return mean_interval(values);

@@ -4,11 +4,14 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::studies {
 
 std::string TextTable::text() const {
   std::vector<std::size_t> widths;
   for (const auto& row : rows_) {
+    MUROSIMF_ASSERT(row.size() == rows_.front().size());
     widths.resize(std::max(widths.size(), row.size()));
     for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
   }

@@ -1,4 +1,4 @@
-/// text_table.h - rows of cells for people, in columns that are aligned, and for programs, as lines of CSV.
+/// text_table.h - rows of cells, as aligned columns for users and as lines of CSV for programs.
 #pragma once
 
 #include <string>

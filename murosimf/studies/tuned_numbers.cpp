@@ -6,6 +6,7 @@
 
 #include "murosimf/locomotion/gait_feedback.h"
 #include "murosimf/locomotion/leg.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::studies {
 namespace {
@@ -24,6 +25,7 @@ TunedNumber bounds_around(const OptionInfo& option, double value) {
 
 double number_in(const OptionValues& values, const std::string& name) { return std::get<double>(values.at(name)); }
 
+/// Bounds scale with the robot: lengths with its leg, the others with its own value.
 std::vector<TunedNumber> walk_numbers(const Model& model, const OptionValues& seed) {
   const auto& leg = locomotion::legs_of(model)[0];
   const double length = leg.thigh + leg.shin;
@@ -61,13 +63,16 @@ std::vector<TunedNumber> feedback_numbers(const Model& model) {
 }
 
 double place_of(const TunedNumber& number, double value) {
+  MUROSIMF_ASSERT(number.low < number.high);
   return std::clamp((value - number.low) / (number.high - number.low), 0.0, 1.0);
 }
 
 OptionValues values_at(const std::vector<TunedNumber>& numbers, const std::vector<double>& point) {
+  MUROSIMF_ASSERT(point.size() == numbers.size());
   OptionValues values;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const double value = numbers[i].low + point[i] * (numbers[i].high - numbers[i].low);
+    // As a file has it, so that the file gives the walk that was tried.
     values[numbers[i].name] = std::round(value * 1e5) * 1e-5;
   }
   return values;

@@ -8,6 +8,7 @@
 
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/files/data_path.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/math/random.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
@@ -40,6 +41,7 @@ TuningCase case_of(const RandomStream& random, std::size_t i) {
   constexpr double golden = 0.6180339887498949;
   const double spread = std::fmod(0.5 + golden * static_cast<double>(i), 1.0);
   const ModelError& error = model_errors[i % model_errors.size()];
+  // Eight numbers belong to each case: another one takes them from no other case.
   const std::uint64_t n = 8 * i;
   const double lean = random.uniform(n, 0, largest_lean), toward = random.uniform(n + 1, 0, 2 * pi);
   TuningCase one;
@@ -51,6 +53,7 @@ TuningCase case_of(const RandomStream& random, std::size_t i) {
   one.heading = random.uniform(n + 2, -largest_turn, largest_turn);
   one.ball = {random.uniform(n + 3, -largest_shift, largest_shift),
               random.uniform(n + 4, -largest_shift, largest_shift), 0};
+  // A double holds 52 bits exactly.
   one.zeros = static_cast<std::uint64_t>(random.uniform(n + 5, 0, 0x1p52));
   return one;
 }
@@ -96,6 +99,7 @@ double case_number(const TuningCase& one, std::size_t number) {
 }
 
 double mean_and_worst(const std::vector<double>& costs, std::size_t levels) {
+  MUROSIMF_ASSERT(levels > 0 && costs.size() >= levels && costs.size() % levels == 0);
   const std::size_t each = costs.size() / levels;
   double mean = 0, worst = -HUGE_VAL;
   for (std::size_t level = 0; level < levels; ++level) {
@@ -132,6 +136,7 @@ std::shared_ptr<scene::Assets> VariedRobot::assets_of(scene::RobotKind kind) con
 }
 
 scene_file::SceneSpec row_of_robots(const VariedRobot& robot, const TuningCase& one, std::size_t count) {
+  MUROSIMF_ASSERT(count > 0);
   const bool leans = find_entry(catalog::levels(), "level", one.level).traits.dynamic;  // others always stand
   scene_file::SceneSpec spec;
   spec.name = "tuning";

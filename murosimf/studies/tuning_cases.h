@@ -39,7 +39,7 @@ struct TuningCase {
 /// (mean over levels + worst level) / 2, of a level the mean over its cases: what is good at one level only is not good.
 [[nodiscard]] double mean_and_worst(const std::vector<double>& costs, std::size_t levels);
 
-/// One robot with its errors, and what scenes share of it. Any number of threads may ask at once.
+/// One robot with its errors, and what scenes share of it. Any number of threads may call it at once.
 class VariedRobot {
  public:
   /// `model` as in scenes. Throws SetupError: no such file, an error in it.
@@ -47,10 +47,10 @@ class VariedRobot {
 
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
   [[nodiscard]] const Model& model() const { return *model_; }
-  /// With which the file means the robot with these errors.
+  /// Assets in which the file names the robot with these errors.
   [[nodiscard]] std::shared_ptr<scene::Assets> assets(double mass, double gain) const;
   [[nodiscard]] std::shared_ptr<const scene::RobotKind> kind(double mass, double gain) const;
-  /// With which the file means this robot.
+  /// Assets in which the file names this robot.
   [[nodiscard]] std::shared_ptr<scene::Assets> assets_of(scene::RobotKind kind) const;
 
  private:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/scene/scene.h"
 #include "murosimf/studies/parallel_runs.h"
 #include "murosimf/studies/walk_watch.h"
@@ -14,7 +15,9 @@ constexpr std::chrono::milliseconds between_walk_looks(50);
 /// Of some candidates in one case; empty: stopped.
 std::vector<WalkOutcome> walk_in_a_row(const VariedRobot& robot, const WalkTask& task, const Vec3d& command,
                                        std::span<const OptionValues> candidates, const TuningCase& one) {
+  MUROSIMF_ASSERT(!candidates.empty());
   scene_file::SceneSpec spec = row_of_robots(robot, one, candidates.size());
+  MUROSIMF_ASSERT(spec.robots.size() == candidates.size());
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     spec.robots[i].controller = "walk";
     spec.robots[i].options = candidates[i];
@@ -26,6 +29,7 @@ std::vector<WalkOutcome> walk_in_a_row(const VariedRobot& robot, const WalkTask&
   std::vector<WalkWatch> watches;
   for (const auto& each : scene.spec().robots)
     watches.emplace_back(simulation.world().entity(each.name), command, task.duration);
+  // Short runs: a fall is dated by the first look that sees it.
   while (seconds(simulation.now()) < task.duration - 1e-9) {
     simulation.run(between_walk_looks);
     if (simulation.stopped()) return {};
@@ -46,8 +50,10 @@ std::vector<std::vector<WalkOutcome>> walk_trials(const VariedRobot& robot, cons
   run_in_parallel(rows * cases.size(), task.threads, task.stop, [&](std::size_t i) {
     const std::size_t which = i / rows, first = i % rows * robots_in_a_row;
     const std::size_t count = std::min(robots_in_a_row, candidates.size() - first);
+    MUROSIMF_ASSERT(which < cases.size() && first < candidates.size());
     const auto row = std::span(candidates).subspan(first, count);
     const auto outcomes = walk_in_a_row(robot, task, task.commands[which % task.commands.size()], row, cases[which]);
+    MUROSIMF_ASSERT(outcomes.empty() || outcomes.size() == count);
     for (std::size_t k = 0; k < outcomes.size(); ++k) all[first + k][which] = outcomes[k];
   });
   if (task.stop && task.stop()) return {};

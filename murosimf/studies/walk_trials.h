@@ -1,4 +1,4 @@
-/// walk_trials.h - walks of many candidates under many circumstances at once, and what they cost (walk_tuning.h has the equation).
+/// walk_trials.h - walks of many candidates under many circumstances at once, and their costs (walk_tuning.h has the equation).
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ struct WalkTask {
 };
 
 /// By candidate, then by case; empty if it was stopped. `candidates`: options of the controller `walk`. Throws SetupError for a scene that
-/// cannot be.
+/// cannot be built.
 [[nodiscard]] std::vector<std::vector<WalkOutcome>> walk_trials(const VariedRobot& robot, const WalkTask& task,
                                                                 const std::vector<OptionValues>& candidates,
                                                                 const std::vector<TuningCase>& cases);

@@ -10,6 +10,7 @@
 #include "murosimf/files/files_read.h"
 #include "murosimf/locomotion/gait_seed.h"
 #include "murosimf/locomotion/walk_options.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/recording/attached_files.h"
 #include "murosimf/studies/tuned_numbers.h"
@@ -31,6 +32,8 @@ std::vector<std::vector<double>> grid_around(const std::vector<TunedNumber>& num
     return static_cast<std::size_t>(std::ranges::find(numbers, name, &TunedNumber::name) - numbers.begin());
   };
   const std::size_t lift = index("lift"), roll = index("hip_roll"), period = index("period");
+  MUROSIMF_ASSERT(lift < numbers.size() && roll < numbers.size() && period < numbers.size());
+  MUROSIMF_ASSERT(start.size() == numbers.size());
   std::vector<std::vector<double>> points;
   for (const double lifted : around) {
     for (const double rolled : rolls) {
@@ -71,9 +74,11 @@ std::vector<TuningCheck> check_walks(const VariedRobot& robot, const WalkTask& t
   const auto cases = tuning_cases(options.levels, checked_walks, options.budget.seed, "tuning checks");
   const auto outcomes = walk_trials(robot, task, {tuning.before, tuning.after}, cases);
   if (outcomes.empty()) return {};
+  MUROSIMF_ASSERT(outcomes.size() == 2 && outcomes[0].size() == cases.size());
   std::vector<TuningCheck> checks;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     if (i % checked_walks == 0) checks.push_back({.level = cases[i].level, .runs = checked_walks});
+    MUROSIMF_ASSERT(!checks.empty());
     checks.back().before += outcomes[0][i].fell ? 0 : 1;
     checks.back().after += outcomes[1][i].fell ? 0 : 1;
   }
@@ -110,6 +115,7 @@ WalkTuning tune_walk(const WalkTuningOptions& options) {
   search.first = grid_around(numbers, search.space.start);
   search.minutes = options.budget.minutes;
   search.state = options.budget.state;
+  // A state of a search with other inputs must not be continued.
   search.what = what_walks(options, read);
   search.stop = task.stop;
   search.progress = options.budget.progress;

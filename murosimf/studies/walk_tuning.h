@@ -3,8 +3,8 @@
 ///     const studies::WalkTuning tuned = studies::tune_walk({.model = "robot.urdf"});
 ///     fmt::print("{}{}", to_text(tuned), to_toml(tuned, "found by tune_walk"));
 ///
-/// First what is worked out for the robot (locomotion/gait_seed.h), and 27 combinations of lift, hip_roll and period around it; from the best of
-/// them CMA-ES (cost_search.h) over ten numbers of the walk: all but the speeds and how fast they change, which are the user's business. Each candidate
+/// First the walk that is computed for the robot (locomotion/gait_seed.h), and 27 combinations of lift, hip_roll and period around it; from the best of
+/// them CMA-ES (cost_search.h) over ten numbers of the walk: all but the speeds and how fast they change, which the user chooses. Each candidate
 /// walks under eight cases of every level (tuning_cases.h), two for each of four commands: forward, faster, sideways, turning.
 ///
 /// Cost of a walk over the time D:
@@ -41,7 +41,7 @@ struct WalkTuning {
 /// Throws SetupError: a robot that cannot be read or has no legs to walk with, an unknown level, a state of another search.
 [[nodiscard]] WalkTuning tune_walk(const WalkTuningOptions& options);
 
-/// For people.
+/// Text for users.
 [[nodiscard]] std::string to_text(const WalkTuning& tuning);
 /// Section [walk] of the TOML file beside the robot, with the best; `how`: lines for its head, like the command.
 [[nodiscard]] std::string to_toml(const WalkTuning& tuning, const std::string& how);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::studies {
@@ -20,14 +21,18 @@ double wrapped(double angle) { return std::remainder(angle, 2 * pi); }
 }  // namespace
 
 WalkWatch::WalkWatch(Entity& robot, const Vec3d& command, double duration)
-    : robot_(robot), command_(command), duration_(duration), from_(std::min(start_up, duration / start_share)) {}
+    : robot_(robot), command_(command), duration_(duration), from_(std::min(start_up, duration / start_share)) {
+  MUROSIMF_ASSERT(duration > 0);
+}
 
 void WalkWatch::look(double now) {
   const Vec3d place = robot_.base().get(properties::position);
   const double cosine = robot_.base().get(properties::orientation).z.z, heading = heading_of(robot_);
+  // Numbers that broke down count as a fall.
   if (robot_.frozen() || !std::isfinite(place.x + place.y + cosine) || cosine < fallen)
     fell_at_ = std::min(fell_at_, now);
   if (now > from_ + 1e-9) {
+    // Turned by the heading in the middle of the interval, along which the robot went on average.
     const double turned = wrapped(heading - heading_), middle = heading_ + 0.5 * turned;
     way_ += rotation_z(-middle) * (place - place_);
     turned_ += turned;
@@ -36,6 +41,7 @@ void WalkWatch::look(double now) {
   heading_ = heading;
 }
 
+/// The time before `from_` is left out: the robot is still speeding up.
 WalkOutcome WalkWatch::outcome() const {
   if (fell_at_ <= duration_) return {.fell = true, .cost = 2 - fell_at_ / duration_};
   const double time = duration_ - from_;

@@ -1,4 +1,4 @@
-/// walk_watch.h - looks at a robot that walks now and then, and says what its walk costs (walk_tuning.h has the equation).
+/// walk_watch.h - samples the motion of a robot that walks, and computes the cost of its walk (walk_tuning.h has the equation).
 #pragma once
 
 #include <cmath>

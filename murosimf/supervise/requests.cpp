@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <supervision.pb.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/object_access.h"
 #include "murosimf/scene_file/scene_spec.h"
@@ -70,7 +71,10 @@ void write(const scene::Scene& scene, const Entity& entity, wire::SceneEntity& t
 
 }  // namespace
 
-void Requests::visit(const std::function<void(scene::Scene&)>& look) { session_->visit(look).get(); }
+void Requests::visit(const std::function<void(scene::Scene&)>& look) {
+  MUROSIMF_ASSERT(session_ != nullptr);
+  session_->visit(look).get();
+}
 
 void Requests::write_status(wire::Status& told) const {
   const session::SessionStatus status = session_->status();
@@ -89,7 +93,7 @@ void Requests::write_status(wire::Status& told) const {
   told.set_diagnostic(status.diagnostic);
 }
 
-/// Of the session of that number, or a later one.
+/// Of the session with that number, or a later one.
 void Requests::welcome(wire::ToSupervisor& answer, int session) {
   const SessionSlot::Lease lease(*slot_, session);
   session_ = &lease.session();
@@ -106,6 +110,7 @@ void Requests::publish_scene(wire::ToSupervisor& answer) {
   write_status(*welcome.mutable_status());
 }
 
+/// The lease keeps the session from being exchanged while the request is answered.
 void Requests::answer(const FromSupervisor& request, wire::ToSupervisor& answer) {
   answer.Clear();
   int present = 0;
@@ -119,6 +124,7 @@ void Requests::answer(const FromSupervisor& request, wire::ToSupervisor& answer)
   welcome(answer, present + 1);
 }
 
+/// The present run ends then; the next one has the wanted scene.
 void Requests::exchange(const FromSupervisor& request) {
   if (!options_->exchange) throw SetupError("this run keeps its scene");
   const wire::SceneRequest& asked = request.load_scene();
@@ -163,7 +169,7 @@ void Requests::answer_of_session(const FromSupervisor& request, wire::ToSupervis
   write_status(*answer.mutable_status());
 }
 
-/// Until it is there, or somebody else has paused it or taken it to another time.
+/// Returns when the time is reached, or another supervisor has paused the run or moved it in time.
 void Requests::advance(Duration duration) {
   session_->pause();
   settle();
@@ -181,7 +187,7 @@ void Requests::advance(Duration duration) {
   session_->run_until(before.end);
 }
 
-/// What its status says afterwards is of after what it was told before: it has looked twice.
+/// Two visits: after the second one the status includes all requests made before the first.
 void Requests::settle() {
   for (int i = 0; i < 2; ++i) visit([](scene::Scene&) {});
 }
@@ -198,7 +204,7 @@ void Requests::seek(const FromSupervisor& request) {
       .get();
 }
 
-/// All at the same instant.
+/// All numbers at the same instant.
 void Requests::read(const Patterns& patterns, wire::ToSupervisor& answer) {
   const int session = slot_->number();
   if (std::exchange(found_in_, session) != session) found_.clear();
@@ -227,6 +233,7 @@ void Requests::describe(wire::ToSupervisor& answer) {
   });
 }
 
+/// A part of the events at a time: an answer has a largest size.
 void Requests::publish_events(std::uint64_t first, wire::ToSupervisor& answer) {
   wire::Events& told = *answer.mutable_events();
   visit([&](scene::Scene& scene) {
@@ -241,6 +248,7 @@ void Requests::publish_events(std::uint64_t first, wire::ToSupervisor& answer) {
   });
 }
 
+/// A visit first: the branches are then those after the last finished step.
 void Requests::publish_branches(wire::ToSupervisor& answer) {
   visit([](scene::Scene&) {});
   for (const session::BranchView& branch : session_->branches()) {
@@ -271,6 +279,7 @@ void Requests::load(const FromSupervisor& request) {
       .get();
 }
 
+/// The same bytes as `--save-state` would write.
 void Requests::save(wire::ToSupervisor& answer) {
   wire::SavedState& state = *answer.mutable_state();
   visit([&](scene::Scene& scene) {

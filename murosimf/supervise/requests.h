@@ -1,4 +1,4 @@
-/// requests.h - what a supervisor asks, done by a session and answered.
+/// requests.h - requests of a supervisor, executed by a session and answered.
 #pragma once
 
 #include <functional>
@@ -21,11 +21,11 @@ namespace murosimf::supervise {
 
 class Requests {
  public:
-  /// Both must outlive it. `given_up`: whether the answer is wanted no more.
+  /// Both must outlive it. `given_up`: whether the answer is no longer expected.
   Requests(SessionSlot& slot, const SupervisionOptions& options, std::function<bool()> given_up)
       : slot_(&slot), options_(&options), given_up_(std::move(given_up)) {}
 
-  /// Waits until it is done. Throws SetupError if it cannot be, WireError if it is no request.
+  /// Waits for completion. Throws SetupError if the request fails, WireError if it is invalid.
   void answer(const wire::FromSupervisor& request, wire::ToSupervisor& answer);
   /// Scene, seed, step and status.
   void welcome(wire::ToSupervisor& answer) { welcome(answer, 0); }
@@ -52,10 +52,10 @@ class Requests {
 
   SessionSlot* slot_;
   const SupervisionOptions* options_;
-  session::Session* session_ = nullptr;  // while something is answered
-  std::string state_;                    // that comes in parts
+  session::Session* session_ = nullptr;  // during a request
+  std::string state_;                    // received in parts
   std::function<bool()> given_up_;
-  std::map<Patterns, std::vector<logging::LoggedNumber>> found_;  // what patterns mean
+  std::map<Patterns, std::vector<logging::LoggedNumber>> found_;  // numbers of known patterns
   int found_in_ = 0;                                              // in the session of this number (SessionSlot)
 };
 

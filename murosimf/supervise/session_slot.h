@@ -1,4 +1,4 @@
-/// session_slot.h - the session that supervisors steer now: runs come and go, supervisors stay.
+/// session_slot.h - the session that supervisors control at present: runs come and go, supervisors stay connected.
 #pragma once
 
 #include <condition_variable>
@@ -10,10 +10,10 @@ namespace murosimf::supervise {
 
 class SessionSlot {
  public:
-  /// Somebody uses the session as long as this lives.
+  /// Marks the session as used during its lifetime.
   class Lease {
    public:
-    /// Of the session number `from`, or a later one: waits for it. Throws SetupError if none will come.
+    /// Of the session number `from`, or a later one: waits for it. Throws SetupError if none will follow.
     explicit Lease(SessionSlot& slot, int from = 0) : slot_(&slot), session_(slot.take(from)) {}
     ~Lease() { slot_->give_back(); }
     Lease(const Lease&) = delete;
@@ -26,11 +26,11 @@ class SessionSlot {
   };
 
   void put(session::Session& session);
-  /// Of the present one, or the last one; from 1 on.
+  /// Number of the present session, or the last one; from 1 on.
   [[nodiscard]] int number() const;
-  /// Whoever asks from now on waits for the next one; comes back when nobody uses this one any more.
+  /// Later requests wait for the next session; returns when the present one is no longer used.
   void remove();
-  /// There will be none any more: who waits, or asks, is told so by SetupError.
+  /// There will be no further session: waiting and later requests get a SetupError.
   void close();
 
  private:

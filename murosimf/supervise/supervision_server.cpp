@@ -28,8 +28,9 @@ namespace {
 constexpr unsigned protocol_version = 1;
 constexpr std::size_t longest_request = 65536;  // [byte]
 constexpr std::size_t longest_name = 100;
-constexpr std::size_t most_lines = 100;  // about those who were refused
+constexpr std::size_t most_lines = 100;  // about refused clients
 
+/// From the system's source of randomness: a token must not be guessable from the time of the start.
 std::string drawn_token() {
   std::array<unsigned char, 16> bytes{};
   if (::getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
@@ -40,7 +41,7 @@ std::string drawn_token() {
   return token;
 }
 
-/// Takes as long for every token of that length.
+/// Compares in constant time, so that the time does not reveal a prefix of the token.
 bool equal(std::string_view a, std::string_view b) {
   unsigned char difference = a.size() == b.size() ? 0 : 1;
   for (std::size_t i = 0; i < a.size() && i < b.size(); ++i) difference |= static_cast<unsigned char>(a[i] ^ b[i]);
@@ -63,7 +64,7 @@ wire::WallTime after(double s) {
   return WallClock::now() + std::chrono::duration_cast<WallClock::duration>(std::chrono::duration<double>(s));
 }
 
-/// One supervisor, in a thread of its own.
+/// One supervisor, in its own thread.
 class Supervisor {
  public:
   Supervisor(wire::Caller caller, std::string name, SessionSlot& slot, const SupervisionOptions& options)
@@ -99,13 +100,13 @@ class Supervisor {
   std::string name_;
   double patience_;
   std::function<void(const std::string&)> say_;
-  int wake_;  // event that ends the thread's waiting
+  int wake_;  // event that ends the wait of the thread
   std::atomic<bool> ends_{false}, over_{false};
   Requests requests_;
   std::thread thread_;
 };
 
-/// For the next request; false: there will be none.
+/// Waits for the next request; false: there will be none.
 bool Supervisor::wait() const {
   std::array<pollfd, 2> asked{pollfd{wake_, POLLIN, 0}, {connection_.socket().number(), POLLIN, 0}};
   (void)::poll(asked.data(), asked.size(), -1);
@@ -117,6 +118,7 @@ bool Supervisor::has_gone() const {
   return ::poll(&asked, 1, 0) > 0 && (asked.revents & (POLLRDHUP | POLLHUP | POLLERR)) != 0;
 }
 
+/// An error of one supervisor ends its connection only.
 void Supervisor::serve() noexcept {
   try {
     talk();
@@ -146,18 +148,19 @@ void Supervisor::talk() {
   send(connection_, message);
 }
 
-/// Who has just gone is told nothing, and nobody is told of that.
+/// Sends the reason to a client that is still connected, and reports it; a disconnection needs no report.
 void Supervisor::drop(const std::string& reason) noexcept {
   if (has_gone()) return;
   try {
     wire::ToSupervisor message;
     message.mutable_refused()->set_reason(reason);
     send(connection_, message);
-  } catch (const std::exception&) {  // it has gone now
+  } catch (const std::exception&) {  // it has disconnected meanwhile
   }
   if (say_) say_(fmt::format("{} was dropped: it {}", name_, reason));
 }
 
+/// An error of a request is an answer; an error of the protocol ends the connection.
 void Supervisor::answer(std::string_view bytes) {
   wire::FromSupervisor request;
   wire::ToSupervisor message;
@@ -183,11 +186,11 @@ class Server final : public Supervision {
 
  private:
   void admit(wire::Caller& caller, std::string_view message);
-  void turn_away(wire::Caller& caller, const std::string& reason);
+  void reject(wire::Caller& caller, const std::string& reason);
 
   SupervisionOptions options_;
   SessionSlot slot_;
-  std::list<Supervisor> supervisors_;  // of the reception's thread
+  std::list<Supervisor> supervisors_;  // accessed by the reception's thread only
   std::size_t told_ = 0;
   std::unique_ptr<wire::Reception> reception_;
 };
@@ -205,7 +208,7 @@ Server::Server(session::Session& session, const SupervisionOptions& options) : o
                                .longest = longest_request,
                                .hello_limit = options_.hello_limit},
         wire::Reception::Door{[this](wire::Caller& caller, std::string_view message) { admit(caller, message); },
-                              [this](wire::Caller& caller, const std::string& reason) { turn_away(caller, reason); }});
+                              [this](wire::Caller& caller, const std::string& reason) { reject(caller, reason); }});
   } catch (const wire::WireError& error) {
     throw SetupError(fmt::format("cannot listen on {}: {}", to_text(options_.address), error.what()));
   }
@@ -216,6 +219,7 @@ Server::~Server() {
   reception_.reset();
 }
 
+/// The version is compared before the token: an old client gets a reason that helps.
 void Server::admit(wire::Caller& caller, std::string_view bytes) {
   wire::FromSupervisor message;
   parse(bytes, message);
@@ -235,7 +239,7 @@ void Server::admit(wire::Caller& caller, std::string_view bytes) {
   supervisors_.emplace_back(std::move(caller), name, slot_, options_);
 }
 
-void Server::turn_away(wire::Caller& caller, const std::string& reason) {
+void Server::reject(wire::Caller& caller, const std::string& reason) {
   try {
     wire::ToSupervisor message;
     message.mutable_refused()->set_reason(reason);

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::viewer {
 namespace {
 
@@ -78,6 +80,9 @@ static_assert(in_order());
 }  // namespace
 
 std::span<const ActionInfo> actions() { return table; }
-const ActionInfo& info_of(Action action) { return table[static_cast<std::size_t>(action)]; }
+const ActionInfo& info_of(Action action) {
+  MUROSIMF_ASSERT(static_cast<std::size_t>(action) < table.size());
+  return table[static_cast<std::size_t>(action)];
+}
 
 }  // namespace murosimf::viewer

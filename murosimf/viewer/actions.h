@@ -1,4 +1,4 @@
-/// actions.h - all that a key can do in the viewer, and with which key it does so if nobody says otherwise.
+/// actions.h - all actions of keys in the viewer, with their default keys.
 #pragma once
 
 #include <span>
@@ -67,12 +67,12 @@ enum class Action {
 
 struct ActionInfo {
   Action action;
-  std::string_view name;  ///< in the file of keys
-  std::string_view key;   ///< usual: "Space", "Ctrl+P"
+  std::string_view name;  ///< name in the file of keys
+  std::string_view key;   ///< default: "Space", "Ctrl+P"
   std::string_view meaning;
 };
 
-/// In the order of the enumeration.
+/// In the order of the enumeration, so that it can be indexed by it.
 [[nodiscard]] std::span<const ActionInfo> actions();
 [[nodiscard]] const ActionInfo& info_of(Action action);
 

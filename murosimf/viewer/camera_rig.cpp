@@ -3,15 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::viewer {
 namespace {
 
-constexpr double tv_delay = 0.6;     // [s] by which a camera man is late
+constexpr double tv_delay = 0.6;     // [s] delay of a cameraman
 constexpr double tv_fov = 0.75;      // [rad]
 constexpr double tv_height = 2.6;    // [m]
 constexpr double tv_distance = 2.2;  // [m] outside of the touch line
 
-std::size_t base_row(const PoseFrame& frame, int entity) { return frame.first[static_cast<std::size_t>(entity)]; }
+std::size_t base_row(const PoseFrame& frame, int entity) {
+  MUROSIMF_ASSERT(entity >= 0 && static_cast<std::size_t>(entity) < frame.first.size());
+  return frame.first[static_cast<std::size_t>(entity)];
+}
 
 bool is_there(const PoseFrame* frame, int entity) {
   return frame && entity >= 0 && static_cast<std::size_t>(entity) < frame->present.size() &&
@@ -21,20 +26,22 @@ bool is_there(const PoseFrame* frame, int entity) {
 }  // namespace
 
 void CameraRig::advance(const RigView& scene, double wall) {
-  const int whom = follows && is_there(scene.frame, scene.selected) ? scene.selected : -1;
-  if (whom >= 0) {
-    const Vec3d at = scene.frame->position[base_row(*scene.frame, whom)];
-    if (whom == followed_) orbit.target += at - last_;
+  const int target = follows && is_there(scene.frame, scene.selected) ? scene.selected : -1;
+  if (target >= 0) {
+    const Vec3d at = scene.frame->position[base_row(*scene.frame, target)];
+    if (target == followed_) orbit.target += at - last_;
     last_ = at;
   }
-  followed_ = whom;
+  followed_ = target;
   const int watched = is_there(scene.frame, scene.ball) ? scene.ball : scene.selected;
   if (!is_there(scene.frame, watched)) return;
   const Vec3d at = scene.frame->position[base_row(*scene.frame, watched)];
   if (!attention_) attention_ = at;
+  // exponential smoothing, independent of the picture rate
   *attention_ += (1 - std::exp(-wall / tv_delay)) * (at - *attention_);
 }
 
+/// Without a robot to look from or at, the free camera takes the place of the mode.
 sensors::Perspective CameraRig::view(const RigView& scene, int width, int height) const {
   if (mode_ == Mode::robot && is_there(scene.frame, scene.selected)) return through_camera(scene, width, height);
   if (mode_ == Mode::tv) {
@@ -46,12 +53,13 @@ sensors::Perspective CameraRig::view(const RigView& scene, int width, int height
   return orbit.view(width, height);
 }
 
-/// A robot without a camera looks from its head's height, as far as its base says.
+/// A robot without a camera looks from about its head's height, derived from its base.
 sensors::Perspective CameraRig::through_camera(const RigView& scene, int width, int height) const {
   const PoseFrame& frame = *scene.frame;
   const std::size_t first = base_row(frame, scene.selected);
   if (scene.camera) {
     const std::size_t row = first + static_cast<std::size_t>(scene.camera->link);
+    MUROSIMF_ASSERT(row < frame.position.size());
     sensors::Perspective view = pinhole_view(*scene.camera, frame.position[row], frame.orientation[row], width, height);
     view.without = scene.carrier;
     return view;
@@ -75,6 +83,7 @@ sensors::Perspective pinhole_view(const sensors::CameraInfo& camera, const Vec3d
     const auto ray = lens.ray({u, middle});
     return ray && ray->z > 0 ? std::min(std::abs(std::atan2(ray->x, ray->z)), widest_half_view) : widest_half_view;
   };
+  // the mean of both halves: the principal point of a lens need not be in the middle
   view.right = std::tan(0.5 * (half_view(-0.5) + half_view(lens.spec().width - 0.5)));
   view.left = -view.right;
   view.bottom = view.right * height / std::max(1, width);

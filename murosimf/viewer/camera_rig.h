@@ -1,4 +1,4 @@
-/// camera_rig.h - from where the viewer looks: led by the mouse, after what is selected, through a robot's camera, or as on television.
+/// camera_rig.h - the viewpoint of the viewer: moved by the mouse, following the selection, through a robot's camera, or as on television.
 #pragma once
 
 #include <optional>
@@ -10,11 +10,11 @@
 
 namespace murosimf::viewer {
 
-/// Of the moment that is shown.
+/// The displayed instant.
 struct RigView {
   const PoseFrame* frame = nullptr;
   int selected = -1, ball = -1;                 ///< entities; -1: none
-  const sensors::CameraInfo* camera = nullptr;  ///< of what is selected; null: it has none
+  const sensors::CameraInfo* camera = nullptr;  ///< of the selected entity; null: it has none
   const Entity* carrier = nullptr;              ///< the robot with that camera: it does not see itself
   double half_length = 3, half_width = 2;       ///< [m] of the field
 };
@@ -24,12 +24,12 @@ class CameraRig {
   enum class Mode { free, robot, tv };
 
   OrbitCamera orbit;
-  bool follows = false;  ///< the free view goes along with what is selected
+  bool follows = false;  ///< the free view moves with the selected entity
 
   [[nodiscard]] Mode mode() const { return mode_; }
   void set_mode(Mode mode) { mode_ = mode; }
 
-  /// Goes on by `wall` [s]; moves follow what is shown then.
+  /// Advances by `wall` [s]; moves follow the displayed entities.
   void advance(const RigView& scene, double wall);
   [[nodiscard]] sensors::Perspective view(const RigView& scene, int width, int height) const;
 
@@ -38,11 +38,11 @@ class CameraRig {
 
   Mode mode_ = Mode::free;
   int followed_ = -1;
-  Vec3d last_;                      // [m] place of who is followed
-  std::optional<Vec3d> attention_;  // [m] where television looks
+  Vec3d last_;                      // [m] last place of the followed entity
+  std::optional<Vec3d> attention_;  // [m] point that the television view looks at
 };
 
-/// Straight pictures look at most so far to the side [rad]; real lenses may see more.
+/// Limit of straight pictures to each side [rad]; real lenses may see more.
 inline constexpr double widest_half_view = 1.05;
 
 /// The picture of a camera on `link` as a pinhole takes it: without distortion, blur and noise.

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::viewer {
 namespace {
 
@@ -11,7 +13,7 @@ bool begins_with(const std::string& text, std::string_view begin) { return text.
 
 }  // namespace
 
-/// What is told again after a jump is known already.
+/// Marks that are reported again after a jump are known already.
 void EventBook::add(TimeMark mark) {
   const auto same = [&](const TimeMark& other) {
     return other.time == mark.time && other.text == mark.text && other.kind == mark.kind;
@@ -27,6 +29,7 @@ void EventBook::take(const Inspection& seen, int branch, bool jumped) {
     add({seconds(event.time), branch, kind, event.text});
   }
   events_known_ = seen.first_event + seen.events.size();
+  // shorter after a jump: later warnings of the old branch are gone
   if (seen.first_warning <= warnings_.size()) warnings_.resize(seen.first_warning);
   warnings_.insert(warnings_.end(), seen.warnings.begin(), seen.warnings.end());
   for (std::size_t i = 0; i < seen.entities.size(); ++i) {
@@ -37,6 +40,7 @@ void EventBook::take(const Inspection& seen, int branch, bool jumped) {
   }
   falls_.clear();
   for (const EntityState& entity : seen.entities) falls_.push_back(entity.falls);
+  MUROSIMF_ASSERT(falls_.size() == seen.entities.size());
 }
 
 void EventBook::goal(double time, int branch, std::string text) {

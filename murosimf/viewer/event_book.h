@@ -1,4 +1,4 @@
-/// event_book.h - what has happened in a run, in all of its branches: events and warnings of the simulation, falls, goals.
+/// event_book.h - events of a run, in all of its branches: events and warnings of the simulation, falls, goals.
 #pragma once
 
 #include <string>
@@ -11,12 +11,12 @@ namespace murosimf::viewer {
 
 class EventBook {
  public:
-  /// Takes over what is new; `branch`: of the time line; `jumped`: time has jumped since the last call, so numbers of falls are not
+  /// Adds new ones; `branch`: of the timeline; `jumped`: time has jumped since the last call, so numbers of falls are not
   /// compared.
   void take(const Inspection& seen, int branch, bool jumped);
   void goal(double time, int branch, std::string text);
 
-  /// In the order of time.
+  /// Ordered by time.
   [[nodiscard]] const std::vector<TimeMark>& marks() const { return marks_; }
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
   /// For the next request.

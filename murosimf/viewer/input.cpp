@@ -7,7 +7,7 @@
 namespace murosimf::viewer {
 namespace {
 
-/// What one picture has been given.
+/// Events already assigned to a picture.
 struct Given {
   std::set<std::string> keys;
   std::set<int> buttons;
@@ -31,6 +31,7 @@ double input_clock() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+/// Not all at once: a frame takes each key and button once, so that a quick press and release are both seen.
 std::vector<Input> InputQueue::next() {
   Given given;
   std::vector<Input> inputs;

@@ -1,4 +1,4 @@
-/// input.h - what keys and mouse do in a window, as events, and the queue that hands them on.
+/// input.h - keys and mouse of a window as events, and the queue that distributes them to pictures.
 #pragma once
 
 #include <deque>
@@ -17,7 +17,7 @@ struct KeyInput {
 struct ButtonInput {
   int button = 0;  ///< 0 left, 1 right, 2 middle
   bool pressed = false;
-  double time = 0;  ///< [s] by input_clock(), when it came
+  double time = 0;  ///< [s] by input_clock(), time of arrival
 };
 struct MoveInput {
   Pixel place;  ///< of the window
@@ -33,15 +33,15 @@ using Input = std::variant<KeyInput, ButtonInput, MoveInput, WheelInput, TextInp
 /// [s] of ButtonInput::time
 [[nodiscard]] double input_clock();
 
-/// Events in their order, handed on from picture to picture.
+/// Events in their order, distributed over pictures.
 ///
-/// Panels look at the state of keys and buttons once a picture. What would not be seen there waits for the next picture: a key or a
-/// button that changes twice, a pointer that moves on after a button has changed, a button that is pressed where the pointer has just come
-/// to (what is there is known after a picture only), letters after a key. So a click of any length counts, whatever a picture takes.
+/// Panels read the state of keys and buttons once per picture. Events that would be lost this way wait for the next picture: a key or a
+/// button that changes twice, a pointer that moves after a button has changed, a button that is pressed where the pointer has just arrived
+/// (items under it are known after a picture only), letters after a key. So a click of any length counts, however long a picture takes.
 class InputQueue {
  public:
   void add(const std::vector<Input>& inputs) { inputs_.insert(inputs_.end(), inputs.begin(), inputs.end()); }
-  /// Those of the next picture.
+  /// Events of the next picture.
   [[nodiscard]] std::vector<Input> next();
   [[nodiscard]] bool empty() const { return inputs_.empty(); }
 

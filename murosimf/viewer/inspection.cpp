@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "murosimf/collision/contact_properties.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
@@ -49,7 +50,7 @@ ObjectValues values_of(const World& world, const ObjectPath& path, const std::ve
       const Quantity quantity = object.get(name);
       values.properties.push_back(
           {std::string(name), std::string(quantity.unit), quantity.numbers, entity.find(name) == nullptr});
-    } catch (const SetupError&) {  // what is no row of numbers
+    } catch (const SetupError&) {  // properties that are no row of numbers are not shown
     }
   }
   return values;
@@ -65,6 +66,7 @@ CameraState state_of(const sensors::CameraFrame& frame, bool with_picture) {
   return state;
 }
 
+/// Only levels with torques have loads.
 void add_loads(const scene::SceneParts& parts, const World& world, std::vector<JointLoad>& loads) {
   for (std::size_t i = 0; i < world.entities().size(); ++i) {
     const Entity& entity = *world.entities()[i];
@@ -76,6 +78,7 @@ void add_loads(const scene::SceneParts& parts, const World& world, std::vector<J
       if (!(limit > 0)) continue;
       loads.push_back(
           {{static_cast<int>(i), object}, std::abs(torque->values[static_cast<std::size_t>(object)]) / limit});
+      MUROSIMF_ASSERT(static_cast<std::size_t>(object) < torque->values.size());
     }
   }
 }
@@ -83,12 +86,14 @@ void add_loads(const scene::SceneParts& parts, const World& world, std::vector<J
 template <class T>
 std::size_t copy_from(std::size_t known, const std::vector<T>& all, std::vector<T>& into) {
   const std::size_t first = std::min(known, all.size());
+  MUROSIMF_ASSERT(first <= all.size());
   into.assign(all.begin() + static_cast<std::ptrdiff_t>(first), all.end());
   return first;
 }
 
 }  // namespace
 
+/// Only what was requested is read: the thread of the run waits meanwhile.
 Inspection inspect(const scene::Scene& scene, const InspectionRequest& request) {
   const Simulation& simulation = scene.simulation();
   const scene::SceneParts& parts = scene.parts();
@@ -115,6 +120,7 @@ Inspection inspect(const scene::Scene& scene, const InspectionRequest& request) 
   return seen;
 }
 
+/// Everything about entities that does not change between two scenes.
 std::vector<EntityOutline> outline_of(const scene::Scene& scene) {
   const scene::SceneParts& parts = scene.parts();
   std::vector<EntityOutline> all;

@@ -1,4 +1,4 @@
-/// inspection.h - what a viewer wants to know of a running scene besides poses: a copy, made between two steps (Session::visit).
+/// inspection.h - data of a running scene for a viewer, in addition to poses: a copy, made between two steps (Session::visit).
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace murosimf::viewer {
 
-/// An object of an entity, by their numbers.
+/// An object of an entity, by their indices.
 struct ObjectPath {
   int entity = 0, object = 0;
   friend auto operator<=>(const ObjectPath&, const ObjectPath&) = default;
@@ -25,7 +25,7 @@ struct ObjectPath {
 struct PropertyValue {
   std::string name, unit;
   std::vector<double> numbers;
-  bool constant = false;  ///< of the model: cannot change while it runs
+  bool constant = false;  ///< of the model: does not change while it runs
 };
 
 struct ObjectValues {
@@ -39,7 +39,7 @@ struct EntityState {
   bool is_robot = false, moves = false, present = true, frozen = false;
   int standing_foot = -1;  ///< 0 or 1 at kinematic_walking, else -1
   int falls = 0;
-  std::optional<Vec3d> believed_pose;  ///< [m, m, rad] where it takes itself to be (soccer/beliefs.h)
+  std::optional<Vec3d> believed_pose;  ///< [m, m, rad] the robot's own estimate of its pose (soccer/beliefs.h)
 };
 
 struct SensorState {
@@ -51,27 +51,27 @@ struct SensorState {
 
 struct CameraState {
   std::shared_ptr<const sensors::CameraInfo> info;
-  bool wanted = false;          ///< it draws, since somebody reads its pictures
+  bool wanted = false;          ///< it is drawn, since its pictures are read
   double time = 0;              ///< [s] of the picture
   imaging::ColorImage picture;  ///< empty if there is none
 };
 
-/// What a joint's servo gives, of what it can.
+/// Load of a joint's servo relative to its limit.
 struct JointLoad {
   ObjectPath path;
-  double share = 0;  ///< |joint_torque| by the limit of the servo's torque
+  double share = 0;  ///< |joint_torque| divided by the limit of the servo's torque
 };
 
-/// What is to be looked at.
+/// Selection of the data.
 struct InspectionRequest {
   std::vector<ObjectPath> objects;      ///< all properties of these
-  std::vector<std::string> properties;  ///< but of those that change only these, if there are any
+  std::vector<std::string> properties;  ///< restricts changing properties to these, if not empty
   std::optional<int> sensors_of;        ///< of this entity
-  bool pictures = false;                ///< also what its cameras have drawn
+  bool pictures = false;                ///< includes pictures of its cameras
   bool algorithms = false;
   bool loads = false;                                ///< of the joints of all robots
-  std::uint64_t drawings_known = 0;                  ///< Inspection::drawings, of those that are known already
-  std::size_t events_known = 0, warnings_known = 0;  ///< so many of both are known already
+  std::uint64_t drawings_known = 0;                  ///< Inspection::drawings of the drawings known already
+  std::size_t events_known = 0, warnings_known = 0;  ///< numbers of those known already
 };
 
 struct Inspection {
@@ -79,29 +79,29 @@ struct Inspection {
   int changes_to_see = 0;             ///< scene::SceneParts
   std::vector<EntityState> entities;  ///< in the order of the world
   std::vector<ObjectValues> objects;  ///< as requested
-  std::optional<int> sensors_of;      ///< entity of those that follow
+  std::optional<int> sensors_of;      ///< entity of the following members
   std::vector<SensorState> sensors;
   std::vector<CameraState> cameras;
   std::vector<AlgorithmStatistics> algorithms;
   std::vector<JointLoad> loads;
-  std::uint64_t drawings = 0;                        ///< changes with what is drawn for people who watch
-  std::optional<std::vector<drawing::Drawn>> drawn;  ///< that; nothing: it is known
-  std::size_t first_event = 0, first_warning = 0;    ///< numbers of those that follow
+  std::uint64_t drawings = 0;                        ///< changes with the debug drawings
+  std::optional<std::vector<drawing::Drawn>> drawn;  ///< debug drawings; nothing: unchanged
+  std::size_t first_event = 0, first_warning = 0;    ///< indices of the first of each
   std::vector<Event> events;
   std::vector<std::string> warnings;  ///< of the scene, then of the simulation
 };
 
-/// Reads only. In the thread that runs the scene, between two steps.
+/// Read-only. In the thread that runs the scene, between two steps.
 [[nodiscard]] Inspection inspect(const scene::Scene& scene, const InspectionRequest& request);
 
-/// What does not change while a scene runs and nobody is added to it: for who draws trees and needs numbers of models.
+/// Data that does not change while a scene runs unless an entity is added: for trees and indices of models.
 struct EntityOutline {
   std::string name;
   ModelPtr model;
   std::string team;
   Color color;
   bool is_robot = false, is_ball = false, moves = false;
-  int label = -1;  ///< number among the robots, from 0
+  int label = -1;  ///< index among the robots, from 0
 };
 [[nodiscard]] std::vector<EntityOutline> outline_of(const scene::Scene& scene);
 

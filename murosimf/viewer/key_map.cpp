@@ -53,6 +53,7 @@ std::vector<std::string_view> key_names() {
   return names;
 }
 
+/// Modifiers come first, in any order: "Ctrl+Shift+A".
 KeyChord read_chord(std::string_view text) {
   KeyChord chord;
   std::string_view rest = text;
@@ -90,6 +91,7 @@ KeyMap::KeyMap(const std::filesystem::path& file) : KeyMap() {
   std::map<KeyChord, Action> given;
   for (const auto& [name, node] : table) {
     const Action action = with_context(files::where(node.source()), [&] { return action_named(name.str()).action; });
+    // an action in the file loses its default keys, an empty list leaves it without any
     std::erase_if(keys_, [&](const auto& key) { return key.second == action; });
     for (const auto* text : texts_of(node)) {
       const std::string where = files::where(text->source());
@@ -108,6 +110,7 @@ std::optional<Action> KeyMap::action_of(const KeyChord& chord) const {
   return found == keys_.end() ? std::nullopt : std::optional(found->second);
 }
 
+/// All chords of an action, for the help.
 std::string KeyMap::keys_of(Action action) const {
   std::string text;
   for (const auto& [chord, meant] : keys_) {

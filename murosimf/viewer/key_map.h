@@ -1,4 +1,4 @@
-/// key_map.h - which key does what: as usual, or as a file says.
+/// key_map.h - assignment of keys to actions: the defaults, or those of a file.
 ///
 ///     run_or_pause = "Enter"       # TOML: an action of actions.h, and its key
 ///     place_ball = ["B", "Ctrl+B"] # several
@@ -16,7 +16,7 @@
 
 namespace murosimf::viewer {
 
-/// A key with what is held beside it. Names of keys: one letter, digit or sign; Space, Tab, Enter, Escape, Backspace, Backslash,
+/// A key with its modifiers. Names of keys: one letter, digit or sign; Space, Tab, Enter, Escape, Backspace, Backslash,
 /// Delete, Insert, Home, End, PageUp, PageDown, Left, Right, Up, Down, F1 to F12.
 struct KeyChord {
   std::string key;
@@ -24,17 +24,17 @@ struct KeyChord {
   friend auto operator<=>(const KeyChord&, const KeyChord&) = default;
 };
 
-/// "Ctrl+Shift+P"; in any case. Throws SetupError.
+/// "Ctrl+Shift+P"; case-insensitive. Throws SetupError.
 [[nodiscard]] KeyChord read_chord(std::string_view text);
 [[nodiscard]] std::string to_text(const KeyChord& chord);
-/// Every name of a key.
+/// All names of keys.
 [[nodiscard]] std::vector<std::string_view> key_names();
 
 class KeyMap {
  public:
-  /// The usual keys.
+  /// The default keys.
   KeyMap();
-  /// Those, but for what the file says. A key that the file gives to an action is taken from the one that usually has it. Throws
+  /// The defaults, overridden by the file. A key that the file assigns is removed from its default action. Throws
   /// SetupError with file and line: unknown actions and keys, one key for two actions.
   explicit KeyMap(const std::filesystem::path& file);
 

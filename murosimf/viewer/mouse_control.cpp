@@ -2,11 +2,13 @@
 
 #include <cmath>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::viewer {
 namespace {
 
-constexpr double still = 4;            // [px] by which a click may slip
-constexpr double least_force = 0.5;    // [N] of a push that is meant
+constexpr double still = 4;            // [px] tolerated movement of a click
+constexpr double least_force = 0.5;    // [N] smaller pushes are regarded as unintended
 constexpr double least_moment = 0.05;  // [N m]
 
 }  // namespace
@@ -24,6 +26,7 @@ void MouseControl::press(Button button, const Held& held, const Pixel& pixel, co
 void MouseControl::begin_with_thing(Kind kind, const Pixel& pixel, const sensors::Perspective& view, const Pick& pick) {
   kind_ = Kind::nothing;
   const auto hit = pick(pixel);
+  MUROSIMF_ASSERT(!hit || !hit->path || static_cast<std::size_t>(hit->path->entity) < viewer_.outline().size());
   if (!hit || !hit->path || !viewer_.outline()[static_cast<std::size_t>(hit->path->entity)].moves) {
     return viewer_.tell("take hold of a robot, a body or the ball", true);
   }
@@ -32,6 +35,7 @@ void MouseControl::begin_with_thing(Kind kind, const Pixel& pixel, const sensors
   path_ = *hit->path;
   grabbed_ = to_ = hit->point;
   start_ = viewer_.place_of({path_.entity, 0}).value_or(hit->point);
+  // placed over the ground, pushed and turned in the plane of the picture
   normal_ = kind == Kind::place ? Vec3d{0, 0, 1} : view.axes.z;
   kind_ = kind;
   viewer_.select(kind == Kind::place ? ObjectPath{path_.entity, 0} : path_);
@@ -41,6 +45,7 @@ std::optional<Vec3d> MouseControl::dragged_to(const Pixel& pixel, const sensors:
   return on_plane(view, pixel, grabbed_, normal_);
 }
 
+/// A small tremble of the hand is still a click.
 void MouseControl::move(const Pixel& pixel, const sensors::Perspective& view) {
   if (kind_ == Kind::none) return;
   const double right = pixel.x - last_.x, down = pixel.y - last_.y;
@@ -59,6 +64,7 @@ void MouseControl::move(const Pixel& pixel, const sensors::Perspective& view) {
   if (kind_ == Kind::place) viewer_.move(path_.entity, start_ + (to_ - grabbed_));
 }
 
+/// The drag ends where the button is released, also if no move was reported before.
 void MouseControl::release(const Pixel& pixel, const sensors::Perspective& view, const Pick& pick) {
   move(pixel, view);
   const auto pulled = pull();
@@ -75,6 +81,7 @@ void MouseControl::release(const Pixel& pixel, const sensors::Perspective& view,
   }
 }
 
+/// The place becomes the center of rotation, also on the ground.
 void MouseControl::double_click(Button button, const Held& held, const Pixel& pixel, const Pick& pick) {
   const auto hit = pick(pixel);
   if (!hit) return;
@@ -93,7 +100,7 @@ std::optional<MouseControl::Pull> MouseControl::pull() const {
   if ((kind_ != Kind::push && kind_ != Kind::twist) || !went_far_) return std::nullopt;
   const Vec3d way = to_ - grabbed_;
   if (kind_ == Kind::push) return Pull{path_, grabbed_, to_, viewer_.newtons_per_meter * way};
-  // the front is what the eye sees of it, against the normal
+  // the grabbed front points to the eye, against the normal, hence cross(way, normal)
   return Pull{path_, grabbed_, to_, {}, viewer_.newton_meters_per_meter * cross(way, normal_)};
 }
 

@@ -1,6 +1,6 @@
-/// mouse_control.h - what the mouse does in the picture of a scene.
+/// mouse_control.h - effects of the mouse in the picture of a scene.
 ///
-/// left drag: turn about the middle · right drag, or left with Alt: move the picture · wheel: nearer, farther · click: select ·
+/// left drag: turn about the middle · right drag, or left with Alt: move the picture · wheel: zoom · click: select ·
 /// double click: select, and look at it · right double click: look at that place; with Ctrl: follow it · Shift and left drag: move a robot, the ball
 /// or a body over the ground, while it is paused · Ctrl and right drag: push it, along the plane of the picture · Ctrl and left drag:
 /// turn it as if its front were pulled that way.
@@ -14,7 +14,7 @@
 
 namespace murosimf::viewer {
 
-/// What a pixel shows.
+/// The object seen at a pixel.
 struct Hit {
   std::optional<ObjectPath> path;  ///< nothing: the ground
   Vec3d point;                     ///< [m] world
@@ -26,9 +26,9 @@ class MouseControl {
   struct Held {
     bool ctrl = false, shift = false, alt = false;
   };
-  /// Nothing if a pixel shows nothing.
+  /// Nothing if no object is seen at a pixel.
   using Pick = std::function<std::optional<Hit>(const Pixel&)>;
-  /// A push that is being pulled.
+  /// A push in preparation.
   struct Pull {
     ObjectPath path;
     Vec3d from, to;  ///< [m] world
@@ -59,7 +59,7 @@ class MouseControl {
   bool went_far_ = false;
   ObjectPath path_;
   Vec3d grabbed_, start_, to_,
-      normal_;  // [m] place that was grabbed, base at the start, where it is pulled to; of the plane
+      normal_;  // [m] grabbed place, base at the start, place that it is pulled to; normal of the plane
 };
 
 }  // namespace murosimf::viewer

@@ -1,4 +1,4 @@
-// Stands in for the window where GLFW, Dear ImGui or OpenGL is missing.
+// Replacement for the window where GLFW, Dear ImGui or OpenGL is missing.
 #include "murosimf/model/error.h"
 #include "murosimf/viewer/window.h"
 

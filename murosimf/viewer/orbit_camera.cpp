@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::viewer {
 namespace {
 
 constexpr double steepest = 0.5 * pi - 1e-3;      // [rad]
 constexpr double nearest = 0.05, farthest = 200;  // [m]
 constexpr double turn_per_height = pi;            // [rad] for a drag as long as the picture is high
-constexpr double lowest = -0.2;                   // [rad] a little from below
+constexpr double lowest = -0.2;                   // [rad] slightly from below
 constexpr double share_per_click = 0.88;          // [1] of the distance
 constexpr Vec3d upwards{0, 0, 1};
 
@@ -20,11 +22,12 @@ Vec3d toward_eye(double azimuth, double elevation) {
 }  // namespace
 
 sensors::Perspective look(const Vec3d& eye, const Vec3d& at, double fov, int width, int height) {
+  MUROSIMF_ASSERT(fov > 0);
   sensors::Perspective view;
   view.eye = eye;
   view.axes.z = (1 / norm(at - eye)) * (at - eye);
   Vec3d right = cross(view.axes.z, upwards);
-  if (norm(right) < 1e-9) right = {1, 0, 0};
+  if (norm(right) < 1e-9) right = {1, 0, 0};  // straight down: any direction will do
   view.axes.x = (1 / norm(right)) * right;
   view.axes.y = cross(view.axes.z, view.axes.x);
   view.right = std::tan(0.5 * fov);
@@ -55,10 +58,12 @@ std::optional<Vec3d> on_plane(const sensors::Perspective& view, const Pixel& pix
   const double slope = dot(ray.direction, normal);
   if (std::abs(slope) < 1e-6) return std::nullopt;
   const double way = dot(place - ray.from, normal) / slope;
+  // beyond 10 km the intersection is meaningless to the user
   if (!(way > 0 && way < 1e4)) return std::nullopt;
   return ray.from + way * ray.direction;
 }
 
+/// Straight up or down there is no azimuth: then the usual one is taken.
 void OrbitCamera::take_over(const sensors::Perspective& view) {
   const Vec3d forward = view.axes.z;
   elevation = std::asin(std::clamp(-forward.z, -1.0, 1.0));

@@ -1,4 +1,4 @@
-/// orbit_camera.h - an eye that people lead around a place: it turns about it, goes nearer, moves aside.
+/// orbit_camera.h - a camera that the mouse moves around a place: it turns about it, zooms, moves aside.
 ///
 /// Pixels count from the top left corner of the picture, and the middle of the first one is at 0.5.
 #pragma once
@@ -14,7 +14,7 @@ struct Pixel {
   double x = 0, y = 0;
 };
 
-/// What a pixel looks along.
+/// The line of sight of a pixel.
 struct Ray {
   Vec3d from;       ///< [m] world
   Vec3d direction;  ///< [1] unit, world
@@ -23,10 +23,10 @@ struct Ray {
 /// Looks from `eye` to `at` [m, world] with `fov` [rad] from the left to the right border; up is up.
 [[nodiscard]] sensors::Perspective look(const Vec3d& eye, const Vec3d& at, double fov, int width, int height);
 
-/// Where a place [m, world] is seen; nothing if it is behind the eye.
+/// Pixel of a place [m, world]; nothing if it is behind the eye.
 [[nodiscard]] std::optional<Pixel> pixel_of(const sensors::Perspective& view, const Vec3d& place);
 [[nodiscard]] Ray ray_of(const sensors::Perspective& view, const Pixel& pixel);
-/// Where the ray of a pixel meets the plane through `place` that is normal to `normal`; nothing if it looks past or away.
+/// Intersection of a pixel's ray with the plane through `place` normal to `normal`; nothing if there is none in front of the eye.
 [[nodiscard]] std::optional<Vec3d> on_plane(const sensors::Perspective& view, const Pixel& pixel, const Vec3d& place,
                                             const Vec3d& normal);
 
@@ -37,15 +37,15 @@ struct OrbitCamera {
   double distance = 6;      ///< [m]
   double fov = 0.7;         ///< [rad] from the left to the right border
 
-  /// As another view looks, as near as this can: about what it sees on the ground, or `distance` [m] in front of it.
+  /// Approximates another view: about the place that it sees on the ground, or `distance` [m] in front of it.
   void take_over(const sensors::Perspective& view);
 
-  // Drags of the mouse by so many pixels of a picture that is `height` [px] high.
+  // Drags of the mouse by a number of pixels of a picture that is `height` [px] high.
   void orbit(double right, double down, int height);
   void pan(double right, double down, int height);
-  /// Nearer for positive clicks of a wheel.
+  /// Moves nearer for positive clicks of a wheel.
   void zoom(double clicks);
-  /// Flies [m] along its own axes, level: forward, to the left, upwards.
+  /// Moves [m] along its own horizontal axes: forward, to the left, upwards.
   void fly(double forward, double left, double up);
 
   [[nodiscard]] sensors::Perspective view(int width, int height) const;

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::viewer {
@@ -21,7 +22,7 @@ struct Posed {
   std::span<const Mat3d> R;
 };
 
-/// Corners of a box as the twelve edges between them.
+/// Adds the twelve edges of a box.
 void add_box(const Transformd& place, const Vec3d& half, Overlays& into) {
   const auto corner = [&](int x, int y, int z) {
     return place.position + place.orientation * Vec3d{x * half.x, y * half.y, z * half.z};
@@ -37,7 +38,7 @@ void add_box(const Transformd& place, const Vec3d& half, Overlays& into) {
   }
 }
 
-/// [m] Half sides of the box about a shape, in the shape's axes, and its middle.
+/// [m] Middle and half sides of the box about a shape, in the shape's axes.
 std::pair<Vec3d, Vec3d> box_of(const Shape& shape) {
   if (const auto* box = std::get_if<Box>(&shape)) return {{}, box->half_size};
   if (const auto* ellipsoid = std::get_if<Ellipsoid>(&shape)) return {{}, ellipsoid->semi_axes};
@@ -49,6 +50,7 @@ std::pair<Vec3d, Vec3d> box_of(const Shape& shape) {
   }
   if (const auto* convex = std::get_if<Convex>(&shape)) {
     const auto& corners = convex->hull->vertices;
+    MUROSIMF_ASSERT(!corners.empty());
     Vec3d low = corners.front(), high = low;
     for (const Vec3d& p : corners) {
       low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
@@ -64,6 +66,7 @@ void add_boxes(const Posed& entity, Overlays& into) {
   const Model& model = *entity.outline.model;
   for (const int i : model.having(properties::shapes)) {
     const auto row = static_cast<std::size_t>(i);
+    MUROSIMF_ASSERT(row < entity.r.size() && row < entity.R.size());
     for (const PlacedShape& shape : *model.find(properties::shapes, i)) {
       const auto [middle, half] = box_of(shape.shape);
       const Mat3d R = entity.R[row] * shape.orientation;
@@ -72,6 +75,7 @@ void add_boxes(const Posed& entity, Overlays& into) {
   }
 }
 
+/// The foot of the plumb line shows whether the center of mass is above the soles.
 void add_center_of_mass(const Posed& entity, Overlays& into) {
   const auto center = center_of_mass(*entity.outline.model, entity.r, entity.R);
   if (!center) return;
@@ -86,6 +90,7 @@ void add_axes(const Posed& entity, Overlays& into) {
   const Model& model = *entity.outline.model;
   for (const Link& link : model.tree().links) {
     const auto i = static_cast<std::size_t>(link.object);
+    MUROSIMF_ASSERT(i < entity.r.size());
     const Vec3d& r = entity.r[i];
     const Mat3d& R = entity.R[i];
     into.marks.push_back({{r, r + length * R.x}, {1, 0.2, 0.2}, 2});
@@ -94,7 +99,7 @@ void add_axes(const Posed& entity, Overlays& into) {
   }
 }
 
-/// [m] About as large as a robot.
+/// [m] Radius about that of a robot.
 std::vector<Vec3d> ring_around(const Vec3d& middle) {
   constexpr int corners = 24;
   std::vector<Vec3d> ring;
@@ -111,7 +116,7 @@ void add_level(const Posed& entity, const std::string& level, Overlays& into) {
                         .closed = true});
 }
 
-/// A ring and an arrow where a robot takes itself to be, and a line from there to where it is.
+/// A ring and an arrow at a robot's estimate of its pose, and a line from there to its true place.
 void add_belief(const Posed& entity, const Vec3d& believed, Overlays& into) {
   const Color& color = entity.outline.color;
   constexpr double height = 0.006, length = 0.35;  // [m]
@@ -136,6 +141,7 @@ void add_name(const Posed& entity, const std::string& level, const OverlayOption
   into.labels.push_back({above(entity), text, with_level ? color_of_level(level) : Color{1, 1, 1}});
 }
 
+/// Slightly above the ground, so that the marks are not hidden by it.
 std::vector<Vec3d> ground_contacts(const PoseFrame& frame, std::size_t entity) {
   std::vector<Vec3d> points;
   for (const ContactMark& mark : frame.contacts) {
@@ -144,6 +150,7 @@ std::vector<Vec3d> ground_contacts(const PoseFrame& frame, std::size_t entity) {
   return points;
 }
 
+/// Small forces would be arrows without a visible direction.
 void add_contacts(const PoseFrame& frame, const OverlayOptions& options, Overlays& into) {
   for (const ContactMark& mark : frame.contacts) {
     if (options.contacts) {
@@ -165,6 +172,7 @@ void add_zero_moment_point(const PoseFrame& frame, std::size_t entity, Overlays&
   into.marks.push_back({.points = {*point}, .color = moment_color, .width = 8});
 }
 
+/// Frames and inspections come at different instants: an entity may be gone by now.
 void add_loads(const PoseFrame& frame, const Inspection& seen, Overlays& into) {
   for (const JointLoad& load : seen.loads) {
     const auto entity = static_cast<std::size_t>(load.path.entity);
@@ -180,11 +188,13 @@ Overlays overlays(const PoseFrame& frame, std::span<const EntityOutline> outline
                   const OverlayOptions& options, int selected) {
   Overlays into;
   const std::size_t count = std::min({outline.size(), frame.present.size(), seen.entities.size()});
+  MUROSIMF_ASSERT(frame.first.size() > count);
   for (std::size_t i = 0; i < count; ++i) {
     if (!frame.present[i] || !outline[i].moves) continue;
     const std::size_t first = frame.first[i], rows = frame.first[i + 1] - first;
     const Posed entity{outline[i], std::span(frame.position).subspan(first, rows),
                        std::span(frame.orientation).subspan(first, rows)};
+    MUROSIMF_ASSERT(rows > 0);
     const std::string& level = outline[i].is_robot ? seen.entities[i].level : std::string();
     if (options.levels && outline[i].is_robot) add_level(entity, level, into);
     if (options.support_polygons && outline[i].is_robot) {
@@ -210,6 +220,7 @@ std::optional<Vec3d> zero_moment_point(const PoseFrame& frame, int entity) {
   double force = 0;
   Vec3d moment;
   for (const ContactMark& mark : frame.contacts) {
+    // only forces that support: a pull by a sticking contact carries nothing
     if (mark.ground_contact_of != entity || !(mark.force.z > 0)) continue;
     force += mark.force.z;
     moment += mark.force.z * mark.point;
@@ -224,7 +235,9 @@ Color color_of_load(double share) {
   return {std::min(1.0, 2 * s), std::min(1.0, 2 - 2 * s), 0.1};
 }
 
+/// Nothing for models without mass.
 std::optional<Vec3d> center_of_mass(const Model& model, std::span<const Vec3d> r, std::span<const Mat3d> R) {
+  MUROSIMF_ASSERT(r.size() == R.size());
   double mass = 0;
   Vec3d moment;
   for (const Link& link : model.tree().links) {

@@ -1,6 +1,6 @@
-/// overlays.h - what is drawn over the picture of a scene: contacts, forces, centers of mass, axes, boxes, names, levels.
+/// overlays.h - overlays of the picture of a scene: contacts, forces, centers of mass, axes, boxes, names, levels.
 ///
-/// Everything is worked out of a frame of poses and of models, in world coordinates; the window projects and paints it.
+/// Computed from a frame of poses and from models, in world coordinates; the window projects and paints them.
 #pragma once
 
 #include <optional>
@@ -21,7 +21,7 @@ struct OverlayOptions {
   double force_scale = 0.005;  ///< [m/N] length of an arrow
 };
 
-/// A line of a picture, with a head at its end if it is an arrow; a single point is a dot.
+/// A line in the picture, with a head at its end if it is an arrow; a single point is a dot.
 struct Mark {
   std::vector<Vec3d> points;  ///< [m] world
   Color color;
@@ -38,15 +38,15 @@ struct Overlays {
   std::vector<Label> labels;
 };
 
-/// Of everybody's; `selected`: the entity whose axes are shown, none: -1.
+/// For all entities; `selected`: the entity with displayed axes, none: -1.
 [[nodiscard]] Overlays overlays(const PoseFrame& frame, std::span<const EntityOutline> outline, const Inspection& seen,
                                 const OverlayOptions& options, int selected);
 
-/// [m] world, of all of an entity at that moment; nothing if it has no mass.
+/// [m] world, of an entity in that frame; nothing if it has no mass.
 [[nodiscard]] std::optional<Vec3d> center_of_mass(const Model& model, std::span<const Vec3d> r,
                                                   std::span<const Mat3d> R);
-/// [m] world: where the ground's forces on an entity act, without a moment that would tip it (zero moment point, on level ground the
-/// center of pressure); nothing if the ground does not carry it.
+/// [m] world: the point where the ground's forces on an entity act without a tipping moment (zero moment point, on level ground the
+/// center of pressure); nothing if the ground does not support it.
 [[nodiscard]] std::optional<Vec3d> zero_moment_point(const PoseFrame& frame, int entity);
 /// From green (0) by yellow (0.5) to red (1 and more).
 [[nodiscard]] Color color_of_load(double share);
@@ -54,7 +54,7 @@ struct Overlays {
 [[nodiscard]] std::vector<Vec3d> hull_on_ground(std::vector<Vec3d> points);
 /// The same color for the same level everywhere.
 [[nodiscard]] Color color_of_level(std::string_view level);
-/// One of some that are easily told apart.
+/// One of a set of easily distinguished colors.
 [[nodiscard]] Color curve_color(std::size_t number);
 
 }  // namespace murosimf::viewer

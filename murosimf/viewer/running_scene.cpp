@@ -2,16 +2,20 @@
 
 #include <utility>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::viewer {
 
 RunningScene::RunningScene(const session::MakeCourse& make, const session::SessionOptions& options, Duration end)
     : session_(std::make_unique<session::Session>(make(), options)) {
+  MUROSIMF_ASSERT(session_ != nullptr);
   thread_ = std::thread([this, end] {
     try {
       session_->run(end);
     } catch (...) {
       trouble_ = std::current_exception();
     }
+    // the flag is set last: it publishes the exception
     ended_ = true;
   });
 }

@@ -1,4 +1,4 @@
-/// running_scene.h - a scene, or a recording of one, that a session leads through time in a thread of its own, as long as this lives.
+/// running_scene.h - a scene, or a recording of one, that a session runs in a thread of its own during the lifetime of this object.
 #pragma once
 
 #include <atomic>
@@ -12,19 +12,19 @@ namespace murosimf::viewer {
 
 class RunningScene {
  public:
-  /// Throws what `make` throws. It pauses at `end`.
+  /// Throws exceptions of `make`. It pauses at `end`.
   RunningScene(const session::MakeCourse& make, const session::SessionOptions& options, Duration end);
   ~RunningScene();
   RunningScene(const RunningScene&) = delete;
   RunningScene& operator=(const RunningScene&) = delete;
 
   [[nodiscard]] session::Session& session() { return *session_; }
-  /// For what never changes while it runs; for everything else there is Session::visit. When it has ended: for all.
+  /// For data that never changes while it runs; for everything else there is Session::visit. When it has ended: for everything.
   [[nodiscard]] scene::Scene& scene() { return session_->scene(); }
 
-  /// Nothing is run any more: by finish(), a stop, or something that went wrong.
+  /// Whether the run has ended: by finish(), a stop, or an error.
   [[nodiscard]] bool ended() const { return ended_; }
-  /// Ends the thread. Throws what has ended it early.
+  /// Ends the thread. Throws the error that has ended it early.
   void finish();
 
  private:

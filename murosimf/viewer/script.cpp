@@ -16,7 +16,7 @@ namespace {
 
 using Kind = ScriptStep::Kind;
 
-/// What stands behind a word.
+/// Syntax of the arguments of a word.
 struct Grammar {
   std::string_view word;
   Kind kind;
@@ -60,7 +60,7 @@ const Grammar& grammar_of(const std::string& word) {
 }
 
 std::string without_comment(std::string line) {
-  // a # within a word is none: files may have one
+  // a # within a word starts no comment: file names may contain one
   for (std::size_t i = 0; i < line.size(); ++i) {
     if (line[i] == '#' && (i == 0 || line[i - 1] == ' ' || line[i - 1] == '\t')) line.resize(i);
   }
@@ -72,6 +72,7 @@ bool is_number(const std::string& text) {
   return !text.empty() && text.find_first_not_of("0123456789.-") == std::string::npos;
 }
 
+/// Words are checked when the script is read, not when the step is reached.
 ScriptStep read_step(const std::string& line) {
   std::istringstream words(line);
   std::string word;
@@ -107,6 +108,7 @@ ScriptStep read_step(const std::string& line) {
 
 }  // namespace
 
+/// Errors name the line of the script.
 std::vector<ScriptStep> parse_script(std::string_view text, const std::string& name) {
   std::vector<ScriptStep> steps;
   std::istringstream lines{std::string(text)};

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::viewer {
 namespace {
 
@@ -18,7 +20,7 @@ TimelineLayout::TimelineLayout(std::span<const session::BranchView> branches, in
     leading.insert(branch->number);
     branch = branch->parent ? find(*branch->parent) : branches.end();
   }
-  // what left the present way, or stands beside it, has rows of its own: the newest nearest
+  // branches beside the present one and its ancestors have rows of their own: the newest nearest
   std::vector<const session::BranchView*> others;
   for (const session::BranchView& branch : branches) {
     end_ = std::max(end_, seconds(branch.end));
@@ -30,7 +32,7 @@ TimelineLayout::TimelineLayout(std::span<const session::BranchView> branches, in
   };
   for (const session::BranchView* branch : others) {
     const bool leads = leading.contains(branch->number);
-    if (leads) {  // up to where the next one left it
+    if (leads) {  // up to where the next one departs from it
       double until = end_of(*branch);
       for (const session::BranchView& next : branches) {
         if (leading.contains(next.number) && next.parent == branch->number) until = seconds(next.begin);
@@ -51,8 +53,10 @@ int TimelineLayout::row_at(int branch, double time) const {
   return 0;
 }
 
+/// The bar that is nearest: branches are short, and hard to hit.
 TimelineLayout::Place TimelineLayout::place_at(double x, int row) const {
   const double time = std::clamp(x / width_, 0.0, 1.0) * end_;
+  MUROSIMF_ASSERT(rows_ >= 1);
   const int wanted = std::clamp(row, 0, rows_ - 1);
   const BranchBar* best = nullptr;
   const auto away = [&](const BranchBar& bar) { return std::max({0.0, bar.begin - time, time - bar.end}); };

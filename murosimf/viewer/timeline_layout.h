@@ -1,7 +1,7 @@
-/// timeline_layout.h - where branches and marks of a run stand on a strip of the window, and what is at a place of it.
+/// timeline_layout.h - layout of branches and marks of a run on a strip of the window, and lookup of a place of it.
 ///
-/// Time goes to the right. The branch that is shown and what led to it are the lowest row; every other branch has a row above, from where
-/// it left its parent on.
+/// Time goes to the right. The displayed branch and its ancestors are the lowest row; every other branch has a row above, from where
+/// it departs from its parent on.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace murosimf::viewer {
 
-/// Something that happened, to which one may go.
+/// An event that one can jump to.
 struct TimeMark {
   double time = 0;  ///< [s]
   int branch = 0;
@@ -28,12 +28,12 @@ struct BranchBar {
 
 class TimelineLayout {
  public:
-  /// `width` [px] for the times 0 to `end` [s] at least; everything that there is fits. The present branch has come to `end`, if that is
-  /// later than what is known of it.
+  /// `width` [px] for the times 0 to `end` [s] at least; all branches fit. The present branch has reached `end`, if that is
+  /// later than known for it.
   TimelineLayout(std::span<const session::BranchView> branches, int present, double end, double width);
 
   [[nodiscard]] double x_of(double time) const { return time / end_ * width_; }
-  /// [s] at a place [px], within what there is of that row's branch; the nearest row that there is.
+  /// [s] at a place [px], limited to the branch of that row; for other rows, the nearest existing one.
   struct Place {
     double time = 0;
     int branch = 0;
@@ -42,7 +42,7 @@ class TimelineLayout {
   [[nodiscard]] const std::vector<BranchBar>& bars() const { return bars_; }
   [[nodiscard]] int rows() const { return rows_; }
   [[nodiscard]] double end() const { return end_; }
-  /// The row in which a branch is seen at a time; 0 if it is not known any more.
+  /// The row in which a branch is seen at a time; 0 if it is no longer known.
   [[nodiscard]] int row_at(int branch, double time) const;
 
  private:

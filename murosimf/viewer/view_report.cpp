@@ -11,6 +11,7 @@
 
 namespace murosimf::viewer {
 
+/// The report of the run, and what the window has shown.
 std::string to_json(Viewer& viewer, const WindowReport& shown, const std::optional<scene::DrawingPackets>& packets) {
   using nlohmann::json;
   const scene::Scene& scene = viewer.running().scene();

@@ -1,4 +1,4 @@
-/// view_report.h - what a session at the window has come to: for people as a line, for programs as JSON (docs/json.md).
+/// view_report.h - results of a session at the window: for people as a line, for programs as JSON (docs/json.md).
 #pragma once
 
 #include <optional>
@@ -9,9 +9,9 @@
 
 namespace murosimf::viewer {
 
-/// When the scene does not run any more.
+/// Call when the scene has stopped running.
 [[nodiscard]] std::string to_text(Viewer& viewer, const WindowReport& shown);
-/// One JSON object: "murosimf/view/1". `packets`: of other programs' drawings; nothing: nobody could send any.
+/// One JSON object: "murosimf/view/1". `packets`: of other programs' drawings; nothing: no server was open.
 [[nodiscard]] std::string to_json(Viewer& viewer, const WindowReport& shown,
                                   const std::optional<scene::DrawingPackets>& packets);
 

@@ -1,4 +1,4 @@
-/// window.h - shows a viewer in a window until people close it, or a script ends it.
+/// window.h - shows a viewer in a window until it is closed, or a script ends it.
 #pragma once
 
 #include <cstdint>
@@ -17,16 +17,16 @@ struct WindowOptions {
   std::string title = "MuRoSimF";
   int width = 1280, height = 720;  ///< [px]
   KeyMap keys{};
-  std::optional<std::vector<ScriptStep>> script{};  ///< what is done; then it ends
+  std::optional<std::vector<ScriptStep>> script{};  ///< script to run; then it ends
   std::string screenshot{};                         ///< PNG file; empty: none
-  std::optional<double> after{};                    ///< [s] of wall time, after which that is taken, and it ends
+  std::optional<double> after{};  ///< [s] of wall time, after which the screenshot is taken, and it ends
   std::optional<int>
-      samples{};  ///< to a pixel of the scene, 1 to 8: smooth edges; nothing: 4, or 1 if the processor draws
-  std::optional<bool> shadows{};  ///< nothing: unless the processor draws, and is too slow with them (docs/viewer.md)
+      samples{};  ///< per pixel of the scene, 1 to 8: smooth edges; nothing: 4, or 1 with software rendering
+  std::optional<bool> shadows{};  ///< nothing: on, except with software rendering that is too slow (docs/viewer.md)
   StopRequest stop{};             ///< ends it
 };
 
-/// What it has done.
+/// Statistics of the window.
 struct WindowReport {
   std::int64_t pictures = 0;
   double wall = 0;                 ///< [s] from the first picture to the last one
@@ -35,10 +35,10 @@ struct WindowReport {
   std::vector<std::string> files;  ///< screenshots
 };
 
-/// Throws SetupError if this build or this machine has no window, or the script cannot go on.
+/// Throws SetupError if this build or this machine has no window, or the script fails.
 WindowReport show(Viewer& viewer, const WindowOptions& options);
 
-/// Why there can be no window here: one line that says what else there is; empty if nothing is known to be wrong.
+/// Reason why no window is possible: one line with alternatives; empty if none is known.
 [[nodiscard]] std::string no_window_because();
 
 }  // namespace murosimf::viewer

@@ -1,5 +1,6 @@
 #include <cstdint>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/web/gzip.h"
 
 namespace murosimf::web {
@@ -17,6 +18,7 @@ std::string base64(std::string_view bytes) {
       out.push_back(i + k <= bytes.size() ? digits[group >> (18 - 6 * k) & 63] : '=');
     }
   }
+  MUROSIMF_ASSERT(out.size() % 4 == 0);
   return out;
 }
 

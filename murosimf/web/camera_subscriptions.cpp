@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/render/renderer.h"
 #include "murosimf/scene/scene_pictures.h"
@@ -25,8 +26,8 @@ using WallClock = std::chrono::steady_clock;
 
 constexpr auto between_pictures = 40ms;  // [wall]
 constexpr auto keeps_renderer =
-    30s;                         // [wall] after the last look: making one holds the simulation up for some milliseconds
-constexpr auto patience = 20ms;  // [wall] until it is seen that nobody waits any more
+    30s;                         // [wall] after the last use: creating one delays the simulation by some milliseconds
+constexpr auto patience = 20ms;  // [wall] polling period for the end of subscriptions
 
 struct CameraPath {
   std::string robot, camera;
@@ -37,7 +38,7 @@ CameraPath path_of(const std::string& camera) {
   return {camera.substr(0, dot), camera.substr(std::min(dot + 1, camera.size()))};
 }
 
-/// Null: there is none of this name.
+/// Null: no camera of this name.
 const sensors::CameraFrame* find_camera(const World& world, const std::string& path, int& entity) {
   const CameraPath name = path_of(path);
   for (entity = 0; entity < static_cast<int>(world.entities().size()); ++entity) {
@@ -50,7 +51,7 @@ const sensors::CameraFrame* find_camera(const World& world, const std::string& p
   return nullptr;
 }
 
-/// What is not known of a moment.
+/// Removes effects that need the motion during the exposure.
 sensors::CameraSpec of_one_moment(sensors::CameraSpec spec) {
   spec.exposure_time = spec.readout_time = 0;
   return spec;
@@ -58,26 +59,26 @@ sensors::CameraSpec of_one_moment(sensors::CameraSpec spec) {
 
 }  // namespace
 
-/// A camera in a visit.
+/// A camera found in a visit.
 struct CameraSubscriptions::Found {
   std::string path;
   int entity = 0;
-  std::shared_ptr<const sensors::CameraInfo> info;  // null: there is no such camera
+  std::shared_ptr<const sensors::CameraInfo> info;  // null: no such camera
   bool draws = false;
-  std::shared_ptr<const sensors::CameraFrame> own;  // a new picture that it has drawn for itself
+  std::shared_ptr<const sensors::CameraFrame> own;  // a new picture drawn by the camera itself
 };
 
-/// What the simulation's thread fills in, once at a time. All of it is shared: a visit that comes late finds it there.
+/// Data filled in by the simulation's thread, one visit at a time. Shared: a late visit still has a valid destination.
 struct CameraSubscriptions::Visit {
   std::set<std::string> wanted;
-  std::map<std::string, std::uint64_t> known;  // numbers of own pictures
+  std::map<std::string, std::uint64_t> known;  // numbers of the cameras' own pictures
 
   std::vector<Found> found;
   PoseFrame frame;
   std::uint64_t seed = 0;
   std::unique_ptr<render::Renderer> renderer;
-  int changes = -1;      // that it shows (SceneParts::changes_to_see)
-  std::string cannot{};  // draw, and why
+  int changes = -1;      // shown by the renderer (SceneParts::changes_to_see)
+  std::string cannot{};  // reason why drawing is impossible
 
   void make(scene::Scene& scene) {
     Simulation& simulation = scene.simulation();
@@ -100,6 +101,7 @@ struct CameraSubscriptions::Visit {
     renew_renderer(scene);
   }
 
+  /// Appearance and light can change during the run: the renderer is made anew then.
   void renew_renderer(scene::Scene& scene) {
     if (renderer && changes == scene.parts().changes_to_see) return;
     changes = scene.parts().changes_to_see;
@@ -112,7 +114,7 @@ struct CameraSubscriptions::Visit {
   }
 };
 
-/// A camera that is looked through here.
+/// A camera that is drawn here.
 struct CameraSubscriptions::Eye {
   std::shared_ptr<const sensors::CameraSpec> spec;
   sensors::CameraModel eye;
@@ -138,16 +140,16 @@ struct CameraSubscriptions::Inside {
   bool stops = false;
   std::map<std::string, SeenPicture> pictures;
   std::atomic<std::uint64_t> drawn = 0;
-  // of the thread
+  // accessed by the thread only
   std::shared_ptr<Visit> now;
   World nothing;
-  std::unique_ptr<render::Renderer>
-      driver;  // of nothing: what loads long is not to be loaded by the simulation's thread
+  std::unique_ptr<render::Renderer> driver;  // of an empty world: loads the driver outside of the simulation's thread
   std::map<std::string, Eye> eyes;
-  std::map<std::string, std::pair<Duration, std::int64_t>> last;  // time and number of the picture that was drawn last
+  std::map<std::string, std::pair<Duration, std::int64_t>> last;  // time and number of the last picture
   std::thread thread;
 };
 
+/// In the drawing thread: graphics contexts belong to one thread.
 void CameraSubscriptions::Inside::load_driver() {
   if (driver) return;
   try {
@@ -157,7 +159,7 @@ void CameraSubscriptions::Inside::load_driver() {
   }
 }
 
-/// Whether it was made before nobody wanted it any more.
+/// Returns whether the visit was completed before all subscriptions ended.
 bool CameraSubscriptions::Inside::visit(const std::set<std::string>& cameras) {
   if (!now) {
     now = std::make_shared<Visit>();
@@ -168,12 +170,12 @@ bool CameraSubscriptions::Inside::visit(const std::set<std::string>& cameras) {
   while (done.wait_for(patience) != std::future_status::ready) {
     const std::lock_guard lock(mutex);
     if (!stops && !wanted.empty()) continue;
-    now = nullptr;  // it may still come
+    now = nullptr;  // the visit may still be executed
     return false;
   }
   try {
     done.get();
-  } catch (const std::exception&) {  // the run has ended: what was there stays
+  } catch (const std::exception&) {  // the run has ended: the last pictures stay
     return false;
   }
   return true;
@@ -183,13 +185,13 @@ void CameraSubscriptions::Inside::tell(const std::string& path, const SeenPictur
   const std::lock_guard lock(mutex);
   if (!wanted.contains(path)) return;
   SeenPicture& known = pictures[path];
-  if (!picture.frame && known.trouble == picture.trouble) return;  // it was said
+  if (!picture.frame && known.trouble == picture.trouble) return;  // already reported
   const std::uint64_t number = known.number + 1;
   known = picture;
   known.number = number;
 }
 
-/// Not more often than it would draw itself while time goes on; where time stands, what is there.
+/// At most as often as the camera itself would draw while time advances; while time stands still, once for its present value.
 bool CameraSubscriptions::Inside::is_due(const Found& found) {
   const auto known = last.find(found.path);
   if (known == last.end()) return true;
@@ -199,6 +201,7 @@ bool CameraSubscriptions::Inside::is_due(const Found& found) {
   return now->frame.time / period != number || session.status().paused;
 }
 
+/// At most as often as the camera itself, whatever the number of pages.
 void CameraSubscriptions::Inside::draw(const Found& found) {
   const sensors::CameraInfo& info = *found.info;
   const auto entity = static_cast<std::size_t>(found.entity);
@@ -213,7 +216,9 @@ void CameraSubscriptions::Inside::draw(const Found& found) {
               .first;
     eye->second.eye.open();
   }
+  MUROSIMF_ASSERT(now->renderer != nullptr);
   const std::size_t row = now->frame.first[entity] + static_cast<std::size_t>(info.link);
+  MUROSIMF_ASSERT(row < now->frame.position.size() && row < now->frame.orientation.size());
   const Vec3d& r = now->frame.position[row];
   const Mat3d& R = now->frame.orientation[row];
   const sensors::CameraMotion motion{.position = r + R * info.position,
@@ -246,7 +251,7 @@ void CameraSubscriptions::Inside::show(const Found& found) {
   if (found.own) tell(found.path, {.frame = found.own, .own = true});
 }
 
-/// Waits until somebody wants pictures, and it is time for them; none: it ends.
+/// Waits for subscriptions and the time of the next pictures; empty: the thread ends.
 std::set<std::string> CameraSubscriptions::Inside::next_cameras(WallClock::time_point next) {
   std::unique_lock lock(mutex);
   const auto is_called = [&] { return stops || !wanted.empty(); };
@@ -279,7 +284,7 @@ void CameraSubscriptions::Inside::work() {
     } else if (visit(cameras)) {
       for (const Found& found : now->found) show(found);
     }
-    // the processor may be what draws: half of its time is others'
+    // the processor may do the rendering: at most half of its time is used
     const auto took = WallClock::now() - begin;
     next = WallClock::now() + std::max<WallClock::duration>(took, between_pictures - took);
   }
@@ -287,6 +292,7 @@ void CameraSubscriptions::Inside::work() {
 
 CameraSubscriptions::CameraSubscriptions(session::Session& session) : inside_(std::make_unique<Inside>(session)) {}
 
+/// The drawing thread ends before anything that it uses.
 CameraSubscriptions::~CameraSubscriptions() {
   {
     const std::lock_guard lock(inside_->mutex);
@@ -296,6 +302,7 @@ CameraSubscriptions::~CameraSubscriptions() {
   if (inside_->thread.joinable()) inside_->thread.join();
 }
 
+/// New cameras are drawn at once, also while the run is paused.
 void CameraSubscriptions::want(const std::set<std::string>& cameras) {
   const std::lock_guard lock(inside_->mutex);
   if (cameras == inside_->wanted) return;

@@ -1,13 +1,13 @@
-/// camera_subscriptions.h - pictures of any camera of a running scene, for who looks on.
+/// camera_subscriptions.h - pictures of any camera of a running scene, for observers.
 ///
 ///     CameraSubscriptions cameras(session);
-///     cameras.want({"blue1.camera"});                  // from now on; others are no longer looked through
+///     cameras.want({"blue1.camera"});                  // from now on; others are unsubscribed
 ///     if (const auto seen = cameras.seen("blue1.camera")) show(*seen->frame);
 ///
-/// A camera that draws for itself (control software reads it, `always_on`) shows the pictures that it has. Any other is looked through
-/// here: its lens, blur, exposure, noise and mosaic (sensors/camera_model.h), of where everything is at this moment, without what takes time:
-/// exposure, rolling shutter, delay. That is done in a thread of its own, of copies of poses, so the simulation is what it would be without
-/// it; it waits for copies alone, and once for a renderer. Nothing is done, and no thread begun, while nobody wants a picture.
+/// A camera that draws for itself (control software reads it, `always_on`) provides its own pictures. Any other is drawn
+/// here: with its lens, blur, exposure, noise and mosaic (sensors/camera_model.h), of the present poses, without effects that take time:
+/// exposure, rolling shutter, delay. That is done in a separate thread, from copies of poses, so the simulation is not
+/// affected; it waits for copies only, and once for a renderer. Without subscriptions nothing is done, and no thread is started.
 #pragma once
 
 #include <cstdint>
@@ -22,10 +22,10 @@
 namespace murosimf::web {
 
 struct SeenPicture {
-  std::uint64_t number = 0;                           ///< of pictures of this camera so far; another one: it is new
-  std::shared_ptr<const sensors::CameraFrame> frame;  ///< null: there is none yet
+  std::uint64_t number = 0;                           ///< of pictures of this camera so far; changes with each new one
+  std::shared_ptr<const sensors::CameraFrame> frame;  ///< null: none yet
   bool own = false;                                   ///< it draws for itself
-  std::string trouble{};                              ///< why there is no picture, in one line; empty: all is well
+  std::string trouble{};                              ///< reason why there is no picture, in one line; empty: no error
 };
 
 class CameraSubscriptions {
@@ -36,11 +36,11 @@ class CameraSubscriptions {
   CameraSubscriptions(const CameraSubscriptions&) = delete;
   CameraSubscriptions& operator=(const CameraSubscriptions&) = delete;
 
-  /// By "ROBOT.CAMERA". One thread.
+  /// Cameras by "ROBOT.CAMERA". One thread.
   void want(const std::set<std::string>& cameras);
-  /// Of a camera that is wanted; nothing: it has not been looked for yet.
+  /// The last picture of a subscribed camera; nothing: not drawn yet.
   [[nodiscard]] std::optional<SeenPicture> seen(const std::string& camera) const;
-  /// How many pictures were drawn here so far.
+  /// Number of pictures drawn here so far.
   [[nodiscard]] std::uint64_t drawn() const;
 
  private:

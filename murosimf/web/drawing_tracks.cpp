@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/render/polygon_triangles.h"
 #include "murosimf/web/json_line.h"
 
@@ -35,8 +36,11 @@ std::int64_t DrawingTracks::look_of(const DrawnShape& shape) {
   return known->second;
 }
 
+/// A version for each change only: most drawings stay the same for many frames.
 void DrawingTracks::add(Track& track, std::size_t frame, Numbers looks, Numbers points) {
   if (track.looks == looks && track.points == points) return;
+  MUROSIMF_ASSERT(track.versions.empty() || track.versions.back().frame <= frame);
+  MUROSIMF_ASSERT(points.size() % 3 == 0);
   Version version{.frame = frame, .same_looks = track.looks == looks, .looks = looks, .points = points};
   if (version.same_looks) version.looks.clear();
   for (std::size_t i = 0; i < points.size() && points.size() == track.points.size(); ++i) {

@@ -1,5 +1,5 @@
-/// drawing_tracks.h - what is drawn for people who watch (drawing/drawn.h), over all frames of an HTML file: a track for each group, which
-/// says only what has changed.
+/// drawing_tracks.h - debug drawings (drawing/drawn.h) over all frames of an HTML file: a track for each group, which
+/// contains changes only.
 #pragma once
 
 #include <cstddef>
@@ -17,15 +17,15 @@ namespace murosimf::web {
 
 class DrawingTracks {
  public:
-  /// All that is drawn from this frame on, which is none of those before.
+  /// All drawings from this frame on; frames must increase.
   void take(std::size_t frame, const std::vector<drawing::Drawn>& all);
   [[nodiscard]] bool empty() const { return tracks_.empty(); }
 
   /// `{looks: [[kind, size, red, green, blue, opacity, words, points, triangles]],
   /// tracks: [{entity, by, name, of_robot, frames, looks, points}]}`. Only polygons have `triangles`, numbers of points.
-  /// Each version of a group has one number in `frames`, how many frames after the version before, and one element in the other two:
-  /// `looks` has one number for each shape, null if they are those before, none if the group is gone; `points` are all coordinates [mm],
-  /// as differences to the version before if that has as many.
+  /// Each version of a group has one number in `frames`, the number of frames since the previous version, and one element in the other two:
+  /// `looks` has one number for each shape, null if unchanged, none if the group was removed; `points` are all coordinates [mm],
+  /// as differences to the previous version if that has the same number.
   [[nodiscard]] nlohmann::json object() const;
 
  private:

@@ -43,6 +43,7 @@ json beliefs_of(const World& world) {
   return all;
 }
 
+/// The newest lines only: pages keep the older ones.
 json lines_of(const Simulation& simulation) {
   json lines = json::array();
   const auto& warnings = simulation.warnings();
@@ -63,6 +64,7 @@ json game_of(const league::GameTask* game) {
   for (const std::size_t team : {0, 1}) {
     teams.push_back({{"name", game->team_name(team)}, {"score", game->team(team).score}});
   }
+  // clamped: a referee of one's own may use other numbers
   const auto number = static_cast<std::size_t>(std::clamp<int>(state.state, 0, state_names.size() - 1));
   return {{"state", state_names[number]},
           {"half", state.first_half ? 1 : 2},

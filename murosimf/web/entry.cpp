@@ -13,7 +13,7 @@
 namespace murosimf::web {
 namespace {
 
-/// Takes as long for a token that is nearly right.
+/// Compares in constant time, so that the time does not reveal a prefix of the token.
 bool equal(std::string_view a, std::string_view b) {
   if (a.size() != b.size()) return false;
   unsigned difference = 0;
@@ -26,7 +26,7 @@ std::string_view without_port(std::string_view host) {
   return host.substr(0, host.find(':'));
 }
 
-/// A page of this server, not of another one on this computer; and what programs that are made as pages call themselves.
+/// Whether the origin is this server, not another one on this computer; or a program that is built as a page.
 bool is_own(const Visitor& visitor) {
   const std::string_view origin = visitor.origin;
   if (origin.empty() || origin == "file://") return true;
@@ -49,6 +49,7 @@ bool may_enter(const AccessRules& rules, const Visitor& visitor) {
   return rules.loopback && is_loopback(visitor.host) && is_own(visitor);
 }
 
+/// From the system's source of randomness: a token must not be guessable.
 std::string new_token() {
   std::array<unsigned char, 16> bytes{};
   if (::getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/web/gzip.h"
 #include "murosimf/web/json_line.h"
@@ -26,7 +27,7 @@ constexpr std::size_t most_names = 1000;
 enum ServerOpcode : std::uint8_t { message_data = 1, time_data = 2, playback_state = 5 };
 enum ClientOpcode : std::uint8_t { client_data = 1, playback_control = 3 };
 
-/// Reads numbers of a binary message one after the other; ClientError where it ends too early.
+/// Reads numbers of a binary message in order; ClientError if it ends too early.
 class BytesReader {
  public:
   explicit BytesReader(std::string_view bytes) : left_(bytes) {}
@@ -55,7 +56,7 @@ json time_json(Duration time) {
   return {{"sec", time.count() / 1'000'000'000}, {"nsec", time.count() % 1'000'000'000}};
 }
 
-/// As `PATH = VALUE` has it: texts bare.
+/// A value in the notation of `PATH = VALUE`: texts without quotes.
 std::string text_of_value(const json& value) { return value.is_string() ? value.get<std::string>() : json_line(value); }
 
 std::set<std::string> names_of(const json& order) {
@@ -89,6 +90,7 @@ FoxgloveConversation::~FoxgloveConversation() {
   live_.leave();
 }
 
+/// The number of open requests is bounded: each one occupies the thread of the run.
 void FoxgloveConversation::receive(std::string_view message, bool binary) {
   if (jobs_.size() >= most_requests) throw ClientError("too many requests at once");
   try {
@@ -128,6 +130,7 @@ void FoxgloveConversation::receive_text(const json& order) {
   }
 }
 
+/// Unknown channels are an error of the client, which is told but not disconnected.
 void FoxgloveConversation::subscribe(const json& order) {
   for (const json& one : order.at("subscriptions")) {
     const auto id = one.at("id").get<std::uint32_t>();
@@ -189,7 +192,7 @@ void FoxgloveConversation::get_parameters(const json& order) {
   send_parameters(names, id_of(order));
 }
 
-/// Any change by PATH = VALUE; what can be read of them afterwards is told.
+/// Any change by PATH = VALUE; readable parameters are reported after it.
 void FoxgloveConversation::set_parameters(const json& order) {
   for (const json& one : order.at("parameters")) {
     if (jobs_.size() >= most_requests) throw ClientError("too many requests at once");
@@ -221,7 +224,7 @@ void FoxgloveConversation::control_playback(std::string_view message) {
     jobs_.push_back({.done = session.seek(std::clamp(Duration(wanted), now.first, now.last)), .id = id, .seek = true});
   }
   if (play && !seek) session.go_on();
-  // what was asked for is not there yet
+  // the request is not executed yet, so the status would show the old speed
   if (!seek) send_playback(false, id, has_speed ? std::optional<double>(speed) : std::nullopt);
 }
 
@@ -236,11 +239,12 @@ void FoxgloveConversation::introduce() {
                                       {"metadata", {{"scene", live_.scene_name()}}},
                                       {"dataStartTime", time_json(status.first)},
                                       {"dataEndTime", time_json(end)},
-                                      // viewers forget what they had when time has jumped to a new run
+                                      // viewers drop their data when time has jumped to a new run
                                       {"sessionId", fmt::format("{}", status.jumps)}})));
   introduced_ = true;
 }
 
+/// Channels can be added during the run; each is announced once.
 void FoxgloveConversation::announce_channels() {
   json channels = json::array();
   for (; announced_ < live_.channels().size(); ++announced_) {
@@ -267,6 +271,7 @@ void FoxgloveConversation::send_parameters(const std::set<std::string>& names, c
 }
 
 void FoxgloveConversation::send_packet(const FoxgloveLive::Packet& packet) {
+  MUROSIMF_ASSERT(packet.bytes != nullptr);
   const auto found = subscriptions_.find(packet.channel);
   if (found == subscriptions_.end()) return;
   std::string bytes;
@@ -306,7 +311,7 @@ void FoxgloveConversation::say(int level, const std::string& text) {
   outbox.send(text_message(json_line({{"op", "status"}, {"level", level}, {"message", text}})));
 }
 
-/// Each of them once.
+/// Each message once.
 void FoxgloveConversation::publish_troubles() {
   for (const auto& [channel, id] : subscriptions_) {
     const std::string trouble = live_.trouble_of(channel);
@@ -324,7 +329,7 @@ void FoxgloveConversation::answer_jobs() {
 }
 
 void FoxgloveConversation::look() {
-  if (live_.channels().empty()) return;  // the first visit is on its way
+  if (live_.channels().empty()) return;  // the first visit is pending
   if (!introduced_) introduce();
   if (announced_ < live_.channels().size()) announce_channels();
   answer_jobs();

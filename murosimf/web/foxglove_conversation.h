@@ -1,4 +1,4 @@
-/// foxglove_conversation.h - what Foxglove or Lichtblick and the server say to each other: subprotocols "foxglove.sdk.v1" and
+/// foxglove_conversation.h - the protocol between Foxglove or Lichtblick and the server: subprotocols "foxglove.sdk.v1" and
 /// "foxglove.websocket.v1" (docs/web.md; https://github.com/foxglove/ws-protocol).
 #pragma once
 
@@ -49,10 +49,10 @@ class FoxgloveConversation final : public Conversation {
   void say(int level, const std::string& text);
   void answer_jobs();
 
-  /// Something that the simulation's thread does for this client.
+  /// A request executed by the simulation's thread for this client.
   struct Job {
     std::future<void> done;
-    std::string parameter{}, value{};  ///< to be told when it was; empty: none
+    std::string parameter{}, value{};  ///< reported on completion; empty: none
     std::string id{};                  ///< of the request
     bool seek = false;
   };
@@ -60,13 +60,13 @@ class FoxgloveConversation final : public Conversation {
   FoxgloveLive& live_;
   std::deque<Job> jobs_;
   bool introduced_ = false;
-  std::size_t announced_ = 0;                             // channels
+  std::size_t announced_ = 0;                             // number of channels
   std::map<std::uint16_t, std::uint32_t> subscriptions_;  // by channel
   std::map<std::uint16_t, std::string> told_troubles_;    // by channel
   std::map<std::uint32_t, std::string> published_;        // topics by the client's channels
   std::set<std::string> watched_;                         // parameters
   std::map<std::string, std::string> told_;               // values of these
-  std::string playback_;                                  // state that it was told last
+  std::string playback_;                                  // last state sent
 };
 
 }  // namespace murosimf::web

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/recording/recorded_external_drawings.h"
 #include "murosimf/recording/recorded_picture.h"
 
@@ -16,7 +17,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto between_frames = 33ms;  // [wall]
-constexpr auto while_it_stands = 1s;   // [wall] a frame is repeated, for who has come since
+constexpr auto while_it_stands = 1s;   // [wall] period of repeated frames, for new clients
 
 const std::set<std::string>& sent() {
   static const std::set<std::string> what = {"poses", "scene", "joints", "contacts", "sensors", "events", "drawings"};
@@ -25,7 +26,7 @@ const std::set<std::string>& sent() {
 
 }  // namespace
 
-/// What the simulation's thread fills in, once at a time; what it was made of stays until entities come.
+/// Data filled in by the simulation's thread, one visit at a time; its prerequisites are kept until entities are added.
 struct FoxgloveLive::Visit {
   std::uint64_t setups = 0;
   std::string scene_name;
@@ -33,14 +34,14 @@ struct FoxgloveLive::Visit {
   std::vector<recording::RecordedEntity> entities;
   std::vector<recording::RecordedSensor> sensors;
   std::vector<recording::RecordedCamera> cameras;
-  std::shared_ptr<std::deque<sensors::CameraFrame>> infos;  // that `cameras` point to: copies, without pictures
+  std::shared_ptr<std::deque<sensors::CameraFrame>> infos;  // targets of `cameras`: copies, without pictures
   std::unique_ptr<recording::SceneLooks> looks;
   recording::SketchWatch sketches;
   recording::OthersWatch others;
   int changes = -1;
-  std::size_t events = 0, warnings = 0;  // that were taken
+  std::size_t events = 0, warnings = 0;  // sent so far
 
-  bool again = false;  // also if time stands still
+  bool again = false;  // even if time stands still
   recording::RecordedFrame frame;
   std::map<std::string, std::string> parameters;
 
@@ -70,7 +71,7 @@ struct FoxgloveLive::Visit {
     simulation.poses().add_contacts(simulation.world(), frame.contacts);
     for (std::size_t i = 0; i < sensors.size(); ++i) take_sample(i);
     sketches.take(entities, frame);
-    events = std::min(events, simulation.events().size());  // a reset forgets them
+    events = std::min(events, simulation.events().size());  // a reset drops them
     warnings = std::min(warnings, simulation.warnings().size());
     for (; events < simulation.events().size(); ++events) {
       frame.events.emplace_back(simulation.events()[events].time, simulation.events()[events].text);
@@ -99,13 +100,15 @@ FoxgloveLive::FoxgloveLive(session::Session& session, const CameraSubscriptions&
 FoxgloveLive::~FoxgloveLive() = default;
 
 void FoxgloveLive::subscribe(std::uint16_t channel, bool on) {
+  MUROSIMF_ASSERT(channel >= 1 && channel <= channels_.size());
   int& count = subscribers_[channel];
   count += on ? 1 : -1;
+  MUROSIMF_ASSERT(count >= 0);
   if (count > 0) return;
   subscribers_.erase(channel);
   const std::string camera = camera_of(channels_[channel - 1U].topic);
   if (camera.empty()) return;
-  last_.erase(channel);  // who comes later sees what is there then
+  last_.erase(channel);  // later subscriptions get the picture of that time
   if (pictures_ && !wanted_cameras().contains(camera)) pictures_->forget(camera);
 }
 
@@ -117,12 +120,14 @@ std::set<std::string> FoxgloveLive::wanted_cameras() const {
 }
 
 std::string FoxgloveLive::trouble_of(std::uint16_t channel) const {
+  MUROSIMF_ASSERT(channel >= 1 && channel <= channels_.size());
   const std::string camera = camera_of(channels_[channel - 1U].topic);
   const auto seen = camera.empty() ? std::nullopt : camera_subscriptions_.seen(camera);
   if (!camera.empty() && pictures_ && !pictures_->trouble().empty()) return pictures_->trouble();
   return seen ? seen->trouble : "";
 }
 
+/// Pictures are compressed in a thread of their own: a picture that is not finished skips this one.
 void FoxgloveLive::take_pictures() {
   if (!pictures_ || !pictures_->is_free()) return;
   const auto add = [&](const std::string& topic, const std::string& name, const std::string& schema) {
@@ -145,6 +150,7 @@ std::uint16_t FoxgloveLive::add_channel(const std::string& topic, const std::str
                                         recording::TextMap) {
   const auto known = std::ranges::find(channels_, topic, &FoxgloveChannel::topic);
   if (known != channels_.end()) return known->id;
+  MUROSIMF_ASSERT(schema < schemas_.size());
   const auto id = static_cast<std::uint16_t>(channels_.size() + 1);
   channels_.push_back(
       {.id = id, .topic = topic, .schema_name = schemas_[schema].first, .schema = schemas_[schema].second});
@@ -166,11 +172,12 @@ FoxgloveLive::Packet FoxgloveLive::last(std::uint16_t channel) const {
 }
 
 bool FoxgloveLive::is_of_lines(std::uint16_t channel) const {
+  MUROSIMF_ASSERT(channel >= 1 && channel <= channels_.size());
   const std::string& name = channels_[channel - 1U].schema_name;
   return name == "foxglove.Log";
 }
 
-/// All of it is sent anew by them.
+/// New writers send everything again.
 void FoxgloveLive::renew_writers(Visit& visit) {
   recording::MessageSink& sink = *this;
   writer_ = std::make_unique<recording::FrameWriter>(sink, visit.entities, visit.sensors, visit.looks.get(), sent());
@@ -181,7 +188,7 @@ void FoxgloveLive::renew_writers(Visit& visit) {
 
 void FoxgloveLive::take(Visit& visit) {
   const std::uint64_t jumps = session_.status().jumps;
-  if (!writer_ || setups_ != visit.setups || jumps_ != jumps) {  // a writer counts on time that goes on
+  if (!writer_ || setups_ != visit.setups || jumps_ != jumps) {  // a writer relies on increasing time
     renew_writers(visit);
     if (!pictures_ || setups_ != visit.setups)
       pictures_ = std::make_unique<FoxglovePictures>(visit.infos, visit.cameras);
@@ -205,7 +212,7 @@ void FoxgloveLive::look() {
     try {
       visited_.get();
       take(*visit_);
-    } catch (const std::exception&) {  // the run has ended: what was there stays
+    } catch (const std::exception&) {  // the run has ended: the last data stay
     }
   }
   const auto now = std::chrono::steady_clock::now();

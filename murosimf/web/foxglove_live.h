@@ -1,9 +1,9 @@
-/// foxglove_live.h - a running scene as messages for Foxglove and Lichtblick: those of recordings (recording/frame_writer.h), as they come.
+/// foxglove_live.h - a running scene as messages for Foxglove and Lichtblick: those of recordings (recording/frame_writer.h), in real time.
 ///
-/// Pictures of cameras (foxglove_pictures.h) come while somebody has subscribed to them, of any camera (camera_subscriptions.h).
+/// Pictures of any camera (camera_subscriptions.h, foxglove_pictures.h) are sent while there are subscriptions to them.
 ///
-/// In the server's thread; pictures are encoded in another. As long as somebody is connected, the simulation's thread is visited up to 30 times per wall second, and copies
-/// what recordings would have of that instant.
+/// In the server's thread; pictures are encoded in another. While clients are connected, the simulation's thread is visited up to 30 times per wall second, and copies
+/// the data that recordings would have of that instant.
 #pragma once
 
 #include <chrono>
@@ -41,30 +41,30 @@ class FoxgloveLive final : private recording::MessageSink {
 
   void join() { ++clients_; }
   void leave() { --clients_; }
-  /// A client wants a channel, or no longer.
+  /// A client subscribes to a channel, or unsubscribes.
   void subscribe(std::uint16_t channel, bool on);
   void look();
 
-  /// Those whose pictures somebody wants.
+  /// Cameras with subscriptions.
   [[nodiscard]] std::set<std::string> wanted_cameras() const;
-  /// Why there is no picture on a channel, in one line; empty: all is well, or it is not one of pictures.
+  /// Reason why there is no picture on a channel, in one line; empty: no error, or no channel of pictures.
   [[nodiscard]] std::string trouble_of(std::uint16_t channel) const;
 
   [[nodiscard]] session::Session& session() { return session_; }
   [[nodiscard]] const std::string& scene_name() const { return scene_name_; }
   [[nodiscard]] const std::vector<FoxgloveChannel>& channels() const { return channels_; }
-  /// Of the last look, in the order of time.
+  /// Messages of the last look, ordered by time.
   [[nodiscard]] const std::vector<Packet>& news() const { return news_; }
-  /// The last message of a channel, for who subscribes now; null bytes: there is none.
+  /// The last message of a channel, for new subscriptions; null bytes: none.
   [[nodiscard]] Packet last(std::uint16_t channel) const;
   [[nodiscard]] Duration time() const { return time_; }
-  /// Of robots, as they were in the last visit: "blue1.level", with its value.
+  /// Parameters of robots at the last visit: "blue1.level", with its value.
   [[nodiscard]] const std::map<std::string, std::string>& parameters() const { return parameters_; }
-  /// One of them has changed; the next visit sees it.
+  /// One of them was changed; the next visit shows it.
   void parameter_became(const std::string& name, const std::string& value) {
     if (parameters_.contains(name)) parameters_[name] = value;
   }
-  /// Lines are to be sent all; of other channels the newest is enough.
+  /// Whether all messages must be sent; of other channels the newest is sufficient.
   [[nodiscard]] bool is_of_lines(std::uint16_t channel) const;
 
  private:
@@ -98,7 +98,7 @@ class FoxgloveLive final : private recording::MessageSink {
   std::unique_ptr<recording::DrawingWriter> drawings_;
   std::unique_ptr<FoxglovePictures> pictures_;
   std::map<std::uint16_t, int> subscribers_;  // by channel
-  std::uint64_t setups_ = 0, jumps_ = 0;      // that the writer was made for
+  std::uint64_t setups_ = 0, jumps_ = 0;      // valid for the present writer
 };
 
 }  // namespace murosimf::web

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::web {
@@ -42,6 +43,7 @@ FoxglovePictures::FoxglovePictures(Infos infos, std::vector<recording::RecordedC
   work_ = std::async(std::launch::async, [this] { writer_.emplace(sink_, frames_, cameras_); });
 }
 
+/// An error of the thread is kept as a text, so that it is told to the clients.
 bool FoxglovePictures::is_free() {
   if (!work_.valid()) return true;
   if (work_.wait_for(0s) != std::future_status::ready) return false;
@@ -57,10 +59,14 @@ std::vector<FoxglovePacket> FoxglovePictures::take(const AddChannel& add) {
   if (!writer_) return {};
   for (std::size_t i = channels_.size(); i < sink_.channels.size(); ++i) {
     const auto& [topic, schema] = sink_.channels[i];
+    MUROSIMF_ASSERT(schema < sink_.schemas.size());
     channels_.push_back(add(topic, sink_.schemas[schema].first, sink_.schemas[schema].second));
   }
   std::vector<FoxglovePacket> packets = std::exchange(sink_.packets, {});
-  for (FoxglovePacket& packet : packets) packet.channel = channels_[packet.channel];
+  for (FoxglovePacket& packet : packets) {
+    MUROSIMF_ASSERT(packet.channel < channels_.size());
+    packet.channel = channels_[packet.channel];
+  }
   return packets;
 }
 

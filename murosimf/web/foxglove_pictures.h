@@ -1,6 +1,6 @@
 /// foxglove_pictures.h - pictures of cameras as messages for Foxglove and Lichtblick: those of recordings (recording/recorded_picture.h).
 ///
-/// Made in threads of its own: calibrations and pictures take longer than the server may sleep.
+/// Created in separate threads: calibrations and pictures take longer than the server may block.
 #pragma once
 
 #include <cstdint>
@@ -30,27 +30,27 @@ struct FoxglovePacket {
   std::shared_ptr<const std::string> bytes{};
 };
 
-/// "blue1.camera" of "/cameras/blue1/camera/image"; empty: of no camera.
+/// "blue1.camera" of "/cameras/blue1/camera/image"; empty: no camera.
 [[nodiscard]] std::string camera_of(const std::string& topic);
 
-/// All by one thread.
+/// All calls by one thread.
 class FoxglovePictures {
  public:
   using Infos = std::shared_ptr<std::deque<sensors::CameraFrame>>;
-  /// `infos`: what `cameras` point to.
+  /// `infos`: the targets of `cameras`.
   FoxglovePictures(Infos infos, std::vector<recording::RecordedCamera> cameras);
 
-  /// Whether nothing is under way.
+  /// Whether no work is pending.
   [[nodiscard]] bool is_free();
-  /// Why there will be none any more, in one line; empty: all is well.
+  /// Reason why there will be no more pictures, in one line; empty: no error.
   [[nodiscard]] const std::string& trouble() const { return trouble_; }
-  /// The number of a new channel, by topic, name of the schema and schema.
+  /// Returns the number of a new channel, by topic, name of the schema and schema.
   using AddChannel = std::function<std::uint16_t(const std::string&, const std::string&, const std::string&)>;
-  /// What was made since the last time, for channels that were added. While it is free.
+  /// Messages since the last call, for channels that were added. While it is free.
   [[nodiscard]] std::vector<FoxglovePacket> take(const AddChannel& add);
-  /// Begins to make messages of what is new of these cameras. While it is free.
+  /// Starts encoding new pictures of these cameras. While it is free.
   void make(const CameraSubscriptions& subscriber, const std::set<std::string>& wanted);
-  /// Nobody wants a camera any more: who comes later gets the picture that is there then.
+  /// The camera has no subscription any more: later ones get the picture of that time.
   void forget(const std::string& camera) { told_.erase(camera); }
 
  private:
@@ -72,10 +72,10 @@ class FoxglovePictures {
   Sink sink_;
   recording::FrameWriter frames_{sink_, no_entities_, no_sensors_, nullptr, {}};
   std::optional<recording::PictureWriter> writer_;
-  std::vector<std::uint16_t> channels_;        // of the server, by the sink's
+  std::vector<std::uint16_t> channels_;        // numbers of the server, by number of the sink
   std::map<std::string, std::uint64_t> told_;  // numbers (SeenPicture)
   std::string trouble_;
-  std::future<void> work_;  // waits when it is destroyed
+  std::future<void> work_;  // its destructor waits
 };
 
 }  // namespace murosimf::web

@@ -10,12 +10,12 @@
 namespace murosimf::web {
 namespace {
 
-constexpr int gzip_format = 15 + 16;  // as zlib says it: the largest window, with gzip's header
+constexpr int gzip_format = 15 + 16;  // windowBits of zlib: the largest window, plus 16 for gzip's header
 constexpr int best = 9, memory = 9;
 
 using Work = int (*)(z_stream*, int);
 
-/// All of the bytes through `work`, until it says that this was the end.
+/// Passes all bytes through `work`, until it reports the end.
 std::string through(z_stream& stream, std::string_view bytes, Work work) {
   std::string out, part(1 << 16, '\0');
   int result = Z_OK;
@@ -30,6 +30,7 @@ std::string through(z_stream& stream, std::string_view bytes, Work work) {
     stream.avail_out = static_cast<uInt>(part.size());
     result = work(&stream, bytes.empty() ? Z_FINISH : Z_NO_FLUSH);
     out.append(part, 0, part.size() - stream.avail_out);
+    // Z_BUF_ERROR with a full output buffer is no error: the next round provides room
     const bool waits_for_room = result == Z_BUF_ERROR && stream.avail_out == 0;
     if (waits_for_room) result = Z_OK;
   }

@@ -1,4 +1,4 @@
-/// gzip.h - bytes compressed as browsers unpack them (RFC 1952), and as text (base64, RFC 4648).
+/// gzip.h - compression in the format of browsers (RFC 1952), and binary data as text (base64, RFC 4648).
 #pragma once
 
 #include <string>

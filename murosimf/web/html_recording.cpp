@@ -7,6 +7,7 @@
 
 #include "murosimf/drawing/drawn.h"
 #include "murosimf/files/output_file.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/web/entity_states.h"
 #include "murosimf/web/gzip.h"
@@ -29,7 +30,9 @@ Duration period_of(double rate) {
 
 }  // namespace
 
+/// Bytes of equal significance follow each other: they compress much better.
 std::string as_planes(const std::vector<std::string>& frames) {
+  MUROSIMF_ASSERT(std::ranges::all_of(frames, [&](const auto& one) { return one.size() == frames.front().size(); }));
   const std::size_t words = frames.empty() ? 0 : frames.front().size() / 2;
   std::string out(2 * words * frames.size(), '\0');
   for (std::size_t word = 0; word < words; ++word) {
@@ -53,12 +56,12 @@ HtmlRecording::HtmlRecording(scene::Scene& scene, HtmlOptions options)
   if (compressed_page().empty()) {
     throw SetupError("this program was built without its page for browsers: npm was missing (docs/web.md)");
   }
-  (void)gunzip(compressed_page());  // this build can
+  (void)gunzip(compressed_page());  // fails early if this build cannot unpack it
   files::check_writable(options_.file);
   if (!options_.by_hand) scene_.simulation().after_start([this] { start(); });
 }
 
-/// Also after a reset: what is in the file is one run.
+/// Also after a reset: the file contains one run.
 void HtmlRecording::start() {
   times_.clear();
   frames_.clear();
@@ -69,6 +72,8 @@ void HtmlRecording::start() {
 
 void HtmlRecording::look() {
   take_frame();
+  MUROSIMF_ASSERT(!times_.empty());
+  // multiples of the period from the first frame: no drift by rounding
   scene_.simulation().at(times_.front() + static_cast<std::int64_t>(times_.size()) * period_, [this] { look(); });
 }
 
@@ -82,6 +87,7 @@ void HtmlRecording::take_frame() {
   take_drawings();
 }
 
+/// Drawings are taken only when one of the counters has changed.
 void HtmlRecording::take_drawings() {
   const World& world = scene_.simulation().world();
   const auto others = options_.others ? options_.others->shown() : nullptr;
@@ -90,10 +96,12 @@ void HtmlRecording::take_drawings() {
   drawn_ = now;
   std::vector<drawing::Drawn> all = drawing::drawn_by_robots(world);
   if (others) std::ranges::move(drawing::external_drawings(*others, drawing::teams_of(world)), std::back_inserter(all));
+  MUROSIMF_ASSERT(!times_.empty());
   drawings_.take(times_.size() - 1, all);
 }
 
 std::string HtmlRecording::packed() const {
+  MUROSIMF_ASSERT(!frames_.empty());
   const Simulation& simulation = scene_.simulation();
   nlohmann::json text{{"scene_bytes", document_.bytes.size()},
                       {"frames", frames_.size()},
@@ -110,6 +118,7 @@ std::string HtmlRecording::packed() const {
   return gzip(bytes);
 }
 
+/// The last instant belongs to the recording, even between two frames.
 void HtmlRecording::finish() {
   scene_.simulation().initialize();
   if (times_.empty() || times_.back() < scene_.simulation().now()) take_frame();

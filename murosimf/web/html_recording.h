@@ -1,4 +1,4 @@
-/// html_recording.h - a run as one HTML file that plays by itself in any browser: page, looks, poses and drawings in it.
+/// html_recording.h - a run as one self-contained HTML file that plays in any browser: page, appearance, poses and drawings.
 ///
 ///     scene::Scene scene("three_on_three");
 ///     web::HtmlRecording recording(scene, {.file = "game.html"});
@@ -25,24 +25,24 @@ namespace murosimf::web {
 
 struct HtmlOptions {
   std::filesystem::path file;
-  double rate = 25;      ///< [Hz] of frames; the page shows what is between them
-  bool by_hand = false;  ///< frames are those of take_frame() alone: of a scene that makes no steps
+  double rate = 25;      ///< [Hz] of frames; the page interpolates between them
+  bool by_hand = false;  ///< only take_frame() adds frames: for a scene without steps
   const drawing::DebugDrawSource* others =
-      nullptr;  ///< what other programs draw; must outlive the recording; null: they do not
+      nullptr;  ///< drawings of other programs; must outlive the recording; null: none
 };
 
-/// It must live as long as the run lasts, and the scene longer.
+/// It must outlive the run, and the scene must outlive it.
 class HtmlRecording {
  public:
-  /// Before the first step. Throws SetupError: this program has no page, the file could not be written, an impossible rate.
+  /// Before the first step. Throws SetupError: this program has no page, the file is not writable, an invalid rate.
   HtmlRecording(scene::Scene& scene, HtmlOptions options);
   HtmlRecording(const HtmlRecording&) = delete;  // the simulation calls back
   HtmlRecording& operator=(const HtmlRecording&) = delete;
 
-  /// One more, as it is now, a period after the one before.
+  /// Adds a frame of the present instant, a period after the previous one.
   void take_frame();
   [[nodiscard]] Duration period() const { return period_; }
-  /// Writes the file, which is whole or not there at all. Throws SetupError.
+  /// Writes the file, which is complete or absent. Throws SetupError.
   void finish();
 
  private:
@@ -59,10 +59,10 @@ class HtmlRecording {
   std::vector<std::string> frames_;  // pose messages, all of the same size
   PoseFrame poses_;
   DrawingTracks drawings_;
-  std::optional<std::pair<std::uint64_t, std::uint64_t>> drawn_;  // changes that were taken, of robots and of others
+  std::optional<std::pair<std::uint64_t, std::uint64_t>> drawn_;  // processed changes, of robots and of others
 };
 
-/// Frames of equal size as columns of differences, which compress well: word by word (16 bits) the differences from frame to frame, low
+/// Transposes frames of equal size into columns of differences, which compress well: word by word (16 bits) the differences from frame to frame, low
 /// bytes of all frames, then high bytes.
 [[nodiscard]] std::string as_planes(const std::vector<std::string>& frames);
 

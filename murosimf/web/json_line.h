@@ -1,4 +1,4 @@
-/// json_line.h - JSON for messages: in one line, and whatever texts have in them, valid.
+/// json_line.h - JSON for messages: in one line, and valid for any texts.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace murosimf::web {
 
-/// What is no UTF-8 becomes U+FFFD; numbers that are not finite become null.
+/// Invalid UTF-8 becomes U+FFFD; numbers that are not finite become null.
 [[nodiscard]] inline std::string json_line(const nlohmann::json& document) {
   return document.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }

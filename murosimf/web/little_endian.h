@@ -1,4 +1,4 @@
-/// little_endian.h - numbers as bytes of a message, whatever this machine's order is.
+/// little_endian.h - numbers as bytes of a message, independent of this machine's byte order.
 #pragma once
 
 #include <bit>

@@ -18,7 +18,7 @@ using nlohmann::json;
 using namespace std::chrono_literals;
 
 constexpr auto between_visits = 100ms;   // [wall]
-constexpr auto between_numbers = 40ms;   // while somebody plots
+constexpr auto between_numbers = 40ms;   // while numbers are plotted
 constexpr Duration frame_period = 16ms;  // [wall] of poses
 
 json state_of(const session::SessionStatus& status, const json& entities, const json& beliefs, const json& game) {
@@ -41,24 +41,24 @@ json state_of(const session::SessionStatus& status, const json& entities, const 
             {"game", game}}}};
 }
 
-/// Whose pictures of a camera are, and why there are none.
+/// Source of a camera's pictures, or the reason why there are none.
 json note_of(const std::string& camera, const SeenPicture& seen) {
   return {{"is", "camera"}, {"camera", camera}, {"own", seen.own}, {"trouble", seen.trouble}};
 }
 
 }  // namespace
 
-/// What the simulation's thread fills in, once at a time.
+/// Data filled in by the simulation's thread, one visit at a time.
 struct LiveScene::Visit {
   const league::GameTask* referee = nullptr;
-  // wanted
+  // requested
   bool publish = false;  // poses, for a reader that has none yet
   int known_changes = -1;
   std::size_t known_entities = 0;
   std::vector<std::string> paths;
   std::uint64_t known_drawings = 0;  // drawing::drawn_changes
 
-  // found
+  // results
   std::shared_ptr<const SceneDocument> document;
   int changes = -1;
   double time = 0;  // [s]
@@ -96,7 +96,7 @@ struct LiveScene::Visit {
   }
 };
 
-/// While it runs at many times real time, frames for eyes are farther apart in simulated time.
+/// At many times real time, frames for display are farther apart in simulated time.
 void LiveScene::subscribe(const Requests& requests) {
   const double factor = std::max(1.0, session_.status().factor);
   const auto period = std::chrono::duration_cast<Duration>(0.9 * factor * frame_period);
@@ -123,7 +123,7 @@ void LiveScene::take(const Visit& visit) {
     changes_ = visit.changes;
     document_message_ = binary_message(std::string{static_cast<char>(MessageKind::scene), 0, 0, 0} + scene_->bytes);
     ++documents_;
-    last_.poses = {};  // of other bodies
+    last_.poses = {};  // of bodies of the old document
   }
   const std::string state = json_line(state_of(session_.status(), visit.entities, visit.beliefs, visit.game));
   if (std::exchange(state_, state) != state) news_.state = last_.state = text_message(state);
@@ -174,7 +174,7 @@ void LiveScene::ask(const Requests& requests) {
   if (!visit_) visit_ = std::make_shared<Visit>();
   Visit& visit = *visit_;
   visit.referee = game_;
-  // frames come now and then; where it stands still is seen exactly
+  // frames arrive periodically; the instant of a pause must be shown exactly
   const session::SessionStatus status = session_.status();
   visit.publish = std::exchange(is_new_reader_, false) || (status.paused && status.time != shown_);
   visit.known_changes = changes_;
@@ -190,7 +190,7 @@ void LiveScene::look() {
   for (const Subscriber* subscriber : subscribers_) subscriber->add(requests);
   take_pictures(requests);
   if (requests.clients == 0) {
-    reader_ = nullptr;  // nothing is copied for nobody
+    reader_ = nullptr;  // no copies without clients
     last_.poses = {};
     return;
   }
@@ -200,7 +200,7 @@ void LiveScene::look() {
     try {
       visited_.get();
       take(*visit_);
-    } catch (const std::exception&) {  // the run has ended: what was there stays
+    } catch (const std::exception&) {  // the run has ended: the last data stay
     }
   }
   read_poses(requests);

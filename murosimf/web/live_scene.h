@@ -1,6 +1,6 @@
-/// live_scene.h - what all clients of a server share of a running scene: looks, poses, state, numbers, pictures.
+/// live_scene.h - data of a running scene shared by all clients of a server: appearance, poses, state, numbers, pictures.
 ///
-/// One thread, the server's, asks for it and hands it on; the simulation's thread is visited about ten times per wall second, as long as
+/// Requested and distributed by one thread, the server's; the simulation's thread is visited about ten times per wall second, while
 /// there are clients, and copies poses.
 #pragma once
 
@@ -29,33 +29,33 @@ class GameTask;
 
 namespace murosimf::web {
 
-/// What clients want besides poses and state. All of it is counted anew in every look.
+/// Data requested by clients in addition to poses and state. Counted again in every look.
 struct Requests {
   int clients = 0;
   bool contacts = false;
-  std::vector<std::string> numbers;  ///< paths as of logs, each means one (watched_numbers.h)
+  std::vector<std::string> numbers;  ///< paths as of logs, each denotes one number (watched_numbers.h)
   std::vector<std::string> cameras;  ///< "blue1.camera"
 };
 
-/// Somebody who looks on.
+/// An observer.
 class Subscriber {
  public:
   virtual ~Subscriber() = default;
-  /// Adds what this one wants.
+  /// Adds its requests.
   virtual void add(Requests& requests) const = 0;
 };
 
-/// Messages that were new in the last look. Null bytes: there was none.
+/// New messages of the last look. Null bytes: none.
 struct News {
   Message poses, poses_with_contacts;
   Message state, lines, values, drawings;
   std::map<std::string, Message> pictures,
-      camera_notes;  ///< by camera; a note says whose picture it is, or why there is none
+      camera_notes;  ///< by camera; a note has the source of the picture, or the reason why there is none
 };
 
 class LiveScene {
  public:
-  /// `poses`: of the scene's simulation; `game`: null if nobody referees; `others`: null if no other program draws. All must outlive it.
+  /// `poses`: of the scene's simulation; `game`: null if there is no referee; `others`: null if no other program draws. All must outlive it.
   LiveScene(session::Session& session, PoseFeed& poses, const CameraSubscriptions& cameras,
             const league::GameTask* game, const drawing::DebugDrawSource* others = nullptr)
       : session_(session), poses_(poses), cameras_(cameras), game_(game), others_(others) {}
@@ -63,18 +63,18 @@ class LiveScene {
   void join(const Subscriber& subscriber) { subscribers_.push_back(&subscriber); }
   void leave(const Subscriber& subscriber) { std::erase(subscribers_, &subscriber); }
 
-  /// Asks for what they want, and takes what has come.
+  /// Requests data for subscribers, and receives earlier requests.
   void look();
 
   [[nodiscard]] const News& news() const { return news_; }
   [[nodiscard]] session::Session& session() { return session_; }
-  /// Cameras that somebody looks through.
+  /// Cameras with observers.
   [[nodiscard]] const std::set<std::string>& wanted_cameras() const { return wanted_cameras_; }
 
-  /// The scene document as a message, and how often it has changed; 0: there is none yet.
+  /// The scene document as a message, and the number of its versions; 0: none yet.
   [[nodiscard]] const Message& document() const { return document_message_; }
   [[nodiscard]] std::uint64_t documents() const { return documents_; }
-  /// The last of each, for who comes now.
+  /// The last message of each kind, for new clients.
   [[nodiscard]] const News& last() const { return last_; }
 
  private:
@@ -96,7 +96,7 @@ class LiveScene {
   std::shared_ptr<const SceneDocument> scene_;
   Message document_message_;
   std::uint64_t documents_ = 0;
-  int changes_ = -1;  // that the document shows (SceneParts::changes_to_see)
+  int changes_ = -1;  // shown by the document (SceneParts::changes_to_see)
 
   std::shared_ptr<PoseReader> reader_;
   PoseRequest request_;
@@ -107,11 +107,11 @@ class LiveScene {
   std::chrono::steady_clock::time_point next_visit_{};
   std::set<std::string> wanted_cameras_;
   std::map<std::string, std::uint64_t> told_pictures_;  // numbers (SeenPicture)
-  std::string state_, lines_;                           // that clients have
+  std::string state_, lines_;                           // last messages sent
   std::vector<std::string> teams_;                      // of entities
   std::vector<drawing::Drawn> drawn_;                   // by robots
-  std::uint64_t drawn_by_others_ = 0;                   // changes that clients have
-  bool is_drawn_ = false;                               // anything
+  std::uint64_t drawn_by_others_ = 0;                   // changes sent
+  bool is_drawn_ = false;                               // whether there are drawings
 };
 
 }  // namespace murosimf::web

@@ -1,7 +1,7 @@
-/// outbox.h - what waits to be sent to one client.
+/// outbox.h - queue of messages to one client.
 ///
 /// Answers are sent in their order, all of them. Views of the present (poses, numbers, pictures) are not queued: of each kind only the
-/// newest one waits, so a client that is slow sees fewer of them, and none that is old.
+/// newest one waits, so a slow client gets fewer of them, but no outdated ones.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 namespace murosimf::web {
 
 struct Message {
-  std::shared_ptr<const std::string> bytes;  ///< several clients may be sent the same
+  std::shared_ptr<const std::string> bytes;  ///< may be shared by several clients
   bool binary = false;
 };
 
@@ -30,7 +30,7 @@ class Outbox {
     waiting_ += message.bytes->size();
     answers_.push_back(std::move(message));
   }
-  /// In the place of what waits of the same kind, at its turn.
+  /// Replaces the waiting view of the same kind, at its place in the order.
   void show(int kind, Message message) {
     replaced_ += views_.contains(kind) ? 1 : 0;
     views_[kind] = std::move(message);
@@ -38,9 +38,9 @@ class Outbox {
 
   [[nodiscard]] bool empty() const { return answers_.empty() && views_.empty(); }
   [[nodiscard]] std::size_t waiting_bytes() const { return waiting_; }  ///< of answers
-  [[nodiscard]] std::size_t replaced() const { return replaced_; }      ///< views that were never sent, so far
+  [[nodiscard]] std::size_t replaced() const { return replaced_; }      ///< number of views that were never sent
 
-  /// Answers first; then kind by kind, each in its turn.
+  /// Answers first; then the kinds in turn.
   [[nodiscard]] std::optional<Message> take() {
     if (!answers_.empty()) {
       Message message = std::move(answers_.front());

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/web/json_line.h"
 #include "murosimf/web/waiting_jobs.h"
@@ -17,11 +18,12 @@ using nlohmann::json;
 
 enum Kind { poses, state, lines, values, picture, drawings, camera_note };  // of views (outbox.h)
 
-constexpr int most_unseen = 4;            // a page that draws slowly gets fewer poses, not older ones
-constexpr std::size_t most_paths = 64;    // that a client watches
-constexpr std::size_t most_orders = 256;  // that a client waits for
+constexpr int most_unseen = 4;            // a slow page gets fewer poses, but no outdated ones
+constexpr std::size_t most_paths = 64;    // per client
+constexpr std::size_t most_orders = 256;  // pending per client
 constexpr double longest_time = 3e9;      // [s]
 
+/// Errors of the JSON library would tell a page nothing about the key.
 template <class T>
 T get(const json& order, const char* key) {
   try {
@@ -42,6 +44,7 @@ double finite(const json& order, const char* key) {
 
 PageConversation::~PageConversation() { live_.leave(*this); }
 
+/// Binary messages have no meaning here.
 void PageConversation::receive(std::string_view message, bool binary) {
   if (binary) throw ClientError("orders are text");
   const json order = json::parse(message, nullptr, false);
@@ -100,7 +103,7 @@ void PageConversation::watch(const json& order, std::int64_t id) {
   jobs_.push_back({.id = id, .done = std::move(done), .result = nullptr, .then = [this, paths] { paths_ = paths; }});
 }
 
-/// What is seen already comes at once.
+/// A known picture is sent at once.
 void PageConversation::look_through(const json& order, std::int64_t id) {
   camera_.clear();
   ++cameras_chosen_;
@@ -109,7 +112,7 @@ void PageConversation::look_through(const json& order, std::int64_t id) {
   std::future<void> done = live_.session().visit([camera](scene::Scene& scene) { check_camera(scene, camera); });
   const std::uint64_t number = cameras_chosen_;
   jobs_.push_back({.id = id, .done = std::move(done), .result = nullptr, .then = [this, camera, number] {
-                     if (number != cameras_chosen_) return;  // another one was chosen meanwhile
+                     if (number != cameras_chosen_) return;  // another one was selected meanwhile
                      camera_ = camera;
                      const auto note = live_.last().camera_notes.find(camera);
                      if (note != live_.last().camera_notes.end()) outbox.show(camera_note, note->second);
@@ -147,11 +150,13 @@ void PageConversation::answer_jobs() {
 }
 
 void PageConversation::show_poses() {
+  MUROSIMF_ASSERT(unseen_ >= 0);
   if (unseen_ >= most_unseen) return;
   outbox.show(poses, std::exchange(missed_, {}));
   ++unseen_;
 }
 
+/// A new document comes first: all later messages refer to it.
 void PageConversation::look() {
   const bool is_new = document_ != live_.documents();
   if (is_new) {
@@ -180,6 +185,7 @@ void PageConversation::look() {
   if (seen != news.pictures.end()) outbox.show(picture, seen->second);
 }
 
+/// Numbers that several pages watch are read once.
 void PageConversation::add(Requests& requests) const {
   ++requests.clients;
   requests.contacts = requests.contacts || contacts_;

@@ -1,4 +1,4 @@
-/// page_conversation.h - what the page and the server say to each other: subprotocol "murosimf.v1" (docs/web.md).
+/// page_conversation.h - the protocol between the page and the server: subprotocol "murosimf.v1" (docs/web.md).
 #pragma once
 
 #include <cstdint>
@@ -27,12 +27,12 @@ class PageConversation final : public Conversation, public Subscriber {
   void add(Requests& requests) const override;
 
  private:
-  /// Something that the simulation's thread does for this client.
+  /// A request executed by the simulation's thread for this client.
   struct Job {
     std::int64_t id = 0;
     std::future<void> done;
-    std::shared_ptr<nlohmann::json> result;  ///< null: nothing but that it was done
-    std::function<void()> then = [] {};      ///< when it was
+    std::shared_ptr<nlohmann::json> result;  ///< null: no result but completion
+    std::function<void()> then = [] {};      ///< called on completion
   };
   void carry_out(const std::string& what, const nlohmann::json& order, std::int64_t id);
   void watch(const nlohmann::json& order, std::int64_t id);
@@ -45,13 +45,13 @@ class PageConversation final : public Conversation, public Subscriber {
 
   LiveScene& live_;
   std::deque<Job> jobs_;
-  std::uint64_t document_ = 0;  // that it has
+  std::uint64_t document_ = 0;  // version that the client has
   bool contacts_ = false;
   std::vector<std::string> paths_;
-  std::string camera_;                // that it looks through; empty: none
-  std::uint64_t cameras_chosen_ = 0;  // so far
-  int unseen_ = 0;                    // messages of poses that it has not said to have seen
-  Message missed_;                    // poses that it could not take when they came
+  std::string camera_;                // selected camera; empty: none
+  std::uint64_t cameras_chosen_ = 0;  // number of selections so far
+  int unseen_ = 0;                    // messages of poses not yet acknowledged
+  Message missed_;                    // poses withheld until an acknowledgement
 };
 
 }  // namespace murosimf::web

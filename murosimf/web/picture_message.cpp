@@ -3,15 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/web/little_endian.h"
 #include "murosimf/web/pose_message.h"
 
 namespace murosimf::web {
 namespace {
 
-/// `put` adds the three colors of a pixel.
+/// `put` appends the three colors of a pixel.
 template <class Image, class Put>
 std::string message_of(const Image& image, const Put& put) {
+  MUROSIMF_ASSERT(image.width() > 0 && image.height() > 0);
   const int step = (std::max(image.width(), image.height()) + most_pixels - 1) / most_pixels;
   const int width = image.width() / step, height = image.height() / step;
   std::string out;
@@ -24,12 +26,13 @@ std::string message_of(const Image& image, const Put& put) {
   for (int v = 0; v < height; ++v) {
     for (int u = 0; u < width; ++u) put(out, image(step * u, step * v));
   }
+  MUROSIMF_ASSERT(out.size() == 8 + 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   return out;
 }
 
 void put_gray(std::string& out, std::uint8_t brightness) { out.append(3, static_cast<char>(brightness)); }
 
-/// Half as bright at twice the distance; 0.2 m is white.
+/// Half brightness at twice the distance; 0.2 m is white.
 std::uint8_t brightness_of(float depth) {
   constexpr double white = 0.2;  // [m]
   return std::isfinite(depth) && depth > 0

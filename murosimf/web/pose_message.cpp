@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/math/quaternion.h"
 #include "murosimf/model/time.h"
 #include "murosimf/web/little_endian.h"
@@ -13,7 +14,7 @@ namespace {
 constexpr double finest_step = 0x1p-13;  // [m]
 constexpr double most_steps = 32767;
 
-/// NaN of one that is frozen is 0.
+/// NaN of a frozen entity becomes 0.
 std::int16_t nearest_i16(double value) {
   return std::isfinite(value) ? static_cast<std::int16_t>(std::lround(std::clamp(value, -most_steps, most_steps))) : 0;
 }
@@ -25,11 +26,12 @@ void put_vector(std::string& out, const Vec3d& v) {
 void put_body(std::string& out, const Vec3d& offset, const Mat3d& orientation, double step) {
   for (const double number : {offset.x, offset.y, offset.z}) put_i16(out, nearest_i16(number / step));
   Quaterniond q = from_matrix(orientation);
-  const double sign = q.w < 0 ? -1 : 1;  // of two that mean the same, the one that changes little while something moves
+  const double sign = q.w < 0 ? -1 : 1;  // of two equal rotations the one with w >= 0: changes stay small
   for (const double number : {q.x, q.y, q.z, q.w}) put_i16(out, nearest_i16(sign * number * most_steps));
 }
 
 void put_entity(std::string& out, const ShownEntity& shown, const PoseFrame& frame) {
+  MUROSIMF_ASSERT(shown.index + 1 < frame.first.size() && !shown.objects.empty());
   const std::size_t first = frame.first[shown.index];
   const Vec3d base = frame.position[first];
   double farthest = 0;
@@ -47,6 +49,7 @@ void put_entity(std::string& out, const ShownEntity& shown, const PoseFrame& fra
   put_f32(out, static_cast<float>(step));
   for (const int object : shown.objects) {
     const std::size_t i = first + static_cast<std::size_t>(object);
+    MUROSIMF_ASSERT(i < frame.position.size() && i < frame.orientation.size());
     put_body(out, frame.position[i] - base, frame.orientation[i], step);
   }
 }
@@ -57,6 +60,7 @@ std::string pose_message(const SceneDocument& document, const PoseFrame& frame, 
   std::string out;
   put_u8(out, static_cast<std::uint8_t>(MessageKind::poses));
   put_u8(out, contacts ? 1 : 0);
+  MUROSIMF_ASSERT(document.moving.size() <= 0xFFFF);
   put_u16(out, static_cast<std::uint16_t>(document.moving.size()));
   put_u32(out, static_cast<std::uint32_t>(jumps));
   put_f64(out, seconds(frame.time));

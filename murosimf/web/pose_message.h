@@ -1,12 +1,12 @@
-/// pose_message.h - where everything is at one instant, as one binary message that stands alone [little-endian]:
+/// pose_message.h - all poses at one instant, as one self-contained binary message [little-endian]:
 ///
 ///     u8 1, u8 flags (1: with contacts), u16 entities, u32 jumps of time so far, f64 time [s]
 ///     of each entity that moves, in the order of the scene document:
 ///       u16 flags (1 present, 2 frozen), u16 bodies, f32 x y z of its base [m], f32 step [m]
 ///       of each body: i16 x y z from the base's origin [step], i16 x y z w of its orientation [1/32767]
-///     with contacts: u32 how many, of each f32 x y z [m], f32 x y z [N]
+///     with contacts: u32 number, of each f32 x y z [m], f32 x y z [N]
 ///
-/// The step is 2^-13 m (0.12 mm) while all of an entity is within 4 m of its base, else as much larger as it must be.
+/// The step is 2^-13 m (0.12 mm) while all of an entity is within 4 m of its base, else the smallest sufficient multiple by a power of two.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ namespace murosimf::web {
 
 enum class MessageKind : std::uint8_t { poses = 1, picture = 2, scene = 3 };
 
-/// `frame` has the entities of the document.
+/// `frame` contains the entities of the document.
 [[nodiscard]] std::string pose_message(const SceneDocument& document, const PoseFrame& frame, std::uint64_t jumps,
                                        bool contacts);
 

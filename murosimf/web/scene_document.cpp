@@ -7,6 +7,7 @@
 #include "murosimf/appearance/entity_appearance.h"
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/files/json_document.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/math/quaternion.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/render/render_scene.h"
@@ -60,7 +61,7 @@ std::string kind_of(const scene::SceneParts& parts, const Entity& entity) {
   return &entity == parts.field ? "field" : "body";
 }
 
-/// Writes text and numbers of a document.
+/// Collects text and numbers of a document.
 class Writer {
  public:
   explicit Writer(const scene::Scene& scene) : scene_(scene) {}
@@ -85,6 +86,7 @@ class Writer {
     return std::move(document_);
   }
 
+  /// The order of the entities is that of the poses.
  private:
   void add_entity(const Entity& entity, std::size_t index) {
     json one{{"name", entity.name()},
@@ -99,8 +101,9 @@ class Writer {
     entities_[&entity] = static_cast<int>(index);
   }
 
-  /// Of the link among those of its entity that are sent.
+  /// Index of the link among the sent ones of its entity; adds it if missing.
   int body_of(int row, int link) {
+    MUROSIMF_ASSERT(row >= 0 && static_cast<std::size_t>(row) < document_.moving.size());
     std::vector<int>& objects = document_.moving[static_cast<std::size_t>(row)].objects;
     const auto found = std::ranges::find(objects, link);
     if (found != objects.end()) return static_cast<int>(found - objects.begin());
@@ -110,6 +113,7 @@ class Writer {
 
   void add_part(const render::RenderScene& looks, const render::Drawable& drawable) {
     const Entity* owner = looks.owner(drawable);
+    MUROSIMF_ASSERT(owner != nullptr);
     const FixedObject at = owner->model().placement(drawable.object);
     const Transformd in_link = Transformd{at.offset, at.turn} * drawable.place;
     json part{{"entity", entities_[owner]},
@@ -148,11 +152,13 @@ class Writer {
     }
   }
 
+  /// Padded to four bytes: the page reads the numbers behind the text in place.
   void assemble() {
     std::string text = json_line(text_);
     text.resize((text.size() + 3) / 4 * 4, ' ');
     put_u32(document_.bytes, static_cast<std::uint32_t>(text.size()));
     document_.bytes += text;
+    MUROSIMF_ASSERT(document_.bytes.size() % 4 == 0);
     document_.bytes += data_;
   }
 

@@ -1,8 +1,8 @@
-/// scene_document.h - what everything looks like and is called, as one binary message for the page: sent once, poses follow.
+/// scene_document.h - appearance and names of a scene, as one binary message for the page: sent once, followed by poses.
 ///
-///     u32 length of the JSON text, the text, zeros up to a multiple of 4, then numbers that the text refers to [little-endian]
+///     u32 length of the JSON text, the text, zeros up to a multiple of 4, then numbers referenced by the text [little-endian]
 ///
-/// docs/web.md has the keys. Looks are those of cameras and pictures (appearance/, render/).
+/// docs/web.md has the keys. The appearance is that of cameras and pictures (appearance/, render/).
 #pragma once
 
 #include <cstddef>
@@ -13,19 +13,20 @@
 
 namespace murosimf::web {
 
-/// An entity that moves and can be seen: its row in messages of poses (pose_message.h).
+/// A visible moving entity: its row in messages of poses (pose_message.h).
 struct ShownEntity {
-  std::size_t index = 0;     ///< in the world
-  std::vector<int> objects;  ///< of the model, whose poses are sent: links that carry something, and the base first
+  std::size_t index = 0;  ///< in the world
+  std::vector<int>
+      objects;  ///< objects of the model with poses in messages: the base first, then links with visible parts
 };
 
 struct SceneDocument {
   std::string bytes;
   std::vector<ShownEntity> moving;
-  std::size_t entities = 0;  ///< in the world, when it was made
+  std::size_t entities = 0;  ///< number in the world when it was created
 };
 
-/// Of a scene that is initialized, between two steps. Meshes that cannot be read are left out, as in pictures.
+/// For an initialized scene, between two steps. Unreadable meshes are left out, as in pictures.
 [[nodiscard]] SceneDocument scene_document(const scene::Scene& scene);
 
 }  // namespace murosimf::web

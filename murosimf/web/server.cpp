@@ -11,16 +11,17 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::web {
 namespace {
 
-/// Of libwebsockets, at the beginning of each connection; zero at first.
+/// Per-session memory of libwebsockets, one for each connection; zeroed at the beginning.
 struct Client {
   Conversation* conversation;
-  std::string* incoming;  // of a message that comes in parts
-  const Answer* answer;   // of a GET
+  std::string* incoming;  // message received in parts
+  const Answer* answer;   // to a GET
 };
 
 std::string header(lws* wsi, lws_token_indexes token) {
@@ -50,9 +51,9 @@ void close_with(lws* wsi, lws_close_status status, std::string_view why) {
   lws_close_reason(wsi, status, bytes.data(), size);
 }
 
-constexpr unsigned most_connections = 256;  // those that have asked for nothing yet, too
+constexpr unsigned most_connections = 256;  // including those without a request yet
 
-/// No page puts this one into a frame, where its visitors would click without knowing; and this one shows nothing of others.
+/// No other page may embed this one in a frame, where users could be tricked into clicking; and this page loads nothing of others.
 constexpr std::string_view page_policy =
     "frame-ancestors 'none'; base-uri 'none'; form-action 'none'; object-src 'none'";
 
@@ -86,7 +87,7 @@ struct Server::Inside {
   std::vector<lws_protocols> protocols;
   lws_context* context = nullptr;
   struct Timer {
-    lws_sorted_usec_list_t list{};  // first: its address is the timer's
+    lws_sorted_usec_list_t list{};  // first member: libwebsockets passes its address back
     Inside* owner = nullptr;
   } timer;
   std::vector<std::pair<lws*, Client*>> open_clients;
@@ -110,7 +111,7 @@ Server::Inside::Inside(Options what) : options(std::move(what)) {
   protocol.callback = on_event;
   protocol.per_session_data_size = sizeof(Client);
   protocol.rx_buffer_size = 64 * 1024;
-  protocol.name = "http";  // also of WebSockets that name none, which are refused
+  protocol.name = "http";  // also used for WebSockets without a protocol, which are refused
   protocols.push_back(protocol);
   for (const auto& [name, make] : options.protocols) {
     protocol.name = name.c_str();
@@ -119,7 +120,7 @@ Server::Inside::Inside(Options what) : options(std::move(what)) {
   protocols.push_back({});
   lws_set_log_level(0, nullptr);
   lws_context_creation_info info{};
-  info.port = CONTEXT_PORT_NO_LISTEN_SERVER;  // connections are accepted here, and handed over
+  info.port = CONTEXT_PORT_NO_LISTEN_SERVER;  // connections are accepted here, and passed on
   info.protocols = protocols.data();
   info.user = this;
   info.gid = static_cast<decltype(info.gid)>(-1);
@@ -149,9 +150,9 @@ void Server::Inside::on_time(lws_sorted_usec_list_t* list) { reinterpret_cast<Ti
 void Server::Inside::tick() {
   try {
     for (wire::Socket socket = listener.accept(); socket.is_open(); socket = listener.accept()) {
-      if (lws_adopt_socket(context, socket.release()) == nullptr) break;  // which closes it
+      if (lws_adopt_socket(context, socket.release()) == nullptr) break;  // it closes the socket
     }
-  } catch (const wire::WireError&) {  // who wanted to come has gone, or there are too many
+  } catch (const wire::WireError&) {  // the client has disconnected, or there are too many
   }
   if (options.look) options.look();
   for (const auto& [wsi, client] : open_clients) {
@@ -166,11 +167,12 @@ int Server::Inside::on_event(lws* wsi, lws_callback_reasons reason, void* user, 
   auto* self = static_cast<Inside*>(lws_context_user(lws_get_context(wsi)));
   try {
     return self->handle(wsi, reason, static_cast<Client*>(user), {static_cast<const char*>(in), in ? length : 0});
-  } catch (const std::exception&) {  // no memory for this client, or an error with it
+  } catch (const std::exception&) {  // out of memory, or an error of this client
     return -1;
   }
 }
 
+/// Rules of entry are checked before a conversation is made.
 int Server::Inside::handle(lws* wsi, lws_callback_reasons reason, Client* client, std::string_view bytes) {
   switch (reason) {
     case LWS_CALLBACK_HTTP: return get(wsi, *client, bytes);
@@ -187,6 +189,7 @@ int Server::Inside::handle(lws* wsi, lws_callback_reasons reason, Client* client
   }
 }
 
+/// Only known paths are answered: the server has no access to files.
 int Server::Inside::get(lws* wsi, Client& client, std::string_view path) {
   const auto refuse = [&](unsigned status, const char* why) {
     return lws_return_http_status(wsi, status, why) != 0 || lws_http_transaction_completed(wsi) != 0 ? -1 : 0;
@@ -216,6 +219,7 @@ int Server::Inside::get(lws* wsi, Client& client, std::string_view path) {
   return refuse(HTTP_STATUS_NOT_FOUND, "There is only one page here: /\n");
 }
 
+/// The library needs room in front of the bytes for its header.
 int Server::Inside::send_page(lws* wsi, Client& client) {
   if (!client.answer) return -1;
   const std::string_view bytes = client.answer->bytes;
@@ -240,7 +244,9 @@ int Server::Inside::open(lws* wsi, Client& client) {
   return 0;
 }
 
+/// Messages come in fragments; a message that is too long ends the connection.
 int Server::Inside::receive(lws* wsi, Client& client, std::string_view bytes) {
+  MUROSIMF_ASSERT(client.conversation != nullptr && client.incoming != nullptr);
   if (lws_is_first_fragment(wsi) != 0) client.incoming->clear();
   if (client.incoming->size() + bytes.size() > longest_message) {
     close_with(wsi, LWS_CLOSE_STATUS_MESSAGE_TOO_LARGE, "messages have at most 1 MB");
@@ -260,10 +266,12 @@ int Server::Inside::receive(lws* wsi, Client& client, std::string_view bytes) {
 }
 
 int Server::Inside::send_next(lws* wsi, Client& client) {
+  MUROSIMF_ASSERT(client.conversation != nullptr);
   Outbox& outbox = client.conversation->outbox;
-  if (outbox.waiting_bytes() > most_waiting) return -1;  // it asks and does not read
+  if (outbox.waiting_bytes() > most_waiting) return -1;  // it sends requests and does not read the answers
   const std::optional<Message> message = outbox.take();
   if (!message) return 0;
+  MUROSIMF_ASSERT(message->bytes != nullptr);
   scratch.assign(LWS_PRE, '\0');
   scratch.insert(scratch.end(), message->bytes->begin(), message->bytes->end());
   auto* data = reinterpret_cast<unsigned char*>(scratch.data() + LWS_PRE);

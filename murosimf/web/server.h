@@ -2,7 +2,7 @@
 ///
 ///     web::Server server({.address = {"127.0.0.1", 8080}, .protocols = {{"own.v1", [] { return std::make_unique<Own>(); }}}, ...});
 ///
-/// A client that says what it must not, or takes nothing of what it has to be sent, loses its connection; nobody else notices.
+/// A client that violates the protocol, or does not read its answers, is disconnected; other clients are not affected.
 #pragma once
 
 #include <chrono>
@@ -20,27 +20,27 @@
 
 namespace murosimf::web {
 
-/// A client has said what it must not: it is told why, and its connection ends.
+/// A client has violated the protocol: it receives the reason, and is disconnected.
 class ClientError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The server's side of one WebSocket. All in the server's thread.
+/// The server's side of one WebSocket. All calls in the server's thread.
 class Conversation {
  public:
   virtual ~Conversation() = default;
-  /// A whole message has come. May throw ClientError.
+  /// A complete message. May throw ClientError.
   virtual void receive(std::string_view message, bool binary) = 0;
-  /// About once in Server::Options::period: what is new goes into the outbox.
+  /// About once in Server::Options::period: puts news into the outbox.
   virtual void look() = 0;
 
   Outbox outbox;
 };
 
-/// What a GET is answered.
+/// Answer to a GET.
 struct Answer {
-  std::string_view bytes;  ///< stay the owner's
+  std::string_view bytes;  ///< memory of the caller
   std::string type;        ///< "text/html; charset=utf-8"
   bool gzip = false;       ///< bytes are compressed
 };
@@ -49,11 +49,11 @@ class Server {
  public:
   struct Options {
     wire::Address address;
-    std::string token;  ///< for who is not on this computer, and for pages from elsewhere
+    std::string token;  ///< for clients on other computers, and for pages of other servers
     /// By name, as in Sec-WebSocket-Protocol.
     std::vector<std::pair<std::string, std::function<std::unique_ptr<Conversation>()>>> protocols;
     std::vector<std::pair<std::string, Answer>> pages;  ///< by path: "/"
-    std::function<void()> look = {};                    ///< before that of the conversations, which may be none
+    std::function<void()> look = {};                    ///< called before that of the conversations, even without any
     std::chrono::milliseconds period{16};
   };
 
@@ -64,7 +64,7 @@ class Server {
   Server& operator=(const Server&) = delete;
 
   [[nodiscard]] const wire::Address& address() const;
-  /// Of open WebSockets; from any thread.
+  /// Number of open WebSockets; from any thread.
   [[nodiscard]] int clients() const;
 
  private:
@@ -72,8 +72,8 @@ class Server {
   std::unique_ptr<Inside> inside_;
 };
 
-inline constexpr std::size_t longest_message = 1 << 20;  ///< [byte] that a client may send
-inline constexpr std::size_t most_waiting = 64 << 20;    ///< [byte] of answers that a client leaves unread
+inline constexpr std::size_t longest_message = 1 << 20;  ///< [byte] of a client's message
+inline constexpr std::size_t most_waiting = 64 << 20;    ///< [byte] of unread answers of a client
 inline constexpr int most_clients = 64;
 
 }  // namespace murosimf::web

@@ -1,4 +1,4 @@
-/// waiting_jobs.h - what clients wait for: things that the simulation's thread does between two steps.
+/// waiting_jobs.h - pending requests of clients, executed by the simulation's thread between two steps.
 #pragma once
 
 #include <chrono>
@@ -9,7 +9,7 @@
 
 namespace murosimf::web {
 
-/// Calls answer(job, error) for each that was done, in their order, and forgets it; error: why it could not be done, else empty. A Job has a
+/// Calls answer(job, error) for each completed job, in order, and removes it; error: the reason of a failure, else empty. A Job has a
 /// `done`, a std::future<void>.
 template <class Job, class Answer>
 void answer_ready(std::deque<Job>& jobs, const Answer& answer) {

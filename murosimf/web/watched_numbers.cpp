@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "murosimf/logging/log_catalog.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/object_access.h"
 #include "murosimf/sensors/reading.h"
@@ -27,9 +28,10 @@ std::optional<double> value_of(const logging::LoggedNumber& number) {
   if (!number.sensor.empty()) {
     const sensors::Reading* reading = sensors::find_reading(*number.entity, number.sensor);
     if (!reading || reading->samples == 0) return std::nullopt;
+    MUROSIMF_ASSERT(number.index < reading->values.size());
     return reading->values[number.index];
   }
-  if (!number.entity->find(number.property)) return std::nullopt;  // its level was exchanged
+  if (!number.entity->find(number.property)) return std::nullopt;  // its level was changed
   return ObjectAccess(*number.entity, number.object).get(number.property).numbers[number.index];
 }
 
@@ -39,6 +41,7 @@ std::vector<std::pair<std::string, std::optional<double>>> WatchedNumbers::read(
     paths_ = paths;
     numbers_.assign(paths.size(), std::nullopt);
   }
+  MUROSIMF_ASSERT(numbers_.size() == paths.size());
   std::vector<std::pair<std::string, std::optional<double>>> values;
   for (std::size_t i = 0; i < paths.size(); ++i) {
     try {

@@ -1,4 +1,4 @@
-/// watched_numbers.h - numbers of a running scene by their paths, as logs have them (logging/log_paths.h), looked up once.
+/// watched_numbers.h - numbers of a running scene by their paths, in the notation of logs (logging/log_paths.h), looked up once.
 #pragma once
 
 #include <optional>
@@ -10,13 +10,13 @@
 
 namespace murosimf::web {
 
-/// The one number that a path means. Throws SetupError: there is none, or there are several.
+/// The single number that a path denotes. Throws SetupError: there is none, or there are several.
 [[nodiscard]] logging::LoggedNumber find_number(const World& world, const std::string& path);
 
-/// Its value now; nothing if it is not there at the present level, or its entity has left.
+/// Its present value; nothing if it does not exist at the present level, or its entity has left.
 [[nodiscard]] std::optional<double> value_of(const logging::LoggedNumber& number);
 
-/// All by their paths; those that mean nothing any more have no value.
+/// All numbers by their paths; those that no longer exist have no value.
 class WatchedNumbers {
  public:
   [[nodiscard]] std::vector<std::pair<std::string, std::optional<double>>> read(const World& world,

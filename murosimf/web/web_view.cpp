@@ -51,10 +51,10 @@ struct WebView::Inside {
   }
 
   CameraSubscriptions cameras;
-  LiveScene live;         // of the server's thread
+  LiveScene live;         // accessed by the server's thread only
   FoxgloveLive foxglove;  // likewise
   const std::string token;
-  Server server;
+  Server server;  // last member: its thread uses the others
 };
 
 WebView::WebView(scene::Scene& scene, session::Session& session, const WebOptions& options)

@@ -5,7 +5,7 @@
 ///     say(view.addresses());
 ///     session.run(60s);
 ///
-/// The server runs in a thread of its own; it looks at the scene by copies of poses and visits of the session alone. Looking on changes no result.
+/// The server runs in a separate thread; it reads the scene only by copies of poses and visits of the session. Observation changes no result.
 #pragma once
 
 #include <memory>
@@ -23,8 +23,8 @@ namespace murosimf::web {
 
 struct WebOptions {
   wire::Address address;
-  const league::GameTask* game = nullptr;            ///< whose score is shown; must outlive the view
-  const drawing::DebugDrawSource* others = nullptr;  ///< whose drawings are shown; must outlive the view
+  const league::GameTask* game = nullptr;            ///< game with the displayed score; must outlive the view
+  const drawing::DebugDrawSource* others = nullptr;  ///< source of displayed drawings; must outlive the view
 };
 
 class WebView {
@@ -35,11 +35,11 @@ class WebView {
   WebView(const WebView&) = delete;
   WebView& operator=(const WebView&) = delete;
 
-  /// Of the page: "http://127.0.0.1:8080/"; for who is on another computer, with the token.
+  /// Address of the page: "http://127.0.0.1:8080/"; for other computers, with the token.
   [[nodiscard]] std::string page_address() const;
   /// For viewers, with the token: "ws://127.0.0.1:8080/?token=..."
   [[nodiscard]] std::string socket_address() const;
-  /// Why there is no page at that address, in one line; empty: there is one.
+  /// Reason why there is no page at that address, in one line; empty: there is one.
   [[nodiscard]] static std::string no_page();
   [[nodiscard]] int clients() const;
 

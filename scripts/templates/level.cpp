@@ -31,7 +31,7 @@ void NewName::step(const Instant& instant) noexcept {
   move_links();
 }
 
-/// The base is at rest where it was, or where somebody has put it since. What moves a base changes row 0 here.
+/// The base is at rest where it was, or where it was placed since. What moves a base changes row 0 here.
 void NewName::move_links() noexcept {
   columns_.R[0] = to_matrix(columns_.Q[0]);
   columns_.v[0] = columns_.w[0] = {};

@@ -1,4 +1,4 @@
-// include/murosimf/scene.h: the run, against the scene inside; who is there, contacts and rays against laws.
+// include/murosimf/scene.h: the run, against the scene inside; its entities, contacts and rays against laws.
 #include "murosimf/scene.h"
 
 #include <gtest/gtest.h>

@@ -52,7 +52,7 @@ TEST(DelayedRows, NeverGoBackToWhatWasOvertaken) {
   EXPECT_GT(last, 1900);
 }
 
-// The second takes 1 ms, the first 100: it comes when nobody wants it any more.
+// The second takes 1 ms, the first 100: it comes when it is no longer needed.
 TEST(DelayedRows, AreCounted) {
   DelayedRows rows({.delay = 0.001, .jitter = 0.1}, 3, "a");
   std::uint64_t come = 0;

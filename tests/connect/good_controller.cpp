@@ -14,7 +14,7 @@
 
 namespace {
 
-double everybody = 0;  // grows with every call of any instance
+double all_calls = 0;  // grows with every call of any instance
 
 struct Instance {
   const murosimf_robot* robot = nullptr;
@@ -93,15 +93,15 @@ void step(void* instance, int64_t now) {
   if (self.error == "no_number" || self.error == "infinite" || self.error == "far") return;
   for (size_t i = 0; i < self.position->count; ++i) self.seen += self.position->values[i];
   for (size_t i = 0; i < self.gyroscope->count; ++i) self.seen += 0.1 * self.gyroscope->values[i];
-  everybody += 1;
+  all_calls += 1;
   self.steps += 1;
   self.target->values[self.head] =
-      0.1 * VERSION + 0.05 * std::sin(0.1 * self.steps + 0.01 * self.seen + 0.2 * everybody);
+      0.1 * VERSION + 0.05 * std::sin(0.1 * self.steps + 0.01 * self.seen + 0.2 * all_calls);
 }
 
 size_t save(void* instance, void* bytes, size_t size) {
   auto& self = *static_cast<Instance*>(instance);
-  const double all[] = {self.seen, self.steps, everybody};
+  const double all[] = {self.seen, self.steps, all_calls};
   if (size >= sizeof all) std::memcpy(bytes, all, sizeof all);
   return sizeof all;
 }
@@ -113,7 +113,7 @@ int load(void* instance, const void* bytes, size_t size) {
   std::memcpy(all, bytes, sizeof all);
   self.seen = all[0];
   self.steps = all[1];
-  everybody = all[2];
+  all_calls = all[2];
   return 1;
 }
 

@@ -29,7 +29,7 @@ TEST(LinkModel, SendsOneByteAfterTheOther) {
   EXPECT_EQ(link.arrival(0ms, 200), Duration(210ms));
   EXPECT_EQ(link.arrival(50ms, 100), Duration(310ms));  // waits until 200 ms
   EXPECT_EQ(link.arrival(50ms, 100), Duration(410ms));
-  EXPECT_EQ(link.arrival(1000ms, 100), Duration(1110ms));  // nobody before it any more
+  EXPECT_EQ(link.arrival(1000ms, 100), Duration(1110ms));  // no message is before it any more
 }
 
 TEST(LinkModel, LosesWhatWouldWaitTooLong) {

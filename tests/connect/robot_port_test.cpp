@@ -172,7 +172,7 @@ TEST(RobotPort, ShowsWhatTheMotionEngineDoes) {
     EXPECT_EQ(*port.labels("motion.odometry"), (std::vector<std::string>{"x", "y", "heading"}));
     return nothing_to_do();
   });
-  EXPECT_TRUE(robot.task->port().uses_motions()) << "who reads it has it";
+  EXPECT_TRUE(robot.task->port().uses_motions()) << "a reader of the state has it";
   const auto kick = static_cast<std::size_t>(std::ranges::find(names, "kick_left") - names.begin());
   ASSERT_LT(kick, names.size());
   ASSERT_EQ(phase->count, names.size());
@@ -347,7 +347,7 @@ TEST(RobotPort, ShowsTheGameAsSomebodyHasWrittenIt) {
     return nothing_to_do();
   });
   program.rig.simulation.run(20ms);
-  EXPECT_EQ(state->samples, 0U);  // nobody has said anything
+  EXPECT_EQ(state->samples, 0U);  // nothing was received
   EXPECT_EQ(score->count, 2U);
   GameView& view = program.robot.column(game_view).values[0];
   view.time = 12'000'000;

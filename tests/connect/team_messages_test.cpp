@@ -1,4 +1,4 @@
-// Messages between robots of a team, through the whole of a scene: who gets them, when, how many; the same with any number of threads, from
+// Messages between robots of a team, through the whole of a scene: which robots get them, when, how many; the same with any number of threads, from
 // saved states and after resets.
 #include <gtest/gtest.h>
 
@@ -197,11 +197,11 @@ TEST(TeamMessages, NeedATeam) {
 }
 
 TEST(TeamMessages, ComeWithARobotThatIsAdded) {
-  std::vector<std::string> nobody;
+  std::vector<std::string> no_controllers;
   for (const std::string robot : {"blue1", "blue2", "blue3", "red1", "red2", "red3"}) {
-    nobody.push_back(robot + ".controller=none");
+    no_controllers.push_back(robot + ".controller=none");
   }
-  scene::Scene scene("three_on_three", {.overrides = nobody, .cameras = false});
+  scene::Scene scene("three_on_three", {.overrides = no_controllers, .cameras = false});
   scene.simulation().run(100ms);
   scene_file::RobotSpec robot = scene.spec().robots[0];
   robot.controller = "library";

@@ -53,7 +53,8 @@ TEST(HumanoidPacket, HasEveryFieldInItsPlace) {
 }
 
 TEST(HumanoidPacket, KnowsADroppedBallAndNoFreeKick) {
-  for (const int nobody : {255, 128}) EXPECT_EQ(read_game_packet(with(11, nobody)).kick_off_team, no_team);
+  for (const int no_team_number : {255, 128})
+    EXPECT_EQ(read_game_packet(with(11, no_team_number)).kick_off_team, no_team);
   EXPECT_EQ(read_game_packet(with(12, 0)).secondary_team, no_team);
 }
 

@@ -317,7 +317,7 @@ TEST(League, GoingBackInTimeAnswersFromWhatHadCome) {
     EXPECT_TRUE(game.scene.save() == (time == first ? then : last));
     EXPECT_EQ(game.game.game()->words(), time == first ? words - 1 : words);
   }
-  EXPECT_EQ(answers.take({}), Texts{}) << "nobody is answered twice";
+  EXPECT_EQ(answers.take({}), Texts{}) << "no request is answered twice";
   EXPECT_EQ(course.diagnostic(), "");
   course.seek(first, {}, [] { return false; });
   EXPECT_TRUE(
@@ -477,7 +477,7 @@ TEST(League, BuiltInControllersStandWhileNobodyMayMove) {
       EXPECT_EQ(number(robot, properties::halted), others) << robot << " at " << time;
     }
   };
-  expect_halted(0.1, 0, 0);  // nobody referees yet
+  expect_halted(0.1, 0, 0);  // no referee yet
   expect_halted(0.3, 1, 1);
   expect_halted(1.1, 1, 1);
   EXPECT_EQ(number("red1", properties::gait_amplitude), 0);

@@ -40,7 +40,7 @@ TEST(UdpPort, TakesWhatIsSentInItsOrderAndNotTooMuchAtOnce) {
 TEST(UdpPort, AnswersWhoHasSentLast) {
   UdpPort answers({});
   UdpPort port({.answer_port = answers.port()});
-  port.give("nobody is there");  // goes nowhere
+  port.give("no receiver");  // goes nowhere
   UdpPort sender({.listen = {}, .send_to = UdpAddress{"127.0.0.1", port.port()}});
   sender.give("hello");
   EXPECT_EQ(all_of(port, 1), Texts{"hello"});

@@ -1,4 +1,4 @@
-/// until.h - waits for datagrams of the loopback, which are there at once, but nobody promises that.
+/// until.h - waits for datagrams of the loopback, which usually are there at once, without a guarantee.
 #pragma once
 
 #include <chrono>

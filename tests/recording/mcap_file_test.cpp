@@ -225,7 +225,7 @@ TEST(McapFile, SaysThatTheDiskIsFull) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
   try {
     fixtures::write_small_recording("/dev/full");
-    FAIL() << "nobody noticed";
+    FAIL() << "the damage was not noticed";
   } catch (const SetupError& error) {
     EXPECT_STREQ(error.what(), "cannot write '/dev/full': No space left on device");
   }

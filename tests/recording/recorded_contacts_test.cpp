@@ -1,4 +1,4 @@
-// Who remembers columns sees the contacts that everybody sees, also when levels move columns.
+// Readers that remember columns see the same contacts as others, also when levels move columns.
 #include "murosimf/recording/recorded_contacts.h"
 
 #include <algorithm>

@@ -101,7 +101,7 @@ TEST(RecordedDrawings, AreReadBackAsTheyWereAtATime) {
   expect_same(both.at(robot)[0], of_all_kinds());
   expect_same(both.at(robot)[1], of_robot());
   EXPECT_TRUE(drawings.news(250ms).empty()) << "nothing is new";
-  EXPECT_EQ(drawings.news(0ms).at(robot).size(), 0U) << "nobody has drawn yet";
+  EXPECT_EQ(drawings.news(0ms).at(robot).size(), 0U) << "nothing was drawn yet";
   for (const Duration later : {300ms, 4000ms, 7000ms}) {
     const auto one = DrawingReader(file).news(later);
     ASSERT_EQ(one.at(robot).size(), 1U) << seconds(later);

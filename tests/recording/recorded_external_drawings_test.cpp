@@ -31,7 +31,7 @@ struct Recorded {
   std::filesystem::path file;
   std::uint64_t hash = 0;
 };
-/// The plan is there from 100 ms on, is drawn again at 200 ms, and goes at 300 ms. Its length is `time`; `board` false: nobody draws.
+/// The plan is there from 100 ms on, is drawn again at 200 ms, and goes at 300 ms. Its length is `time`; `board` false: no program draws.
 Recorded record(const std::string& name, Duration time, bool board = true, RecorderOptions options = {}) {
   scene::Scene scene("three_on_three", {.cameras = false});
   drawing::DebugDrawBuffer drawings;

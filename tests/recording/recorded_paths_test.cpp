@@ -1,4 +1,4 @@
-// Who gets a recording learns nothing of the folders of who made it, and can repeat it.
+// A recording has nothing of the folders of the computer where it was made, and can be repeated elsewhere.
 #include "murosimf/recording/recorded_paths.h"
 
 #include <cstdlib>

@@ -174,7 +174,7 @@ TEST(RecordedSource, DrawingsOfOtherProgramsAreThoseOfThatTime) {
   }
 }
 
-// Nobody can repeat what another program did; it is shown all the same, and nobody is waited for.
+// What another program did cannot be repeated; it is shown all the same, and without waiting for that program.
 TEST(RecordedSource, RunsThatOthersSteeredAreShown) {
   fixtures::RepeatableRun run{.scene = "walk", .time = 100ms};
   run.how.overrides = {"walker.controller=serial"};

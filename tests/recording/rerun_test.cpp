@@ -58,7 +58,7 @@ TEST(Rerun, RepeatsSeedOptionsAndCommands) {
   EXPECT_FALSE(rerun(recorded, {}).difference) << to_text(rerun(recorded, {}));
 }
 
-// As viewers and supervisors do: whoever moves can be pushed, and pushes and places are commands like others.
+// As viewers and supervisors do: everything that moves can be pushed, and pushes and places are commands like others.
 TEST(Rerun, RepeatsWhatWasTouched) {
   RepeatableRun run{.scene = "walk",
                     .time = 1500ms,
@@ -182,7 +182,7 @@ TEST(RecordOn, KeepsWhatWasBeforeAFall) {
   EXPECT_FALSE(rerun(recorded, {}).difference) << to_text(rerun(recorded, {}));
 }
 
-// It is recorded as long as somebody asks for it, again and again; what is there can be repeated, over the gap.
+// It is recorded as long as it is asked for, again and again; what is there can be repeated, over the gap.
 TEST(RecordOn, KeepsWhatIsAskedFor) {
   files::FilesRead read;
   scene::Scene scene("walk", {.cameras = false, .pushable = true});

@@ -63,7 +63,7 @@ TEST(ScratchFolder, OfAKilledProcessGoesWithTheNext) {
     const ScratchFolder folder;
     mine = folder.path();
     EXPECT_FALSE(fs::exists(left));
-    EXPECT_TRUE(fs::exists(young.path())) << "somebody has it";
+    EXPECT_TRUE(fs::exists(young.path())) << "it is in use";
     EXPECT_TRUE(fs::exists(mine));
   }
   EXPECT_FALSE(fs::exists(mine));

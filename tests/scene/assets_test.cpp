@@ -1,4 +1,4 @@
-// Scenes share what was read; nobody notices but the clock.
+// Scenes share what was read, with no effect but on the time it takes.
 #include "murosimf/scene/assets.h"
 
 #include <algorithm>

@@ -71,7 +71,7 @@ velocity = [)" +
          v + ", 0, 0]\n";
 }
 
-// Whatever the phase at which it comes, up to 1.3 m in a step: nobody is on the other side (collision/continuous_collision.h).
+// Whatever the phase at which it comes, up to 1.3 m in a step: no body is on the other side (collision/continuous_collision.h).
 TEST(InterpenetrationWarnings, NobodyComesThrough) {
   for (const double speed : {2.0, 10.0, 21.0, 43.0, 61.0, 77.0, 101.0, 130.0}) {
     for (const std::string rate : {"1000", "500", "200", "100"}) {

@@ -1,4 +1,4 @@
-// Robots that step in lanes are robots that step alone, bit for bit: whoever steps beside them, falls, breaks, changes its level, or
+// Robots that step in lanes are robots that step alone, bit for bit: whatever steps beside them, falls, breaks, changes its level, or
 // leaves.
 #include <gtest/gtest.h>
 
@@ -95,7 +95,7 @@ TEST_P(LanesAtLevel, CanBeSwitchedAndGoOnFromAState) {
   EXPECT_EQ(difference(go_on(lanes, 50ms), go_on(alone, 50ms)), "") << "after a reset";
 }
 
-/// What somebody writes into a robot's columns between two steps is taken over.
+/// What is written into a robot's columns between two steps is taken over.
 TEST_P(LanesAtLevel, TakeOverWhatOthersChange) {
   const std::string file = fixtures::write_scene(eleven(GetParam()));
   const auto changed = [&](bool use_lanes) {

@@ -60,7 +60,7 @@ TEST(ModelConstants, AMassTakesItsInertiaAlongAndSaysSo) {
   const Scene scene(constants_scene(), {.overrides = {"blue1.torso.mass=1.2"}});
   const double before = constant(usual, "blue1", "torso", properties::mass);
   EXPECT_EQ(constant(scene, "blue1", "torso", properties::mass), 1.2);
-  EXPECT_EQ(constant(scene, "blue2", "torso", properties::mass), before) << "nobody else changes";
+  EXPECT_EQ(constant(scene, "blue2", "torso", properties::mass), before) << "no other robot changes";
   EXPECT_NEAR(constant(scene, "blue1", "torso", properties::inertia).xx,
               constant(usual, "blue1", "torso", properties::inertia).xx * 1.2 / before, 1e-12);
   EXPECT_NEAR(scene.simulation().world().entity("blue1").model().tree().mass,

@@ -64,7 +64,7 @@ INSTANTIATE_TEST_SUITE_P(Levels, MultirateSteppingAtLevel,
                                          "articulated_dynamics"),
                          [](const auto& info) { return info.param; });
 
-// Law: 5 ms are 5 ms, whoever else steps at 1 ms, to the last bit.
+// Law: 5 ms are 5 ms, whatever else steps at 1 ms, to the last bit.
 TEST_P(MultirateSteppingAtLevel, AloneARobotMovesAsInASceneOfItsRate) {
   Scene mixed(walker(GetParam(), ball_that_comes, "rate = 200\nposition = [0, 30]\n"));
   Scene slow(walker(GetParam(), "rate = 200\n", "position = [0, 30]\n"));
@@ -118,7 +118,7 @@ TEST(MultirateStepping, WhoComesNearIsNoticedInTime) {
     const double away = norm(ball.base().get(properties::position) - robot.base().get(properties::position));
     if (ratio_of(scene) > 1) {
       was_alone = true;
-      EXPECT_GT(away, 0.3) << i << ": nobody who is alone can touch anybody";
+      EXPECT_GT(away, 0.3) << i << ": robots that step alone must be too far apart to touch";
     }
   }
   EXPECT_TRUE(was_alone);

@@ -87,7 +87,7 @@ INSTANTIATE_TEST_SUITE_P(Levels, AdditionAtLevel,
                                          "articulated_dynamics"),
                          [](const auto& test) { return test.param; });
 
-// Law: whoever is added before the first step is as if the file had had it, bit for bit, readings included.
+// Law: what is added before the first step is as if the file had had it, bit for bit, readings included.
 TEST_P(AdditionAtLevel, AtTheStartIsAsInTheFile) {
   for (const int threads : {1, 3}) {
     const auto robot = spec_of(red1(GetParam())).robots[1];
@@ -231,7 +231,7 @@ labels = true
   EXPECT_GT(std::ranges::count(frame->labels.pixels(), label), 50);
 }
 
-// Law: whoever is refused leaves no trace.
+// Law: an addition that is refused leaves no trace.
 TEST(SceneAddition, OfSomebodyRefusedLeavesNoTrace) {
   Scene scene(scene_with("")), twin(scene_with(""));
   for (Scene* one : {&scene, &twin}) one->simulation().run(200ms);

@@ -58,7 +58,7 @@ TEST(SceneBatch, EveryKindOfChangeIsMadeAndIsACommand) {
 TEST(SceneBatch, AWrongOneUndoesThoseBeforeIt) {
   const std::vector<std::string> wrong{
       "nonsense",                          // says nothing
-      "three.level = full_dynamics",       // nobody
+      "three.level = full_dynamics",       // no such entity
       "one.level = ful_dynamics",          // no level
       "one.no_such_property = 1",          // nothing
       "one.torso.mass = 2",                // a constant

@@ -1,4 +1,4 @@
-/// scene_cameras_test - cameras in scenes: what they cost nobody, what they show, and that looking changes nothing.
+/// scene_cameras_test - cameras in scenes: what they show, and that they change nothing for the rest of the scene.
 #include <cmath>
 
 #include <gtest/gtest.h>

@@ -11,7 +11,7 @@
 
 namespace murosimf::scene {
 
-/// Hashes of everything that anybody can see, by name.
+/// Hashes of everything that can be observed, by name.
 inline std::map<std::string, std::uint64_t> hashes_of(const Scene& scene) {
   std::map<std::string, std::uint64_t> hashes{{"all", scene.simulation().state_hash()}};
   scene.simulation().world().for_all([&](const Entity& entity) {

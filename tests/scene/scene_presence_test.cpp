@@ -75,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(Levels, PresenceAtLevel,
                                          "articulated_dynamics"),
                          [](const auto& test) { return test.param; });
 
-// Law: to everybody else, one who is not there is as one that the scene has not got.
+// Law: to all others, an absent entity is as one that the scene does not have.
 TEST_P(PresenceAtLevel, WhoIsNotThereChangesNothingForTheOthers) {
   Scene scene(duel(GetParam(), red1 + "present = false\n"));
   scene.simulation().run(3s);
@@ -88,7 +88,7 @@ TEST_P(PresenceAtLevel, WhoIsNotThereChangesNothingForTheOthers) {
   EXPECT_NE(difference({hashes_of(with, others)}, {hashes_of(scene, others)}), "") << "it would have touched them";
 }
 
-// Law: somebody who leaves at once is as somebody who never came, and one who enters at once as one who was always there.
+// Law: an entity that leaves at once is as one that was never there, and one that enters at once as one that always was.
 TEST_P(PresenceAtLevel, AtTheStartIsAsInTheFile) {
   Scene leaves(duel(GetParam(), red1));
   leaves.leave("red1");
@@ -105,7 +105,7 @@ TEST_P(PresenceAtLevel, AtTheStartIsAsInTheFile) {
   EXPECT_EQ(difference(go_on(enters, 2s), go_on(there, 2s)), "");
 }
 
-// Law: whoever comes back far from everybody moves as at the start.
+// Law: an entity that comes back far from all others moves as at the start.
 TEST_P(PresenceAtLevel, WhoComesBackMovesAsAtTheStart) {
   const std::string far = R"(
 [[robots]]
@@ -185,7 +185,7 @@ TEST(ScenePresence, OfABallThatComesBack) {
   EXPECT_EQ(norm(place_of(scene, "ball") - place), 0) << "and comes as it came";
 }
 
-// One who left in the middle of a heap takes its contacts along.
+// A body that leaves the middle of a heap takes its contacts along.
 TEST(ScenePresence, NobodyTouchesWhoHasLeft) {
   Scene scene(duel("full_dynamics", red1));
   const World& world = scene.simulation().world();
@@ -361,7 +361,7 @@ TEST(ScenePresence, WrongWishesAreRefusedInOneLine) {
                    {"present", "static body"}));
 }
 
-// Whoever comes where somebody stands is pushed apart from it; a warning says so.
+// An entity that enters where another stands is pushed apart from it; a warning says so.
 TEST(ScenePresence, ATakenPlaceIsAWarning) {
   Scene scene(duel("simplified_dynamics", red1));
   scene.simulation().initialize();

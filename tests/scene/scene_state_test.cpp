@@ -141,7 +141,7 @@ TEST(SceneStates, RemembersWhoWasFrozen) {
   EXPECT_EQ(scene.simulation().warnings(), warnings);
 }
 
-// Whatever is wrong, one line says it, and the scene goes on as if nobody had tried.
+// Whatever is wrong, one line says it, and the scene continues as without the attempt.
 TEST(SceneStates, RefusesWhatIsNoneOfItsOwn) {
   const std::string file = fixtures::write_scene(game("simplified_dynamics"));
   Scene scene(file);

@@ -199,7 +199,7 @@ TEST(SceneMistakes, ThatOnlyWeakenAResultAreWarnings) {
              "ball: kelvin_voigt under simplified_dynamics is stable with steps up to 2 ms; these are 10 ms long"));
 }
 
-// Gaits and motions for the earth: with other gravity somebody should know. At kinematic_walking, and where the controller asks how large
+// Gaits and motions for the earth: with other gravity there should be a warning. At kinematic_walking, and where the controller asks how large
 // it is, nothing has to be said.
 TEST(SceneMistakes, MotionsMadeForTheEarthAreNotedElsewhere) {
   const auto notes = [](const std::vector<std::string>& overrides) {

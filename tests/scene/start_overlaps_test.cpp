@@ -1,4 +1,4 @@
-// Who stands in whom, or in the ground, when a scene begins.
+// Overlaps of entities with each other and with the ground when a scene begins.
 #include "murosimf/scene/start_overlaps.h"
 
 #include <gtest/gtest.h>

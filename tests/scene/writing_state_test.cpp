@@ -1,4 +1,4 @@
-// Whatever way somebody writes into the state of a robot, its level goes on from there in the next step.
+// In whatever way the state of a robot is written, its level continues from there in the next step.
 #include <gtest/gtest.h>
 
 #include "murosimf/model/properties.h"

@@ -40,7 +40,7 @@ TEST(AutomaticRate, TheMostDemandingDecides) {
   const std::string walker = robot("kinematic_walking");
   EXPECT_EQ(scene("[ball]\n" + walker).rate, 500);
   EXPECT_EQ(scene("body_contact = \"kelvin_voigt\"\n[ball]\n" + walker).rate, 1000);
-  EXPECT_EQ(scene("body_contact = \"kelvin_voigt\"\n" + walker).rate, 200) << "which touches nobody";
+  EXPECT_EQ(scene("body_contact = \"kelvin_voigt\"\n" + walker).rate, 200) << "which touches no other robot";
   const std::string box = "[[bodies]]\nname = \"box\"\nshape = \"box\"\nsize = [0.1, 0.1, 0.1]\n";
   EXPECT_EQ(scene(walker + box + "mass = 1\ncontact = \"kelvin_voigt\"\n").rate, 1000);
   EXPECT_EQ(scene(walker + box + "static = true\n").rate, 200) << "it stands still";

@@ -242,7 +242,7 @@ TEST(FieldModel, GoalsHaveTheColorsOfTheirYear) {
   }
 }
 
-// Rule: 60 cm high, 20 cm thick, beside the half line; the outer parts have the color of the goal to the left of who looks from
+// Rule: 60 cm high, 20 cm thick, beside the half line; the outer parts have the color of the goal to the left of a viewer who looks from
 // the pole onto the field: at y > 0 that of x > 0.
 TEST(FieldModel, LandmarkPolesStandBesideTheHalfLine) {
   const ModelPtr model = field_model(kid_size_2008, "carpet", {}, {.goals = false, .poles = true});

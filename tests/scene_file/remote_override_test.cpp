@@ -1,4 +1,4 @@
-// What those who ask over a network may set in a scene: what is on the list, with values that name no file outside.
+// What requests over a network may set in a scene: what is on the list, with values that name no file outside.
 #include "murosimf/scene_file/remote_override.h"
 
 #include <gtest/gtest.h>

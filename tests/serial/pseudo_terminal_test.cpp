@@ -1,4 +1,4 @@
-// The terminal that clients open: bytes as they are, who is there, links, nothing left behind.
+// The terminal that clients open: bytes as they are, connected clients, links, nothing left behind.
 #include "murosimf/serial/pseudo_terminal.h"
 
 #include <gtest/gtest.h>
@@ -119,7 +119,7 @@ TEST(PseudoTerminal, KnowsTheRateThatAProgramHasChosen) {
   }
 }
 
-// What was sent at one rate is told apart from what comes at the next, though nobody has looked in between.
+// What was sent at one rate is told apart from what comes at the next, though it was not read in between.
 TEST(PseudoTerminal, KeepsRatesApart) {
   PseudoTerminal terminal;
   SerialPort port(terminal.name());
@@ -145,7 +145,7 @@ TEST(TerminalLink, StandsAsLongAsItLives) {
     const TerminalLink link(folder / "blue1", terminal.name());
     EXPECT_EQ(fs::read_symlink(folder / "blue1"), terminal.name());
     fs::remove(folder / "blue1");
-    fs::create_symlink("/dev/null", folder / "blue1");  // somebody else's by now
+    fs::create_symlink("/dev/null", folder / "blue1");  // belongs to another program by now
   }
   EXPECT_TRUE(fs::is_symlink(folder / "blue1"));
   fs::remove(folder / "blue1");

@@ -348,7 +348,7 @@ TEST(SerialSoftware, IsRepeatedFromARecording) {
     scene.simulation().step();
     for (const int pulses : {2300, 1800}) {
       SerialPort port(ports / "walker");
-      EXPECT_TRUE(port.set_rate(9600));  // at which nobody hears
+      EXPECT_TRUE(port.set_rate(9600));  // at which no device hears
       port.send(goal(head, 3000));
       scene.simulation().run(7ms);
       EXPECT_TRUE(port.set_rate(57600));
@@ -477,7 +477,7 @@ TEST(SerialSoftware, ALinkDelaysWhatIsRead) {
   port.send(goal(head, 2048));
   int before = 0;
   while (test.head_angle() > 0.01 && before < 500) test.run(1ms), ++before;
-  EXPECT_GT(read_back(), 2060) << "it is there, and nobody knows yet";
+  EXPECT_GT(read_back(), 2060) << "it is there, and was not read yet";
   test.run(200ms);
   EXPECT_EQ(read_back(), 2048);
   const auto& link = connect::software_report(test.robot())->link;

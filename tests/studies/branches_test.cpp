@@ -25,7 +25,7 @@ TEST(Branches, FirstOneIsTheRunItself) {
   EXPECT_EQ(result.to, 2s);
   EXPECT_EQ(result.branches[0].state_hash, run.states().all().back().hash);
   EXPECT_NE(result.branches[1].state_hash, result.branches[0].state_hash);
-  EXPECT_LT(result.branches[1].values[0], result.branches[0].values[0]) << "who stops does not come as far";
+  EXPECT_LT(result.branches[1].values[0], result.branches[0].values[0]) << "a robot that stops does not come as far";
   EXPECT_EQ(result.branches[2].state_hash, result.branches[1].state_hash) << "the last change counts";
   EXPECT_NE(to_text(result).find("as it was"), std::string::npos);
 }

@@ -44,7 +44,7 @@ TEST(CompareMetrics, ARunDoesNotDeviateFromItself) {
        {d.path_length, d.path, d.center_mean, d.center_max, d.pitch, d.rate, d.slip, d.clearance}) {
     EXPECT_EQ(value, 0);
   }
-  EXPECT_TRUE(std::isnan(d.torque)) << "nobody knows torques";
+  EXPECT_TRUE(std::isnan(d.torque)) << "no level has torques";
 }
 
 TEST(CompareMetrics, AParallelPathIsOffByItsDistance) {

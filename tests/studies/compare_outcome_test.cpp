@@ -175,7 +175,7 @@ TEST(CompareOutcome, EntersTheVerdict) {
   simple.measures = reference.measures;
   EXPECT_TRUE(judge(simple, reference, {}).adequate);
   simple.outcome.others[0].touched.reset();
-  EXPECT_FALSE(judge(simple, reference, {}).adequate) << "who was touched counts after a fall, too";
+  EXPECT_FALSE(judge(simple, reference, {}).adequate) << "touches count after a fall, too";
 }
 
 // The observer sees what the entity itself tells, and changes nothing.

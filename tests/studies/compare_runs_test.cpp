@@ -215,7 +215,7 @@ TEST(Compare, FromAStateAllLevelsBeginThere) {
   ASSERT_EQ(c.entries[c.reference].level, "articulated_dynamics") << "as in the scene";
   for (std::size_t i = 0; i < same.size(); ++i) EXPECT_EQ(norm(same[i].base - thrown.samples[i].base), 0) << i;
   EXPECT_EQ(falls_in(c.entries[c.reference].measures.events), 1) << "it is hit after the start";
-  EXPECT_EQ(falls_in(c.entries[0].measures.events), 0) << "nobody pushes a robot over at kinematic_walking";
+  EXPECT_EQ(falls_in(c.entries[0].measures.events), 0) << "no push throws a robot over at kinematic_walking";
 }
 
 TEST(Compare, FromAStateItEndsLater) {

@@ -76,7 +76,7 @@ TEST(Verdict, NotANumberIsNotWithinAThreshold) {
   EXPECT_EQ(recommend(c, {}).level, "simplified_dynamics");
 }
 
-// What inertial sensors show decides about those who read them, not about the motion.
+// What inertial sensors show decides about software that reads them, not about the motion.
 TEST(Verdict, SensorsHaveAVerdictOfTheirOwn) {
   for (const ComparedQuantity& quantity : quantities()) {
     if (quantity.concern != Concern::sensors) continue;

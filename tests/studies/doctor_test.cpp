@@ -92,7 +92,7 @@ TEST(Doctor, KnowsWhoFalls) {
   EXPECT_TRUE(checkup.flips.empty()) << "with every seed";
 }
 
-// Without gravity nobody gets anywhere on foot.
+// Without gravity no robot gets anywhere on foot.
 TEST(Doctor, OtherWaysAreFlips) {
   DoctorOptions options = of(walker + "level = \"articulated_dynamics\"\n", {"gravity"});
   options.duration = 4;
@@ -102,7 +102,7 @@ TEST(Doctor, OtherWaysAreFlips) {
   EXPECT_TRUE(ending(checkup, "none").flips) << to_text(checkup);
 }
 
-// Who lies at the start is put upright by kinematic_walking.
+// A robot that lies at the start is put upright by kinematic_walking.
 TEST(Doctor, KnowsWhoBeginsLying) {
   DoctorOptions options =
       of("duration = 0.5\n[[robots]]\nname = \"a\"\nmodel = \"kid21\"\ncontroller = \"none\"\nlevel = "

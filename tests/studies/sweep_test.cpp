@@ -115,7 +115,7 @@ TEST(Sweep, IsTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(to_csv(result), to_csv(sweep(many)));
   ASSERT_EQ(result.runs.size(), 6U);
   EXPECT_EQ(result.results, (std::vector<std::string>{"walker.distance [m]", "walker.falls"}));
-  EXPECT_GT(result.runs[3].values[0], result.runs[0].values[0]) << "who shall be faster comes farther";
+  EXPECT_GT(result.runs[3].values[0], result.runs[0].values[0]) << "a robot with a faster command comes farther";
   // each is the run that stands alone
   scene::Scene alone("walk", {.seed = 2, .overrides = {"walker.command=[0.2,0,0]"}, .cameras = false});
   alone.simulation().run(from_seconds(1));

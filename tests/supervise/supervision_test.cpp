@@ -1,4 +1,4 @@
-// Supervision over TCP: a run is steered by who knows the token, what cannot be is told in one line, and what supervisors do wrong
+// Supervision over TCP: a run is steered by clients that know the token, what cannot be done is told in one line, and what supervisors do wrong
 // disturbs neither the run nor the others.
 #include "murosimf/supervise/supervision.h"
 
@@ -214,7 +214,7 @@ TEST(Supervision, MakesAllChangesOfARequestOrNone) {
   EXPECT_EQ(run.hash(), hash);
   EXPECT_EQ(client.read("walker.torso.position"), client.read("walker.torso.position"));
   client.advance(200ms);
-  EXPECT_EQ(run.hash(), hash_at(400ms)) << "as if nobody had asked";
+  EXPECT_EQ(run.hash(), hash_at(400ms)) << "as without the requests";
   EXPECT_TRUE(change({push, command}).has_status());
   client.advance(200ms);
   EXPECT_EQ(run.hash(), hash_at(600ms, {"0.4:" + push, "0.4:" + command}));

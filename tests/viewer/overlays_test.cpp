@@ -102,7 +102,7 @@ TEST(Overlays, BeliefsStandWhereRobotsTakeThemselvesToBe) {
   Moment moment;
   const OverlayOptions beliefs{.names = false, .beliefs = true};
   EXPECT_TRUE(overlays(moment.frame, moment.outline, moment.seen, beliefs, -1).marks.empty())
-      << "nobody has an opinion";
+      << "no robot has a belief";
   const auto robot = static_cast<std::size_t>(
       moment.scene.simulation().world().index_of(&moment.scene.simulation().world().entity("red1")));
   moment.seen.entities[robot].believed_pose = Vec3d{1, 2, pi / 2};

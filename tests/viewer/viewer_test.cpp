@@ -74,7 +74,7 @@ TEST(Viewer, TellsWhatWillNotGoOnAsItWas) {
   EXPECT_TRUE(told(viewer, "the GameController keeps its own state: from 0.3 s on")) << "in a message";
 }
 
-// Rule: who only looks changes nothing, however much he looks at.
+// Rule: looking changes nothing, whatever is looked at.
 TEST(Viewer, LookingChangesNothing) {
   scene::Scene alone("three_on_three", {.overrides = dynamic});
   alone.simulation().run(1s);
@@ -171,7 +171,7 @@ TEST(Viewer, GoesBackAndOn) {
   watch_to_end(viewer);
   viewer.settle();
   EXPECT_GE(viewer.branches().size(), 2U);
-  EXPECT_EQ(viewer.place_of(viewer.path_of("blue1"))->x, at_end.x) << "nobody has touched it";
+  EXPECT_EQ(viewer.place_of(viewer.path_of("blue1"))->x, at_end.x) << "it was not moved";
   viewer.session().pause();
   viewer.reset();
   viewer.settle();
@@ -197,10 +197,10 @@ TEST(Viewer, ReadsTheSceneAgain) {
   EXPECT_TRUE(viewer.frame()) << "the old one goes on";
 }
 
-/// A mouse over a picture in which `whom` is hit wherever it points.
+/// A mouse over a picture in which `name` is hit wherever it points.
 struct Mouse {
-  Mouse(Viewer& which, const std::string& whom) : viewer(which), control(which) {
-    const ObjectPath path = viewer.path_of(whom);
+  Mouse(Viewer& which, const std::string& name) : viewer(which), control(which) {
+    const ObjectPath path = viewer.path_of(name);
     const Vec3d place = *viewer.place_of(path);
     pick = [path, place](const Pixel&) { return Hit{path, place}; };
     view = viewer.rig.view(viewer.rig_view(), 800, 600);

@@ -1,4 +1,4 @@
-// Who looks on sees any camera's picture: the one that the camera itself would take there, without any change to the run.
+// A page can show any camera's picture: the one that the camera itself would take there, without any change to the run.
 #include "murosimf/web/camera_subscriptions.h"
 
 #include <chrono>
@@ -126,7 +126,7 @@ TEST_F(CameraSubscriptionsTest, DrawOnlyWhatSomebodyWants) {
   EXPECT_EQ(cameras.drawn(), 2U);
   cameras.want({camera, "red1.camera"});
   ASSERT_TRUE(wait_until([&] { return cameras.drawn() == 4; }));
-  for (int i = 0; i < 20; ++i) {  // whoever looks away and again sees it again, though nothing has moved
+  for (int i = 0; i < 20; ++i) {  // a page that looks away and again sees it again, though nothing has moved
     cameras.want({});
     cameras.want({camera});
     ASSERT_TRUE(wait_until([&] { return cameras.seen(camera) && cameras.seen(camera)->frame; })) << i;
@@ -179,7 +179,7 @@ TEST(CameraSubscriptions, EndWithTheRunOrBeforeItBegan) {
     scene::Scene scene("three_on_three");
     session::Session session(scene);
     CameraSubscriptions cameras(session);
-    cameras.want({camera});  // nobody runs the scene
+    cameras.want({camera});  // the scene is not stepped
     std::this_thread::sleep_for(50ms);
   }
   Running run;

@@ -79,10 +79,10 @@ std::vector<Drawn> anything(std::mt19937& random) {
   const auto upto = [&](unsigned most) { return random() % (most + 1); };
   const auto place = [&] { return static_cast<double>(random() % 20001) / 1000 - 10; };
   std::vector<Drawn> all;
-  for (int who = -1; who < 2; ++who) {
-    Drawn drawn{.entity = who, .by = who < 0 ? "roboviz" : "blue1", .groups = {}};
+  for (int entity = -1; entity < 2; ++entity) {
+    Drawn drawn{.entity = entity, .by = entity < 0 ? "roboviz" : "blue1", .groups = {}};
     for (const char* name : {"way", "ball"}) {
-      DrawnGroup group{.name = name, .of_robot = who == 1};
+      DrawnGroup group{.name = name, .of_robot = entity == 1};
       for (unsigned i = upto(3); i > 0; --i) {
         DrawnShape shape{.kind = static_cast<DrawnShape::Kind>(upto(5))};
         for (unsigned k = upto(2) + 1; k > 0; --k) shape.points.push_back({place(), place(), place()});

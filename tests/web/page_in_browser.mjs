@@ -101,7 +101,7 @@ async function testDesktop() {
   await page.selectOption('select[aria-label="level"]', "full_dynamics");
   const red = await page.evaluate(() => window.murosimf.scene().text.entities.findIndex((one) => one.name === "red1"));
   await until(page, (now) => now.entities[red].level === "full_dynamics", "another level");
-  assert.ok(await page.locator("#ghosts").isHidden(), "nobody says where he takes himself to be");
+  assert.ok(await page.locator("#ghosts").isHidden(), "no robot tells where it believes to be");
   await page.click("#contacts");
   await page.click('button[aria-label="Push right"]');
   await page.waitForSelector("#messages div:has-text('push')");
@@ -173,8 +173,8 @@ async function goBackOnTheTimeLine(page) {
 
 async function lookThroughACamera(page, robot) {
   await page.click('#tabs button:has-text("Camera")');
-  const name = await page.evaluate((who) => [...document.querySelectorAll('select[aria-label="Camera"] option')]
-    .map((one) => one.value).find((one) => one.startsWith(`${who}.`)), robot);
+  const name = await page.evaluate((name) => [...document.querySelectorAll('select[aria-label="Camera"] option')]
+    .map((one) => one.value).find((one) => one.startsWith(`${name}.`)), robot);
   assert.ok(name, "it has a camera");
   await page.selectOption('select[aria-label="Camera"]', name);
   await page.click("#play");
@@ -183,7 +183,7 @@ async function lookThroughACamera(page, robot) {
     const data = picture.getContext("2d").getImageData(0, 0, picture.width, picture.height).data;
     return new Set(data).size > 3; // a canvas that is empty has one value, one color four at most
   }, undefined, { timeout: 60000 });
-  assert.match(await page.textContent("#panel"), /Drawn for who looks/, "nobody reads it");
+  assert.match(await page.textContent("#panel"), /Drawn for who looks/, "no software reads it");
   await page.screenshot({ path: join(pictures, "camera.png") });
   await page.click("#play");
   await until(page, (now) => now.paused, "paused after the camera");
@@ -229,7 +229,7 @@ async function seeDrawings(page, said) {
 async function testGhosts() {
   const run = await start("self_localization", "--duration", "0.04");
   const page = await open(run.address);
-  await until(page, (now) => now && now.paused && now.beliefs?.some((one) => one), "somebody believes something");
+  await until(page, (now) => now && now.paused && now.beliefs?.some((one) => one), "a robot tells where it believes to be");
   const ghost = () => page.evaluate(() => {
     const { view, state, scene } = window.murosimf;
     const entity = scene().text.entities.findIndex((one) => one.name === "robot");

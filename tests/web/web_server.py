@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""murosimf run --web from outside: HTTP, the page's WebSocket, who may enter, clients that are slow or talk nonsense.
+"""murosimf run --web from outside: HTTP, the page's WebSocket, which clients may enter, clients that are slow or talk nonsense.
 
 Usage: web_server.py <murosimf>
 """
@@ -341,7 +341,7 @@ SMALL = ["--set", "blue1.sensors.camera.width=200", "--set", "blue1.sensors.came
 
 
 class Cameras(unittest.TestCase):
-    """Nobody in the scene reads this camera."""
+    """No software in the scene reads this camera."""
     words = ["three_on_three", *SMALL, "--duration", "0.5", "--json", "-"]
 
     @classmethod
@@ -495,7 +495,7 @@ class Clients(unittest.TestCase):
             stands = two.state(lambda state: state["paused"])["time"]
             one.close()
             again = Client(run.port)
-            # who comes while it stands sees it, too
+            # a client that comes while the run is paused sees it, too
             again.wait_for(lambda m: isinstance(m, bytes) and m[0] == 1 and time_of(m) == stands)
             two.order(do="go_on", id=1)
             again.state(lambda state: not state["paused"] and state["time"] > stands)

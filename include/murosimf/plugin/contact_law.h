@@ -1,5 +1,5 @@
 /// contact_law.h - for plug-ins with a law of contact with the ground (`registries.contacts`) or between bodies
-/// (`registries.body_contacts`): force and linearisation of what touches.
+/// (`registries.body_contacts`): force and linearisation of contacts.
 #pragma once
 
 #include "murosimf/collision/body_contact_law.h"

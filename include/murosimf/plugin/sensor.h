@@ -1,5 +1,5 @@
-/// sensor.h - for plug-ins with a sensor: `registries.sensors.add({...})`, with a Sensor that says in measure() how properties become
-/// numbers; errors, rate and delay are its for nothing.
+/// sensor.h - for plug-ins with a sensor: `registries.sensors.add({...})`, with a Sensor whose measure() computes its numbers from
+/// properties; errors, rate and delay are added by the base class.
 #pragma once
 
 #include "murosimf/model/properties.h"

@@ -17,6 +17,7 @@ const char* crash_name(int signal) noexcept {
 
 NumberText::NumberText(int number) noexcept {
   auto* end = text.begin();
+  // digits from the last to the first, reversed below: no library function that may lock or allocate
   long long rest = number < 0 ? -static_cast<long long>(number) : number;
   do {
     *end++ = static_cast<char>('0' + rest % 10);

@@ -1,4 +1,4 @@
-/// call_end.h - what has ended a call of code that one does not trust before it came back, and how that is said.
+/// call_end.h - reason why a call of untrusted code ended early, and its text.
 #pragma once
 
 #include <array>
@@ -10,18 +10,18 @@ namespace murosimf::connect {
 struct CallEnd {
   enum Kind {
     signal,          ///< `number`
-    late,            ///< it was broken off
-    exit,            ///< it has called a function that ends the program, with the code `number`
-    thread_exit,     ///< it has called one that ends the thread
+    late,            ///< it was aborted
+    exit,            ///< it called a function that ends the program, with the code `number`
+    thread_exit,     ///< it called a function that ends the thread
     terminate,       ///< std::terminate: an exception that must not leave a function, or a call of it
-    written_beyond,  ///< it came back, and has written beyond a row before
+    written_beyond,  ///< it returned, but had written beyond a row
   } kind = signal;
   int number = 0;
-  const char* function = "";          ///< that it has called
-  GuardedRows::Found row{};           ///< that it has gone beyond; null: none
-  std::array<char, 200> exception{};  ///< what that said; empty: there was none
+  const char* function = "";          ///< that it called
+  GuardedRows::Found row{};           ///< whose bounds it crossed; null: none
+  std::array<char, 200> exception{};  ///< its text; empty: there was none
 
-  /// "crashed (SIGSEGV)", piece by piece and without memory of its own: may be called in signal handlers. put(const char*).
+  /// Writes "crashed (SIGSEGV)", piece by piece and without allocation: may be called in signal handlers. put(const char*).
   template <class Put>
   void say(const Put& put) const;
 };
@@ -29,7 +29,7 @@ struct CallEnd {
 /// "SIGSEGV"
 [[nodiscard]] const char* crash_name(int signal) noexcept;
 
-/// A number as text, without memory of its own.
+/// A number as text, without allocation.
 struct NumberText {
   explicit NumberText(int number) noexcept;
   std::array<char, 16> text{};

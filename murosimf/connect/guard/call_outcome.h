@@ -1,4 +1,4 @@
-/// call_outcome.h - how a call of code that one does not trust has ended.
+/// call_outcome.h - how a call of untrusted code has ended.
 #pragma once
 
 #include <string>
@@ -12,11 +12,11 @@ struct CallOutcome {
   enum Kind {
     good,
     threw,    ///< an exception
-    late,     ///< it did not come back and was broken off
-    crashed,  ///< it would have ended the program (guarded_call.h): what it has left of the process's memory is unknown
+    late,     ///< it did not return and was aborted
+    crashed,  ///< it would have ended the program (guarded_call.h): the process's memory is in an unknown state
   } kind = good;
   std::string text{};  ///< "its step threw: no such state"
-  /// What it has changed of the process or the thread, and what was put back; however it has ended.
+  /// Properties of the process or the thread that it changed and that were restored, however it ended.
   ProcessChanges changes{};
 
   [[nodiscard]] explicit operator bool() const { return kind == good; }

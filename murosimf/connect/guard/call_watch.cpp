@@ -9,6 +9,8 @@
 #include <ctime>
 #include <thread>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::connect {
 namespace {
 
@@ -25,6 +27,7 @@ std::int64_t wall_nanoseconds() noexcept {
 int break_off_signal() noexcept { return SIGRTMIN + 7; }
 
 CallWatch& CallWatch::the_one() {
+  // never destroyed: detached threads may use it while static objects are destroyed
   static auto* watch = new CallWatch;
   return *watch;
 }
@@ -33,6 +36,7 @@ CallWatch::CallWatch() {
   std::thread([this] { look(); }).detach();
 }
 
+/// Places are used again and never freed: the watching thread may be reading one.
 CallWatch::Place& CallWatch::take() {
   const std::lock_guard lock(mutex_);
   const auto free = std::ranges::find_if(places_, [](const auto& place) { return !place->taken; });
@@ -44,18 +48,20 @@ CallWatch::Place& CallWatch::take() {
 
 void CallWatch::give_back(Place& place) {
   const std::lock_guard lock(mutex_);
+  MUROSIMF_ASSERT(place.taken && place.due == 0);
   place.taken = false;
 }
 
 void CallWatch::look() {
   sigset_t all;
   sigfillset(&all);
-  pthread_sigmask(SIG_BLOCK, &all, nullptr);  // signals are for the program's threads
+  pthread_sigmask(SIG_BLOCK, &all, nullptr);  // signals must reach the program's own threads
   while (true) {
     std::this_thread::sleep_for(watch_period);
     const std::lock_guard lock(mutex_);
     for (const auto& place : places_) {
       const std::int64_t due = place->due;
+      // Repeated each period until the call has ended: a handler may have run before the jump target was set.
       if (due == 0 || (wall_nanoseconds() <= due && !alarmed_)) continue;
       ::syscall(SYS_tgkill, getpid(), place->thread.load(), break_off_signal());
     }

@@ -17,17 +17,17 @@ namespace {
 
 constexpr std::array crash_signals{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 
-/// Handlers that were there before.
+/// Handlers that were installed before.
 std::array<struct sigaction, crash_signals.size()> previous;
 std::terminate_handler previous_terminate = nullptr;
 
-/// The row that the faulty access has missed.
+/// Returns the row whose bounds the faulty access has crossed.
 GuardedRows::Found row_of(int signal, const siginfo_t& info, const GuardedRows* rows) {
   if (!rows || (signal != SIGSEGV && signal != SIGBUS) || info.si_code <= 0) return {};
   return rows->at(info.si_addr);
 }
 
-/// The instruction that has failed.
+/// Returns the address of the failed instruction.
 const void* place_of(const void* context) noexcept {
 #if defined(__x86_64__)
   return reinterpret_cast<const void*>(static_cast<const ucontext_t*>(context)->uc_mcontext.gregs[REG_RIP]);
@@ -55,21 +55,22 @@ void on_crash(int signal, siginfo_t* info, void* context) {
   }
   const auto* place = std::ranges::find(crash_signals, signal);
   sigaction(signal, &previous[static_cast<std::size_t>(place - crash_signals.begin())], nullptr);
+  // raised again, so that the previous handler, or the default one, sees it: cores and reports stay as usual
   (void)raise(signal);
 }
 
-/// A thread that has crashed never ends: a call that joins it would take up to the limit.
+/// A crashed thread never ends: a call that joins it would take up to the limit.
 bool waits_for_crashed_thread(const GuardedCall& call) { return call.threads && call.threads->ended; }
 
 void on_break_off(int) {
   ForeignCall* running = ForeignCall::of_thread();
-  if (!running) return;  // it came back meanwhile
+  if (!running) return;  // it has returned meanwhile
   const bool late = wall_nanoseconds() - running->began >= running->call.limit.count();
   if (!late && !waits_for_crashed_thread(running->call)) return;
   running->end({.kind = CallEnd::late});
 }
 
-/// What the exception that was not caught says.
+/// Copies the text of the uncaught exception.
 void note_exception(CallEnd& why) noexcept {
   if (!std::current_exception()) return;
   try {
@@ -79,6 +80,7 @@ void note_exception(CallEnd& why) noexcept {
   } catch (...) {
     std::strncpy(why.exception.data(), "something that is no std::exception", why.exception.size() - 1);
   }
+  // control characters would break the line of the report
   std::ranges::replace_if(
       why.exception, [](char c) { return (c > 0 && c < ' ') || c == 0x7f; }, ' ');
 }
@@ -100,7 +102,8 @@ void note_exception(CallEnd& why) noexcept {
 
 void handle_crash_signals() {
   struct sigaction action {};
-  action.sa_flags = SA_NODEFER | SA_ONSTACK | SA_SIGINFO;  // the jump does not give a mask back
+  action.sa_flags =
+      SA_NODEFER | SA_ONSTACK | SA_SIGINFO;  // siglongjmp without a saved mask does not unblock the signal
   sigemptyset(&action.sa_mask);
   action.sa_sigaction = on_crash;
   for (std::size_t i = 0; i < crash_signals.size(); ++i) sigaction(crash_signals[i], &action, &previous[i]);

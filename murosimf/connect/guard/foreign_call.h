@@ -1,4 +1,4 @@
-/// foreign_call.h - which call of code that one does not trust a thread is in, for what may end it from within: signal handlers
+/// foreign_call.h - the call of untrusted code that a thread executes, for code that may end it from within: signal handlers
 /// (crash_signals.h) and functions of the C library (watched_functions.h).
 #pragma once
 
@@ -15,19 +15,19 @@
 
 namespace murosimf::connect {
 
-/// A call that is going on.
+/// A call in progress.
 class ForeignCall {
  public:
   explicit ForeignCall(const GuardedCall& call);
 
-  /// That of this thread; null: none.
+  /// The call of this thread; null: none.
   [[nodiscard]] static ForeignCall* of_thread() noexcept;
-  void enter() noexcept;  ///< is that of this thread from now on
-  void leave() noexcept;  ///< the one around it is again
+  void enter() noexcept;  ///< becomes the call of this thread
+  void leave() noexcept;  ///< the enclosing call becomes current again
 
-  /// Ends it, as seen from within: says so and jumps back to where `back` was set.
+  /// Ends the call from within: reports it and jumps to where `back` was set.
   [[noreturn]] void end(const CallEnd& why) noexcept;
-  /// It is about to change something of the process: keeps that before. Only one call of all threads at a time goes on from here.
+  /// Called before the code changes something of the process: saves that state. Only one call of all threads continues from here at a time.
   void keep_process() noexcept;
   [[nodiscard]] ProcessChanges put_back() noexcept;
 
@@ -43,27 +43,27 @@ class ForeignCall {
   std::optional<ProcessState> process_;
 };
 
-/// Says at once, on standard error, that the call has ended so, and that the run ends with it.
-void announce(const std::string& who, const std::string& what, const CallEnd& why) noexcept;
+/// Reports at once, on standard error, that the call has ended like this, and that the run ends with it.
+void announce(const std::string& name, const std::string& what, const CallEnd& why) noexcept;
 
-/// From now on children of the process are told from it. Once.
+/// Distinguishes children of the process from it, from now on. Once.
 void know_children();
 
-/// Code of others that is in the process from now on, for the words of a crash that happens elsewhere.
+/// Registers code of others that is loaded from now on, for the message about a crash elsewhere.
 void note_suspect(const std::string& name);
-/// Says that the program has crashed outside of all guarded calls, if there are suspects: they may have damaged its memory before.
+/// Reports that the program has crashed outside of all guarded calls, if there are suspects: they may have damaged its memory before.
 void announce_suspects(int signal) noexcept;
 
-/// Whether this process was forked by control software: what the simulator does at the end of the program is not its business.
+/// Whether this process was forked by control software: the simulator's work at the end of the program must not run in it.
 [[nodiscard]] bool is_child_of_software() noexcept;
 
-/// Whether this process is the one whose threads make the calls, and not a child of one.
+/// Whether this process is the one that makes the calls, and not a child of it.
 [[nodiscard]] bool is_own_process() noexcept;
 
-/// Of a thread that control software has begun: null in all others.
+/// Owner of a thread that control software has started: null in all others.
 [[nodiscard]] ForeignThreads* owner_of_thread() noexcept;
 void set_owner_of_thread(ForeignThreads* owner) noexcept;
-/// It has ended the program from there: says so, and never comes back.
+/// Called when such a thread has ended the program: reports it, and never returns.
 [[noreturn]] void end_thread(ForeignThreads& owner, const CallEnd& why) noexcept;
 
 }  // namespace murosimf::connect

@@ -9,6 +9,8 @@
 #include <new>
 #include <utility>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::connect {
 namespace {
 
@@ -20,9 +22,12 @@ std::size_t page() {
   return size;
 }
 
-std::size_t rounded_up(std::size_t bytes, std::size_t to) { return (bytes + to - 1) / to * to; }
+std::size_t rounded_up(std::size_t bytes, std::size_t to) {
+  MUROSIMF_ASSERT(to > 0);
+  return (bytes + to - 1) / to * to;
+}
 
-/// Without access, with a page before and behind.
+/// Reserves inaccessible memory, with a page before and behind: an overrun by less than a page always faults.
 std::byte* reserve(std::size_t bytes) {
   void* const memory =
       ::mmap(nullptr, bytes + 2 * page(), PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
@@ -34,7 +39,7 @@ void release(std::byte* memory, std::size_t bytes) {
   if (memory) ::munmap(memory - page(), bytes + 2 * page());
 }
 
-/// By words of eight bytes; memcmp takes five times as long for so few.
+/// Compares words of eight bytes; memcmp takes five times as long for so few.
 bool only_canaries(const std::byte* first, const std::byte* last) {
   std::uint64_t found = 0, expected = 0;
   std::memset(&expected, static_cast<int>(canary), sizeof expected);
@@ -53,6 +58,7 @@ GuardedRow::GuardedRow(std::string name, std::string size, std::size_t head, std
   first_page_ = rounded_up(std::max<std::size_t>(head, 1), page());
   end_ = first_page_ + rounded_up(std::max<std::size_t>(bytes, 1), page());
   body_ = (end_ - bytes) / alignment * alignment;
+  MUROSIMF_ASSERT(first_page_ >= head && body_ >= first_page_ && body_ + bytes <= end_);
   try {
     map();
   } catch (...) {
@@ -72,6 +78,7 @@ void GuardedRow::map() {
     if (::mprotect(own_, end_, PROT_READ | PROT_WRITE) != 0) throw std::bad_alloc();
     return;
   }
+  // one file, mapped twice: software gets the mapping without write access
   own_ = reserve(end_);
   const int file = ::memfd_create("murosimf_row", MFD_CLOEXEC);
   if (file < 0) throw std::bad_alloc();
@@ -89,7 +96,7 @@ GuardedRow::~GuardedRow() {
 
 void GuardedRow::close_head() const { (void)::mprotect(shown_, first_page_, PROT_READ); }
 
-/// Farther from the body than an alignment nothing is looked at: what goes there has gone through what is.
+/// Only one alignment before the body is checked: a write farther away has crossed these canaries as well.
 GuardedRow::Side GuardedRow::damage() const noexcept {
   if (use_ == Use::read) return Side::none;
   const std::byte* const body = own_ + body_;

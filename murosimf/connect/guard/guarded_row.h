@@ -1,10 +1,10 @@
-/// guarded_row.h - numbers or bytes that are shared with code that one does not trust, in pages of their own: who goes beyond their end
-/// or writes to what is to be read only is stopped there, and the row is known by its address.
+/// guarded_row.h - numbers or bytes that are shared with untrusted code, in pages of their own: an access beyond their end,
+/// or a write to read-only memory, faults at once, and the row is identified by the address.
 ///
 ///     no access | head | canary, body, canary | no access
 ///
-/// The head says what the body is (murosimf_signal); software may only read it. The body ends where its last page ends, but for what
-/// keeps it at multiples of 64 bytes. What is for reading is mapped twice: the simulator writes to the one place what software reads at
+/// The head describes the body (murosimf_signal); software may only read it. The body ends where its last page ends, except for
+/// padding that aligns it to 64 bytes. Read-only memory is mapped twice: the simulator writes one mapping, software reads
 /// the other.
 #pragma once
 
@@ -18,7 +18,7 @@ namespace murosimf::connect {
 class GuardedRow {
  public:
   enum class Use { read, write };
-  /// What an access that was not allowed was: nothing of this row, before it, behind it, or writing to what is for reading.
+  /// Kind of a forbidden access: nothing of this row, before it, behind it, or a write to read-only memory.
   enum class Side { none, before, behind, inside };
 
   /// `name`, and `size` ("3 numbers"), are for messages; `bytes` of the body. Throws std::bad_alloc.
@@ -27,7 +27,7 @@ class GuardedRow {
   GuardedRow(const GuardedRow&) = delete;
   GuardedRow& operator=(const GuardedRow&) = delete;
 
-  // Where the simulator writes and reads, and where software does.
+  // Addresses for the simulator, and for software.
   template <class Head>
   [[nodiscard]] Head& head() const {
     return *reinterpret_cast<Head*>(own_);
@@ -44,15 +44,15 @@ class GuardedRow {
   [[nodiscard]] Number* shown_body() const {
     return reinterpret_cast<Number*>(shown_ + body_);
   }
-  /// The head does not change any more.
+  /// Makes the head read-only.
   void close_head() const;
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] const std::string& size() const { return size_; }
 
-  /// Where its canaries have been written to; none: they are as they were.
+  /// Where its canaries have been overwritten; none: they are intact.
   [[nodiscard]] Side damage() const noexcept;
-  /// What an access to this address, which has failed, was. May be called in signal handlers.
+  /// Classifies a failed access to this address. May be called in signal handlers.
   [[nodiscard]] Side side_of(const void* address) const noexcept;
 
  private:
@@ -79,9 +79,9 @@ class GuardedRows {
     const GuardedRow* row = nullptr;  ///< null: none
     GuardedRow::Side side = GuardedRow::Side::none;
   };
-  /// The first that software has written beyond.
+  /// The first row beyond whose bounds software has written.
   [[nodiscard]] Found damaged() const noexcept;
-  /// The one whose pages have this address. May be called in signal handlers.
+  /// The row whose pages contain this address. May be called in signal handlers.
   [[nodiscard]] Found at(const void* address) const noexcept;
 
  private:

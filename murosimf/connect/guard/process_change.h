@@ -1,5 +1,5 @@
-/// process_change.h - what belongs to the whole process or thread and is no business of control software: what a call has changed of it
-/// is put back, and counted.
+/// process_change.h - state of the whole process or thread that control software must not change: changes made by a call
+/// are undone and counted.
 #pragma once
 
 #include <array>

@@ -10,11 +10,12 @@
 #include <span>
 
 #include "murosimf/connect/guard/call_watch.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::connect {
 namespace {
 
-constexpr mode_t nobody_else = 077;  // what files may be given that are made while the umask is looked at
+constexpr mode_t nobody_else = 077;  // permissions denied to files that another thread creates while the umask is read
 
 mode_t present_file_mask() {
   const mode_t mask = ::umask(nobody_else);
@@ -23,10 +24,11 @@ mode_t present_file_mask() {
 }
 
 int signal_of(std::size_t i, std::span<const int> signals) {
+  MUROSIMF_ASSERT(i <= signals.size());
   return i < signals.size() ? signals[i] : break_off_signal();
 }
 
-/// Flags of no handler mean nothing: who puts it back (system) may put it back with others.
+/// Flags without a handler are ignored: a function that restores the handler (system) may set other flags.
 bool same(const struct sigaction& one, const struct sigaction& other) {
   const bool is_none = one.sa_handler == SIG_DFL || one.sa_handler == SIG_IGN;
   return one.sa_handler == other.sa_handler && (is_none || one.sa_flags == other.sa_flags);
@@ -45,7 +47,7 @@ bool same_signals(const sigset_t& one, const sigset_t& other) {
   return true;
 }
 
-/// The name of the C locale as it is now. The C library frees it when it is changed.
+/// Copies the name of the current C locale: the C library frees it when the locale changes.
 const char* kept_name() noexcept {
   thread_local std::array<char, 500> name{};
   const char* const present = std::setlocale(LC_ALL, nullptr);
@@ -57,6 +59,7 @@ const char* kept_name() noexcept {
 
 CallState::CallState() noexcept : c_locale_(kept_name()), thread_locale_(::uselocale(nullptr)) {}
 
+/// Modes of floating-point numbers would change all results of the simulation from here on.
 ProcessChanges CallState::put_back() const noexcept {
   ProcessChanges changes;
   if (const FloatingPointModes now = FloatingPointModes::now(); now != modes_) {
@@ -74,7 +77,7 @@ ProcessChanges CallState::put_back() const noexcept {
   return changes;
 }
 
-/// That of C++ first, which sets that of C, too.
+/// Restores the C++ locale first, because that also sets the C locale.
 void CallState::put_back_locale(ProcessChanges& changes) const noexcept {
   if (::uselocale(nullptr) != thread_locale_) {
     changes.add(ProcessChange::locale);
@@ -90,6 +93,7 @@ void CallState::put_back_locale(ProcessChanges& changes) const noexcept {
   std::setlocale(LC_ALL, c_locale_);
 }
 
+/// Device and number identify the file also after its descriptor was closed and given to another.
 ProcessState::Held ProcessState::hold(int descriptor) {
   Held held;
   struct stat status {};
@@ -140,6 +144,7 @@ bool ProcessState::put_back_directory() const noexcept {
   return true;
 }
 
+/// A handler of software would catch the program's own crashes.
 bool ProcessState::put_back_handlers() const noexcept {
   bool changed = false;
   for (std::size_t i = 0; i < handlers_.size(); ++i) {
@@ -166,7 +171,7 @@ bool ProcessState::put_back_stack() const noexcept {
   return true;
 }
 
-/// One that ran before goes on.
+/// A timer that ran before continues.
 bool ProcessState::put_back_timers() const noexcept {
   bool changed = false;
   for (std::size_t i = 0; i < timers_.size(); ++i) {
@@ -179,6 +184,7 @@ bool ProcessState::put_back_timers() const noexcept {
   return changed;
 }
 
+/// Only variables on which the library's results depend.
 bool ProcessState::put_back_environment() const noexcept {
   bool changed = false;
   for (std::size_t i = 0; i < variables.size(); ++i) {

@@ -1,4 +1,4 @@
-/// process_state.h - what a call of control software could change of the process and the thread, kept before it, put back after it.
+/// process_state.h - state of the process and the thread that a call of control software could change, saved before it, restored after it.
 #pragma once
 
 #include <sys/time.h>
@@ -17,11 +17,11 @@
 
 namespace murosimf::connect {
 
-/// What costs no call of the kernel (some ten nanoseconds): floating-point modes, locales, terminate handler.
+/// The part that needs no system call (some ten nanoseconds): floating-point modes, locales, terminate handler.
 class CallState {
  public:
   CallState() noexcept;
-  /// What has changed since it was made, which is then as it was.
+  /// Restores the state and returns what had changed since construction.
   [[nodiscard]] ProcessChanges put_back() const noexcept;
 
  private:
@@ -34,7 +34,7 @@ class CallState {
   std::terminate_handler terminate_ = std::get_terminate();
 };
 
-/// The rest, by some forty calls of the kernel.
+/// The rest, by some forty system calls.
 class ProcessState {
  public:
   ProcessState();
@@ -45,7 +45,7 @@ class ProcessState {
   [[nodiscard]] ProcessChanges put_back() const noexcept;
 
  private:
-  /// A file that is held open by a descriptor of its own; -1: there is none.
+  /// A file that is kept open by a descriptor of its own; -1: there is none.
   struct Held {
     int descriptor = -1;
     dev_t device{};

@@ -1,4 +1,4 @@
-/// signal_stack.h - a stack for the signal handlers of this thread: its own one may be what has overflowed.
+/// signal_stack.h - a separate stack for the signal handlers of this thread: its ordinary stack may be the one that overflowed.
 #pragma once
 
 #include <csignal>
@@ -7,13 +7,13 @@
 
 namespace murosimf::connect {
 
-/// From its construction to its destruction, which must be in the same thread. Where somebody has given the thread a stack for
-/// handlers already, that stays.
+/// From its construction to its destruction, which must be in the same thread. A stack for handlers that the thread already has
+/// is kept.
 class SignalStack {
  public:
   SignalStack() {
     stack_t present{};
-    if (sigaltstack(nullptr, &present) == 0 && (present.ss_flags & SS_DISABLE) == 0) return;  // somebody's
+    if (sigaltstack(nullptr, &present) == 0 && (present.ss_flags & SS_DISABLE) == 0) return;  // already set
     memory_ = std::make_unique<char[]>(size);
     stack_t stack{};
     stack.ss_sp = memory_.get();

@@ -14,7 +14,7 @@
 #include "murosimf/connect/guard/foreign_call.h"
 #include "murosimf/connect/guard/signal_stack.h"
 
-// The sanitizer of threads calls them before it is ready for code that it looks at, as these are. In fuzz targets the sanitizer is part
+// The thread sanitizer calls them before it is ready for instrumented code, as these are. In fuzz targets the sanitizer is part
 // of the program and defines some of these functions itself.
 #if defined(MUROSIMF_THREAD_SANITIZER) || defined(MUROSIMF_FUZZED)
 #define MUROSIMF_FUNCTIONS_NOT_WATCHED
@@ -23,13 +23,13 @@
 namespace murosimf::connect {
 namespace {
 
-/// That of the C library.
+/// The function of the C library.
 template <class Function>
 Function* next(const char* name) {
   return reinterpret_cast<Function*>(::dlsym(RTLD_NEXT, name));
 }
 
-/// In a guarded call, or in a thread that one has begun, this ends it.
+/// In a guarded call, or in a thread that it has started, this ends the call or thread.
 void end_software(CallEnd::Kind kind, const char* function, int code = 0) {
   if (!is_own_process()) return;
   const CallEnd why{.kind = kind, .number = code, .function = function};
@@ -46,7 +46,7 @@ void before_a_change() {
   if (ForeignCall* running = ForeignCall::of_thread(); running && is_own_process()) running->keep_process();
 }
 
-/// A thread that control software begins.
+/// A thread started by control software.
 struct Beginning {
   void* (*function)(void*);
   void* argument;
@@ -60,7 +60,7 @@ void* begin_thread(void* given) {
   return beginning->function(beginning->argument);
 }
 
-/// Of the call or the thread that is going on.
+/// Owner of the present call or thread.
 std::shared_ptr<ForeignThreads> present_owner() {
   if (const ForeignCall* running = ForeignCall::of_thread()) return running->call.threads;
   ForeignThreads* owner = owner_of_thread();
@@ -82,7 +82,7 @@ using murosimf::connect::CallEnd;
 using murosimf::connect::end_software;
 using murosimf::connect::next;
 
-/// One that ends the program.
+/// Defines a function that ends the program.
 #define MUROSIMF_ENDS(name)                           \
   extern "C" void name(int code) noexcept {           \
     end_software(CallEnd::exit, #name, code);         \
@@ -93,6 +93,7 @@ using murosimf::connect::next;
 // NOLINTBEGIN(bugprone-reserved-identifier): they are those of the C library
 MUROSIMF_ENDS(quick_exit)
 
+/// An end of the process inside a call is the end of the software, not of the simulation.
 extern "C" void exit(int code) noexcept {
   if (murosimf::connect::is_child_of_software()) ::_exit(code);
   end_software(CallEnd::exit, "exit", code);
@@ -116,7 +117,7 @@ extern "C" void pthread_exit(void* result) {
   __builtin_unreachable();
 }
 
-/// One that changes what belongs to the process.
+/// Defines a function that changes state of the process.
 #define MUROSIMF_CHANGES(result, name, parameters, arguments) \
   extern "C" result name parameters noexcept {                \
     static auto* const real = next<result parameters>(#name); \
@@ -142,14 +143,14 @@ MUROSIMF_CHANGES(int, clearenv, (), ())
 MUROSIMF_CHANGES(int, dup2, (int from, int to), (from, to))
 MUROSIMF_CHANGES(int, dup3, (int from, int to, int flags), (from, to, flags))
 
-/// A standard one is put back.
+/// A standard descriptor is restored afterwards.
 extern "C" int close(int file) {
   static auto* const real = next<int(int)>("close");
   if (file >= 0 && file <= STDERR_FILENO) before_a_change();
   return real(file);
 }
 
-/// A standard one could not be opened again: in a guarded call it is only written out.
+/// A standard stream could not be opened again: in a guarded call it is only flushed.
 extern "C" int fclose(FILE* file) {
   static auto* const real = next<int(FILE*)>("fclose");
   const bool standard = file == stdin || file == stdout || file == stderr;

@@ -31,6 +31,7 @@ void parse(std::string_view bytes, wire::FromClient& message) {
   }
 }
 
+/// The version is compared first: other versions may have other messages.
 void read_hello(TcpClient& client, std::string_view bytes) {
   wire::FromClient message;
   parse(bytes, message);
@@ -54,7 +55,7 @@ void refuse(wire::Connection& connection, const std::string& reason) noexcept {
     wire::ToClient message;
     message.mutable_refusal()->set_reason(reason);
     connection.send(message.SerializeAsString());
-  } catch (const std::exception&) {  // it has gone
+  } catch (const std::exception&) {  // the client has disconnected
   }
 }
 

@@ -1,4 +1,4 @@
-/// tcp_client.h - a program that has said whose software it is.
+/// tcp_client.h - a connected program that has named the robot it controls.
 #pragma once
 
 #include <cstddef>
@@ -19,22 +19,22 @@ constexpr std::size_t longest_message = 65536;  // [byte] of clients
 struct TcpClient {
   wire::Connection connection;
   std::string robot, software, address;
-  double rate = 0;  ///< [Hz] wanted; 0: any
+  double rate = 0;  ///< [Hz] requested; 0: any
 
   /// "walk.py at 127.0.0.1:40312"
   [[nodiscard]] std::string name() const;
 };
 
-/// Takes over what a client has sent first. Throws WireError: it is no Hello of this version.
+/// Evaluates the first message of a client. Throws WireError: it is no Hello of this version.
 void read_hello(TcpClient& client, std::string_view message);
 
 /// Throws WireError: "sends what is no message of this protocol".
 void parse(std::string_view bytes, wire::FromClient& message);
 
-/// Tells a client why it is not wanted, if it can be told without waiting.
+/// Sends a client the reason for its refusal, if that is possible without waiting.
 void refuse(wire::Connection& connection, const std::string& reason) noexcept;
 
-/// What others have sent, as one line of a report: at most `longest` characters, without control characters.
+/// Text from others, as one line of a report: at most `longest` characters, without control characters.
 [[nodiscard]] std::string printable(std::string_view text, std::size_t longest);
 
 }  // namespace murosimf::connect

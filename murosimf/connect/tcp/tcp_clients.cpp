@@ -45,6 +45,7 @@ class RepeatedClients::Line final : public ClientLine {
   void flush_until(wire::WallTime) override {}
 
   [[nodiscard]] std::optional<std::string_view> receive() override {
+    // ends at the first note of another kind: those belong to another call (take, flush), in their recorded order
     const ExternalInput* note = cursor_->reader.next(cursor_->now);
     if (!note || note->kind == ExternalInput::came || note->kind == ExternalInput::told) return std::nullopt;
     cursor_->reader.pass();
@@ -80,6 +81,7 @@ std::optional<ArrivedClient> RepeatedClients::take() {
 std::vector<ExternalInput> RepeatedClients::jump_to(Duration now) {
   std::vector<ExternalInput> lasting;
   cursor_->reader.rewind();
+  // input at `now` itself is repeated by the step, hence one nanosecond before
   for (const Duration before = now - Duration{1}; const ExternalInput* note = cursor_->reader.next(before);) {
     if (lasts(note->kind)) lasting.push_back(*note);
     cursor_->reader.pass();

@@ -1,4 +1,4 @@
-/// tcp_clients.h - who is a robot's software over TCP: programs that connect, or what a recording has of them (external_input_log.h).
+/// tcp_clients.h - sources of a robot's software over TCP: programs that connect, or recorded ones (external_input_log.h).
 #pragma once
 
 #include <memory>
@@ -17,20 +17,20 @@ namespace murosimf::connect {
 class ClientLine {
  public:
   virtual ~ClientLine() = default;
-  /// false: of a recording; what it is sent goes nowhere, and nothing takes wall time.
+  /// false: recorded; messages sent to it are dropped, and no call takes wall time.
   [[nodiscard]] virtual bool live() const = 0;
   virtual void send(std::string_view message) = 0;
   virtual void flush_until(wire::WallTime end) = 0;
   /// Without waiting.
   [[nodiscard]] virtual std::optional<std::string_view> receive() = 0;
   [[nodiscard]] virtual std::string_view receive_until(wire::WallTime end) = 0;
-  /// Whether all that it was sent has left. Of a recording: whether it was told a cycle then.
+  /// Whether all that was sent to it has left. Recorded: whether it was sent a cycle at that time.
   [[nodiscard]] virtual bool flush() = 0;
 };
 
 struct ArrivedClient {
   std::string name;  ///< "walk.py at 127.0.0.1:40312"
-  double rate = 0;   ///< [Hz] wanted; 0: any
+  double rate = 0;   ///< [Hz] requested; 0: any
   std::unique_ptr<ClientLine> line;
 };
 
@@ -38,21 +38,21 @@ struct ArrivedClient {
 class TcpClients {
  public:
   virtual ~TcpClients() = default;
-  /// Of all calls that follow; nothing: its set-up.
+  /// Time of all following calls; nothing: set-up.
   virtual void at(Duration) {}
-  /// Another one that has come, without waiting.
+  /// Another client that has connected, without waiting.
   [[nodiscard]] virtual std::optional<ArrivedClient> take() = 0;
-  /// The same, waiting for `limit` [s] of wall time. Nothing: it was stopped, or none has come.
+  /// The same, waiting for `limit` [s] of wall time. Nothing: it was stopped, or none has connected.
   [[nodiscard]] virtual std::optional<ArrivedClient> wait(double limit) = 0;
-  /// Its client has gone. From now on another one may come, or (`for_good`) none.
+  /// The client has disconnected. From now on another one may connect, or (`for_good`) none.
   virtual void leave(bool for_good) = 0;
-  /// Of a recording, after time has jumped: what lasts of all before `now`, and goes on there. Live: nothing.
+  /// Recorded, after a jump in time: all lasting input before `now`; continues there. Live: nothing.
   [[nodiscard]] virtual std::vector<ExternalInput> jump_to(Duration) { return {}; }
-  /// The line of a client of whom jump_to() told.
+  /// The line of a client that jump_to() has reported.
   [[nodiscard]] virtual std::unique_ptr<ClientLine> line() { return nullptr; }
 };
 
-/// Those of a reception.
+/// Clients of a reception.
 class ReceivedClients final : public TcpClients {
  public:
   ReceivedClients(std::shared_ptr<TcpReception> reception, std::string robot)
@@ -66,10 +66,10 @@ class ReceivedClients final : public TcpClients {
   std::string robot_;
 };
 
-/// Those that a recording has.
+/// Clients of a recording.
 class RepeatedClients final : public TcpClients {
  public:
-  /// `channel` may be null: it has none.
+  /// `channel` may be null: it has no notes.
   RepeatedClients(std::shared_ptr<const ExternalInputLog> notes, const std::string& channel)
       : notes_(std::move(notes)), cursor_(std::make_shared<Cursor>(notes_->find(channel))) {}
   void at(Duration now) override { cursor_->now = now; }
@@ -91,7 +91,7 @@ class RepeatedClients final : public TcpClients {
   std::shared_ptr<Cursor> cursor_;
 };
 
-/// The bytes of a note ExternalInput::came, and back. Throws WireError if they are none.
+/// Bytes of a note ExternalInput::came, and back. Throws WireError if they are malformed.
 [[nodiscard]] std::string to_bytes(const ArrivedClient& client);
 [[nodiscard]] ArrivedClient arrived_client(std::string_view bytes);
 

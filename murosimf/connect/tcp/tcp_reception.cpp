@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::connect {
@@ -33,8 +34,8 @@ std::unique_ptr<wire::Reception> reception_at(const TcpServerOptions& options, w
 
 TcpReception::TcpReception(TcpServerOptions options) : options_(std::move(options)) {
   reception_ =
-      reception_at(options_, {[this](wire::Caller& caller, std::string_view message) { look_at(caller, message); },
-                              [this](wire::Caller& caller, const std::string& reason) { turn_away(caller, reason); }});
+      reception_at(options_, {[this](wire::Caller& caller, std::string_view message) { inspect(caller, message); },
+                              [this](wire::Caller& caller, const std::string& reason) { reject(caller, reason); }});
 }
 
 TcpReception::~TcpReception() = default;
@@ -42,26 +43,27 @@ TcpReception::~TcpReception() = default;
 void TcpReception::expect(std::vector<std::string> robots) {
   const std::lock_guard lock(mutex_);
   robots_.emplace(robots.begin(), robots.end());
-  // those of a scene before do not count
+  // those of the previous scene do not count
   closed_.clear();
   busy_.clear();
   for (TcpClient& client : std::exchange(early_, {})) admit(std::move(client));
 }
 
-/// Why no client may come for a robot; empty: it may.
+/// Reason why no client is accepted for a robot; empty: one is.
 std::string TcpReception::objection(const std::string& robot) {
+  MUROSIMF_ASSERT(robots_.has_value());
   if (!robots_->contains(robot)) {
     const std::vector<std::string_view> known(robots_->begin(), robots_->end());
     return unknown_name("robot with the controller 'tcp'", printable(robot, 100), known);
   }
   if (closed_.contains(robot)) return fmt::format("the software of '{}' has ended, and no other one is taken", robot);
-  forget_who_has_gone(robot);
+  remove_disconnected(robot);
   if (busy_.contains(robot) || waiting_.contains(robot)) return fmt::format("'{}' has its software already", robot);
   return {};
 }
 
-/// Another client may take the robot over, also while the run is paused and nobody talks to the one that has gone. Under the lock.
-void TcpReception::forget_who_has_gone(const std::string& robot) {
+/// Another client may take the robot over, also while the run is paused and the old connection is not used. Under the lock.
+void TcpReception::remove_disconnected(const std::string& robot) {
   const auto present = busy_.find(robot);
   if (present != busy_.end() && present->second.has_ended()) busy_.erase(present);
   const auto waiting = waiting_.find(robot);
@@ -84,7 +86,7 @@ void TcpReception::admit(TcpClient client) {
 
 /// Under the lock.
 std::optional<TcpClient> TcpReception::taken(const std::string& robot) {
-  forget_who_has_gone(robot);
+  remove_disconnected(robot);
   auto found = waiting_.extract(robot);
   if (!found) return {};
   busy_[robot] = found.mapped().connection.socket().watcher();
@@ -102,6 +104,7 @@ std::optional<TcpClient> TcpReception::wait_for(const std::string& robot, double
   if (!robots_) robots_.emplace();
   robots_->insert(robot);  // a robot that comes later
   for (;;) {
+    // polled, since a stop request comes from a signal handler and cannot notify
     if (auto client = taken(robot)) return client;
     if (WallClock::now() >= end || is_stopped()) return {};
     arrived_.wait_for(lock, ask_for_stop);
@@ -130,19 +133,19 @@ void TcpReception::publish_refusal(const std::string& address, const std::string
   say(fmt::format("client {} was refused: {}", address, reason));
 }
 
-void TcpReception::look_at(wire::Caller& caller, std::string_view message) {
+void TcpReception::inspect(wire::Caller& caller, std::string_view message) {
   TcpClient client{.connection = std::move(caller.connection), .address = caller.address};
   try {
     read_hello(client, message);
   } catch (const wire::WireError&) {
-    caller.connection = std::move(client.connection);  // it is told why
+    caller.connection = std::move(client.connection);  // it receives the reason
     throw;
   }
   const std::lock_guard lock(mutex_);
   admit(std::move(client));
 }
 
-void TcpReception::turn_away(wire::Caller& caller, const std::string& reason) {
+void TcpReception::reject(wire::Caller& caller, const std::string& reason) {
   refuse(caller.connection, reason);
   const std::lock_guard lock(mutex_);
   publish_refusal(caller.address, reason);

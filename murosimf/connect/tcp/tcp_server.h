@@ -1,4 +1,4 @@
-/// tcp_server.h - control software of robots that comes from other programs and computers, over TCP (docs/tcp.md).
+/// tcp_server.h - control software of robots in other programs and computers, over TCP (docs/tcp.md).
 ///
 ///     const auto server = connect::listen_for_software({.address = {"127.0.0.1", 5000}});
 ///     scene::Scene scene("match.toml", {.software = server});          // waits for the software of its robots
@@ -23,27 +23,27 @@ namespace murosimf::connect {
 struct TcpOptions {
   std::string mode = "lock_step";  ///< or "free"
   double limit = 10;               ///< [s] of wall time that software may take to answer a cycle
-  double wait = 60;                ///< [s] of wall time for it to come, and to ask for what it needs
-  double absence = 1;              ///< [s] of wall time, in lock-step: for others to come when it has gone
+  double wait = 60;                ///< [s] of wall time for it to connect and to request what it needs
+  double absence = 1;              ///< [s] of wall time, in lock-step: for others to connect after it has disconnected
 };
 
 struct TcpServerOptions {
   wire::Address address;
   SayLine say = {};        ///< clients that were refused, one line each; called by another thread
   StopRequest stop = {};   ///< whether waiting for clients ends early
-  double hello_limit = 5;  ///< [s] of wall time in which clients say whose software they are
+  double hello_limit = 5;  ///< [s] of wall time in which clients must send their Hello
 };
 
-/// Software that went, or did wrong, before it was ready: other software may come in its place.
+/// Software that disconnected, or violated the protocol, before it was ready: other software may take its place.
 class SoftwareWent : public SetupError {
  public:
   using SetupError::SetupError;
 };
 
-/// The software that has come for a robot.
+/// The software that has connected for a robot.
 struct ArrivedSoftware {
   std::string name;  ///< "walk.py at 127.0.0.1:40312"
-  double rate = 0;   ///< [Hz] wanted; 0: any
+  double rate = 0;   ///< [Hz] requested; 0: any
   SoftwareMaker make;
 };
 
@@ -52,19 +52,19 @@ class TcpServer {
   virtual ~TcpServer() = default;
   /// Where it listens.
   [[nodiscard]] virtual wire::Address address() const = 0;
-  /// The robots that there are: clients for others are refused.
+  /// Sets the robots that exist: clients for others are refused.
   virtual void expect(std::vector<std::string> robots) = 0;
-  /// Waits for a robot's software. What it sends is written down with `pen`. Throws SetupError if none comes in time.
+  /// Waits for a robot's software. Its input is logged with `pen`. Throws SetupError if none connects in time.
   [[nodiscard]] virtual ArrivedSoftware wait_for(const std::string& robot, const TcpOptions& options,
                                                  std::uint64_t seed, ExternalInputRecorder pen) = 0;
-  /// A line of what has gone wrong with clients, to TcpServerOptions::say.
+  /// Passes a line about failed clients to TcpServerOptions::say.
   virtual void tell(const std::string&) {}
 };
 
 /// Throws SetupError: the port is in use; this program was built without TCP.
 [[nodiscard]] std::shared_ptr<TcpServer> listen_for_software(TcpServerOptions options);
 
-/// A robot's software that was there before, and does it again. Throws SetupError: there was none; this program was built without TCP.
+/// A robot's recorded software, which repeats its input. Throws SetupError: there was none; this program was built without TCP.
 [[nodiscard]] ArrivedSoftware repeat_software(std::shared_ptr<const ExternalInputLog> notes, const std::string& robot,
                                               const TcpOptions& options, std::uint64_t seed, ExternalInputRecorder pen);
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <robot_protocol.pb.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::connect {
@@ -14,16 +15,17 @@ namespace {
 
 constexpr std::size_t most_questions = 1000;
 constexpr std::size_t most_messages =
-    20'000;                                 // in a second; what sockets buffer while a simulation stands still is less
+    20'000;                                 // in a second; sockets buffer less than this while a simulation is paused
 constexpr std::size_t longest_line = 1000;  // for the report
 
-// A cycle is at most 16 MiB long, what clients take.
+// A cycle has at most 16 MiB, the limit of clients.
 constexpr std::size_t most_message_bytes = 1024 * 1024;
 constexpr std::size_t most_picture_bytes = 14 * 1024 * 1024;
 constexpr std::size_t most_pixel_bytes = 4;
 
 DrawnShape shape_of(const wire::Shape& shape) {
   DrawnShape drawn{.kind = static_cast<DrawnShape::Kind>(shape.kind()), .size = shape.size(), .words = shape.text()};
+  // whole points only: a trailing rest of one or two numbers is ignored
   for (int i = 0; i + 2 < shape.points_size(); i += 3) {
     drawn.points.push_back({shape.points(i), shape.points(i + 1), shape.points(i + 2)});
   }
@@ -43,6 +45,7 @@ TcpSession::TcpSession(std::unique_ptr<ClientLine> line, TcpRobot robot, RobotPo
       pen_(&pen),
       incoming_(std::make_unique<wire::FromClient>()),
       outgoing_(std::make_unique<wire::ToClient>()) {
+  MUROSIMF_ASSERT(line_ != nullptr);
   heard_at_ = std::chrono::steady_clock::now();
   wire::Welcome& welcome = *outgoing_->mutable_welcome();
   welcome.set_robot(robot_.name);
@@ -66,6 +69,7 @@ void TcpSession::set_up(wire::WallTime end) {
   while (!ready_) take(line_->receive_until(end));
 }
 
+/// The client begins anew: pictures are sent again although their numbers may be known.
 void TcpSession::publish_start() {
   wire::Cycle& cycle = *outgoing_->mutable_cycle();
   cycle.Clear();
@@ -85,11 +89,12 @@ void TcpSession::publish_cycle(Duration now) {
   tell();
 }
 
-/// Memory of the cycle before is used again.
+/// Reuses the memory of the previous cycle.
 void TcpSession::publish_samples(wire::Cycle& cycle) const {
   if (cycle.samples_size() == 0) {
     for (std::size_t i = 0; i < signals_.size(); ++i) cycle.add_samples();
   }
+  MUROSIMF_ASSERT(static_cast<std::size_t>(cycle.samples_size()) == signals_.size());
   for (std::size_t i = 0; i < signals_.size(); ++i) {
     const murosimf_signal& signal = *signals_[i];
     wire::Sample& sample = *cycle.mutable_samples(static_cast<int>(i));
@@ -100,7 +105,7 @@ void TcpSession::publish_samples(wire::Cycle& cycle) const {
   }
 }
 
-/// What does not fit comes with the next cycle.
+/// Messages beyond the limit are sent with the next cycle.
 void TcpSession::publish_messages(wire::Cycle& cycle) {
   cycle.clear_messages();
   if (!has_messages_) return;
@@ -116,6 +121,7 @@ void TcpSession::publish_messages(wire::Cycle& cycle) {
   }
 }
 
+/// Only pictures that are new since the last message: they are by far the largest part of it.
 void TcpSession::publish_pictures(wire::Cycle& cycle) {
   cycle.clear_pictures();
   for (std::size_t i = 0; i < pictures_.size(); ++i) {
@@ -142,13 +148,14 @@ void TcpSession::wait_for_answer(wire::WallTime end) {
   while (owes_answer_) take(line_->receive_until(end));
 }
 
-void TcpSession::take_what_has_come(wire::WallTime now) {
+void TcpSession::receive_pending(wire::WallTime now) {
   while (const auto bytes = line_->receive()) {
     if (is_live()) check_rate(now);
     take(*bytes);
   }
 }
 
+/// A client that sends without end would occupy the thread of the run.
 void TcpSession::check_rate(wire::WallTime now) {
   if (now - second_ > std::chrono::seconds(1)) {
     second_ = now;
@@ -164,7 +171,7 @@ void TcpSession::take(std::string_view bytes) {
   pen_->write(take_message(), bytes);
 }
 
-/// All of it, or nothing.
+/// Applies the whole message, or nothing of it.
 ExternalInput::Kind TcpSession::take_message() {
   const bool at_start = robot_.lock_step && outgoing_->cycle().start();
   switch (incoming_->kind_case()) {
@@ -180,11 +187,13 @@ ExternalInput::Kind TcpSession::take_message() {
       if (!ready_) throw wire::WireError("sends commands before it was ready");
       take_over(incoming_->commands());
       return at_start ? ExternalInput::began : ExternalInput::sent;
-    default: throw wire::WireError("says Hello twice");
+    default:
+      throw wire::WireError("says Hello twice");
+      // only valid messages are logged: a recording repeats without protocol errors
   }
 }
 
-/// A name that is not there is its software's to judge: it may do without.
+/// An unknown name is no protocol error: the software decides whether it can do without.
 void TcpSession::answer(const wire::Ask& ask) {
   if (++asked_ > most_questions) throw wire::WireError(fmt::format("asks for more than {} names", most_questions));
   try {
@@ -221,6 +230,7 @@ void TcpSession::describe_command(const std::string& name, wire::Description& de
   for (const std::string& label : *port_->labels(name)) described.add_labels(label);
 }
 
+/// Bounded, so that a message of all pictures fits the largest one.
 void TcpSession::describe_picture(const std::string& name, wire::Description& described) {
   const murosimf_picture* const shown = port_->picture(name);
   const std::size_t bytes = std::size_t{most_pixel_bytes} * shown->width * shown->height;
@@ -238,15 +248,16 @@ void TcpSession::describe_picture(const std::string& name, wire::Description& de
 }
 
 void TcpSession::take_over(const wire::Commands& answer) {
-  if (!is_live()) cycle_ = std::max(cycle_, answer.cycle());  // it may have begun in the middle
+  if (!is_live()) cycle_ = std::max(cycle_, answer.cycle());  // a recording may begin in the middle of the run
   if (answer.cycle() > cycle_ || (robot_.lock_step && answer.cycle() < cycle_)) {
     throw wire::WireError(fmt::format("answers cycle {} in cycle {}", answer.cycle(), cycle_));
   }
-  if (answer.cycle() < started_) return;  // of the run before
+  if (answer.cycle() < started_) return;  // of the previous run
   if (static_cast<std::size_t>(answer.rows_size()) != commands_.size()) {
     throw wire::WireError(
         fmt::format("sends {} rows of commands, and asked for {}", answer.rows_size(), commands_.size()));
   }
+  // all rows are checked before any is applied
   for (std::size_t i = 0; i < commands_.size(); ++i) {
     const auto& values = answer.rows(static_cast<int>(i)).values();
     const auto count = static_cast<std::size_t>(values.size());
@@ -269,12 +280,12 @@ void TcpSession::take_over(const wire::Commands& answer) {
   heard_at_ = std::chrono::steady_clock::now();
 }
 
-/// What is too long or too much is counted.
+/// Messages beyond the limits are counted.
 void TcpSession::send_to_team(const wire::Commands& answer) {
   for (const std::string& message : answer.sends()) (void)port_->radio().send(message);
 }
 
-/// What is too much, or has no sense, is left out.
+/// Drawings beyond the limits, or invalid ones, are ignored.
 void TcpSession::draw(const wire::Commands& answer) {
   for (const wire::Drawing& drawing : answer.draws()) {
     DrawnGroup group{.name = drawing.group(), .of_robot = drawing.of_robot()};
@@ -283,11 +294,11 @@ void TcpSession::draw(const wire::Commands& answer) {
   }
 }
 
-void TcpSession::say_goodbye() noexcept {
+void TcpSession::send_goodbye() noexcept {
   try {
     outgoing_->mutable_goodbye();
     send();
-  } catch (const std::exception&) {  // it has gone before
+  } catch (const std::exception&) {  // the client has already disconnected
   }
 }
 
@@ -295,7 +306,7 @@ void TcpSession::say_refused(const std::string& reason) noexcept {
   try {
     outgoing_->mutable_refusal()->set_reason(reason);
     send();
-  } catch (const std::exception&) {  // it has gone
+  } catch (const std::exception&) {  // the client has disconnected
   }
 }
 

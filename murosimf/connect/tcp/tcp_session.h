@@ -1,6 +1,6 @@
-/// tcp_session.h - the talk with one client: what it asks for, the cycles that it is told, and the commands that it answers.
+/// tcp_session.h - the session with one client: its requests, the cycles sent to it, and the commands it answers.
 ///
-/// Whatever the client does wrong throws WireError; the caller then ends the session.
+/// Every violation of the protocol throws WireError; the caller then ends the session.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ class ToClient;
 
 namespace murosimf::connect {
 
-/// What a client is told of its robot.
+/// Description of its robot for a client.
 struct TcpRobot {
   std::string name, team, model;
   double period = 0;  ///< [s]
@@ -33,38 +33,38 @@ struct TcpRobot {
 
 class TcpSession {
  public:
-  /// Welcomes the client. What it sends is written down with `pen`, which must outlive it, once it was found good.
+  /// Welcomes the client. Its input is logged with `pen`, which must outlive the session, once it was found valid.
   TcpSession(std::unique_ptr<ClientLine> line, TcpRobot robot, RobotPort& port, SayLine say,
              ExternalInputRecorder& pen);
   ~TcpSession();
   TcpSession(const TcpSession&) = delete;
   TcpSession& operator=(const TcpSession&) = delete;
 
-  /// Answers what it asks for, until it is ready.
+  /// Answers requests until the client is ready.
   void set_up(wire::WallTime end);
   [[nodiscard]] bool is_ready() const { return ready_; }
-  /// false: of a recording.
+  /// false: recorded.
   [[nodiscard]] bool is_live() const { return line_->live(); }
-  /// Of a recording, after time has jumped: asks that it had made before.
+  /// Recorded, after a jump in time: repeats an earlier request.
   void ask_again(std::string_view message) { take(message); }
 
-  /// Tells it the cycle at `now`, or that the run begins.
+  /// Sends the cycle at `now`, or the start of the run.
   void publish_cycle(Duration now);
   void publish_start();
-  /// Waits for the answer to it and puts it into the port's commands.
+  /// Waits for its answer and writes it to the port's commands.
   void wait_for_answer(wire::WallTime end);
-  /// Takes what has come, without waiting.
-  void take_what_has_come(wire::WallTime now);
+  /// Processes received messages, without waiting.
+  void receive_pending(wire::WallTime now);
 
-  /// Whether it can be told more: what it was told has left, and it still works on one cycle at most. What sockets buffer would make
+  /// Whether another cycle can be sent: earlier ones have left, and at most one is being processed. Buffering in sockets would make
   /// slow software fall ever further behind.
   [[nodiscard]] bool keeps_up() { return ready_ && line_->flush() && (!is_live() || cycle_ - answered_ <= 1); }
-  /// Whether it is to get ready or to answer, and since when nothing of that kind has come.
+  /// Whether the client must get ready or answer, and since when it has not.
   [[nodiscard]] bool is_waited_for() const { return !ready_ || owes_answer_; }
   [[nodiscard]] wire::WallTime waited_for_since() const { return heard_at_; }
 
-  /// The last words, if they can be said without waiting.
-  void say_goodbye() noexcept;
+  /// The last message, if it can be sent without waiting.
+  void send_goodbye() noexcept;
   void say_refused(const std::string& reason) noexcept;
 
  private:
@@ -94,7 +94,7 @@ class TcpSession {
   std::vector<std::string> command_names_;
   struct Asked {
     const murosimf_picture* picture;
-    std::uint64_t told = 0;  // number of the last one that was told
+    std::uint64_t told = 0;  // number of the last one sent
   };
   std::vector<Asked> pictures_;
   std::size_t picture_bytes_ = 0;  // of one of each
@@ -102,8 +102,8 @@ class TcpSession {
   std::unique_ptr<wire::FromClient> incoming_;
   std::unique_ptr<wire::ToClient> outgoing_;
   std::string bytes_;
-  std::uint64_t cycle_ = 0, started_ = 0;  // the last one that it was told, and the one of the start
-  std::uint64_t answered_ = 0;             // the last one
+  std::uint64_t cycle_ = 0, started_ = 0;  // the last one sent, and the one of the start
+  std::uint64_t answered_ = 0;             // the last one answered
   bool ready_ = false, owes_answer_ = false;
   wire::WallTime heard_at_{};  // or since when it owes the answer
   std::size_t asked_ = 0;

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::connect {
@@ -23,6 +24,7 @@ TcpSoftware::TcpSoftware(const Setup& setup, RobotPort& port, SayLine say, std::
       port_(&port),
       say_(std::move(say)),
       pen_(pen) {
+  MUROSIMF_ASSERT(clients_ != nullptr);
   try {
     meet(std::move(client));
     session_->set_up(std::chrono::steady_clock::now() + from_seconds(options_.wait));
@@ -34,7 +36,7 @@ TcpSoftware::TcpSoftware(const Setup& setup, RobotPort& port, SayLine say, std::
 }
 
 TcpSoftware::~TcpSoftware() {
-  if (session_) session_->say_goodbye();
+  if (session_) session_->send_goodbye();
   clients_->leave(true);
 }
 
@@ -53,6 +55,7 @@ wire::WallTime TcpSoftware::end_of_waiting() const {
   return std::chrono::steady_clock::now() + from_seconds(options_.limit);
 }
 
+/// The robot keeps its last commands, and another client may take its place.
 void TcpSoftware::drop(const std::string& reason) noexcept {
   pen_.write(ExternalInput::left, reason);
   if (session_) session_->say_refused(reason);
@@ -64,7 +67,7 @@ void TcpSoftware::drop(const std::string& reason) noexcept {
 
 void TcpSoftware::add_news(const std::string& line) { news_ += news_.empty() ? line : "; " + line; }
 
-/// False: the client has gone, or has done wrong.
+/// Returns false if the client has disconnected or violated the protocol.
 template <class Talk>
 bool TcpSoftware::guarded(const Talk& talk) noexcept {
   try {
@@ -80,26 +83,27 @@ CallOutcome TcpSoftware::start() {
   at(before_the_run);
   news_.clear();
   if (robot_.lock_step) {
-    talk_in_step({});
+    exchange_in_step({});
   } else if (session_) {
     guarded([&] { session_->publish_start(); });
   }
   return {};
 }
 
+/// After a jump in time, the client first learns of it: its samples are of another past.
 CallOutcome TcpSoftware::step(Duration now) noexcept {
   at(now);
   if (std::exchange(jumped_, false)) guarded([&] { catch_up(now); });
   if (robot_.lock_step) {
-    talk_in_step(now);
+    exchange_in_step(now);
   } else {
-    guarded([&] { talk_freely(now); });
+    guarded([&] { exchange_freely(now); });
   }
   return {};
 }
 
-/// Asks the client and waits for its answer; nothing: the run begins. If it goes, other software may come in its place at once.
-void TcpSoftware::talk_in_step(std::optional<Duration> now) noexcept {
+/// Sends the cycle and waits for its answer; nothing: the run begins. If the client disconnects, other software may take its place at once.
+void TcpSoftware::exchange_in_step(std::optional<Duration> now) noexcept {
   const bool was_there = session_ != nullptr;
   if (was_there && guarded([&] { ask(now); })) return;
   const wire::WallTime end = std::chrono::steady_clock::now() + from_seconds(was_there ? options_.absence : 0);
@@ -128,13 +132,13 @@ void TcpSoftware::begin_with(ArrivedClient client) {
   ask({});
 }
 
-/// Commands that have come hold now; what is measured now is told if the client takes it.
-void TcpSoftware::talk_freely(Duration now) {
-  if (!session_) welcome_another();
+/// Applies received commands; sends the measured values if the client keeps up.
+void TcpSoftware::exchange_freely(Duration now) {
+  if (!session_) accept_another();
   if (!session_) return;
   const wire::WallTime present = std::chrono::steady_clock::now();
   const bool begins = !session_->is_ready();
-  session_->take_what_has_come(present);
+  session_->receive_pending(present);
   if (begins && session_->is_ready()) session_->publish_start();
   const bool waits = session_->is_live() && session_->is_waited_for();
   if (waits && present - session_->waited_for_since() > from_seconds(options_.limit)) {
@@ -142,21 +146,21 @@ void TcpSoftware::talk_freely(Duration now) {
   }
   if (!session_->keeps_up()) return;
   session_->publish_cycle(now);
-  pen_.write(ExternalInput::told);  // its messages have been taken out of the robot's box
+  pen_.write(ExternalInput::told);  // logged, since its team messages have left the robot's inbox
 }
 
-void TcpSoftware::welcome_another() {
+void TcpSoftware::accept_another() {
   auto client = clients_->take();
   if (!client) return;
   add_news(fmt::format("{} has come", client->name));
   meet(std::move(*client));
 }
 
-/// Of a recording: the client that was there at `now`, as it was, whatever has been before.
+/// Recorded: restores the client that was connected at `now`, independent of the state before the jump.
 void TcpSoftware::catch_up(Duration now) {
   const std::vector<ExternalInput> lasting = clients_->jump_to(now);
   if (lasting.empty()) return;
-  const ExternalInputRecorder pen = std::exchange(pen_, ExternalInputRecorder{});  // it is written down already
+  const ExternalInputRecorder pen = std::exchange(pen_, ExternalInputRecorder{});  // these notes are logged already
   for (const ExternalInput& note : lasting) {
     if (note.kind == ExternalInput::came) {
       ArrivedClient client = arrived_client(note.bytes);

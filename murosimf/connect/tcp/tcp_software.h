@@ -1,8 +1,8 @@
 /// tcp_software.h - control software in another program: one robot's.
 ///
-/// In lock-step every cycle waits for the client's answer, so the run is repeatable. Otherwise the latest commands hold. A client that
-/// goes, or does wrong, leaves the robot its commands, and another one may come at any cycle; in lock-step the run stands still for it
-/// for a while (TcpOptions::absence).
+/// In lock-step every cycle waits for the client's answer, so the run is repeatable. Otherwise the latest commands hold. When a client
+/// disconnects or violates the protocol, the robot keeps its commands, and another one may connect at any cycle; in lock-step the run waits
+/// for it for a while (TcpOptions::absence).
 #pragma once
 
 #include <memory>
@@ -19,7 +19,7 @@ namespace murosimf::connect {
 
 class TcpSoftware final : public ControlSoftware {
  public:
-  /// Answers what the client asks for. Throws SoftwareWent if it does not get ready in time, or goes.
+  /// Answers requests of the client. Throws SoftwareWent if it does not get ready in time, or disconnects.
   TcpSoftware(const Setup& setup, RobotPort& port, SayLine say, std::shared_ptr<TcpClients> clients,
               ArrivedClient client, const TcpOptions& options, std::uint64_t seed, ExternalInputRecorder pen);
   ~TcpSoftware() override;
@@ -37,11 +37,11 @@ class TcpSoftware final : public ControlSoftware {
   bool guarded(const Talk& talk) noexcept;
   void drop(const std::string& reason) noexcept;
   void add_news(const std::string& line);
-  void talk_in_step(std::optional<Duration> now) noexcept;
+  void exchange_in_step(std::optional<Duration> now) noexcept;
   void ask(std::optional<Duration> now);
   void begin_with(ArrivedClient client);
-  void talk_freely(Duration now);
-  void welcome_another();
+  void exchange_freely(Duration now);
+  void accept_another();
   void meet(ArrivedClient client);
   void catch_up(Duration now);
   void at(Duration now);
@@ -53,9 +53,9 @@ class TcpSoftware final : public ControlSoftware {
   RobotPort* port_;
   SayLine say_;
   ExternalInputRecorder pen_;
-  std::unique_ptr<TcpSession> session_;  // null: nobody is there
+  std::unique_ptr<TcpSession> session_;  // null: no client
   std::string client_;                   // the name of the last one
-  std::string last_;                     // why it has gone
+  std::string last_;                     // why it was disconnected
   std::string news_;
   bool jumped_ = false;  // since the last step
 };

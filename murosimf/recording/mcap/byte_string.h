@@ -1,4 +1,4 @@
-/// byte_string.h - numbers and texts as bytes, little end first, as MCAP writes them.
+/// byte_string.h - numbers and texts as bytes, little-endian, in the encoding of MCAP.
 #pragma once
 
 #include <concepts>
@@ -10,7 +10,7 @@
 
 namespace murosimf::recording {
 
-/// Appends to a string that stays the caller's.
+/// Appends to a string of the caller.
 class ByteWriter {
  public:
   explicit ByteWriter(std::string& bytes) : bytes_(&bytes) {}
@@ -30,7 +30,7 @@ class ByteWriter {
   std::string* bytes_;
 };
 
-/// Reads from bytes that stay the caller's. Throws SetupError if they end too early.
+/// Reads bytes of the caller. Throws SetupError if they end too early.
 class ByteReader {
  public:
   explicit ByteReader(std::string_view bytes) : left_(bytes) {}

@@ -1,4 +1,4 @@
-/// compression.h - chunks of recordings made smaller by Zstandard; a build without its library writes them as they are.
+/// compression.h - compression of chunks by Zstandard; a build without its library writes them uncompressed.
 #pragma once
 
 #include <cstdint>
@@ -7,12 +7,12 @@
 
 namespace murosimf::recording {
 
-/// What compress() makes, by MCAP's name: "zstd"; empty: nothing.
+/// Method of compress(), by MCAP's name: "zstd"; empty: none.
 [[nodiscard]] std::string_view usual_compression() noexcept;
 
 [[nodiscard]] std::string compress(std::string_view bytes);
 
-/// `size` bytes that were compressed by the method of this name. Throws SetupError: unknown to this build, damaged, or not of this size.
+/// Decompresses to `size` bytes by the method of this name. Throws SetupError: unknown to this build, damaged, or of another size.
 [[nodiscard]] std::string decompress(std::string_view method, std::string_view bytes, std::uint64_t size);
 
 }  // namespace murosimf::recording

@@ -8,9 +8,10 @@ namespace {
 
 constexpr std::uint32_t polynomial = 0xedb88320;  // bits reversed
 
-/// What a byte, and as many zero bytes as the number of its table says, do to the checksum.
+/// Effect of a byte followed by a number of zero bytes, which is the number of its table, on the checksum.
 using Tables = std::array<std::array<std::uint32_t, 256>, 8>;
 
+/// Tables for eight bytes at a time.
 constexpr Tables make_tables() {
   Tables tables{};
   for (std::uint32_t byte = 0; byte < 256; ++byte) {

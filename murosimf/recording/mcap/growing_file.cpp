@@ -14,6 +14,7 @@
 #include "murosimf/files/file_lock.h"
 #include "murosimf/files/file_roles.h"
 #include "murosimf/files/output_file.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/recording/mcap/crc32.h"
 
@@ -24,7 +25,7 @@ namespace fs = std::filesystem;
 
 fs::path part_beside(const fs::path& file) { return file.string() + ".part"; }
 
-/// The name is still that of the open file.
+/// Whether the name still denotes the open file.
 bool is_at(int descriptor, const fs::path& path) {
   struct stat open_one {};
   struct stat named {};
@@ -37,17 +38,18 @@ std::uint64_t size_of(int descriptor) {
   return ::fstat(descriptor, &about) == 0 ? static_cast<std::uint64_t>(about.st_size) : 0;
 }
 
-/// Gives a file another name, unless there is a file of that. 0, or errno: EEXIST if there is.
+/// Renames a file, unless the new name exists. Returns 0, or errno: EEXIST if it exists.
 int rename_to_free(const fs::path& from, const fs::path& to) {
   if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return 0;
   if (errno != EINVAL && errno != ENOSYS) return errno;
-  // a file system that cannot promise it
+  // the file system does not support it: check and rename, with a small gap
   if (::access(to.c_str(), F_OK) == 0) return EEXIST;
   return ::rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
 }
 
 }  // namespace
 
+/// A regular file is written beside its place and replaces it at the end; devices and pipes are written directly.
 GrowingFile::GrowingFile(const fs::path& file) : file_(file), place_(file) {
   files::check_writable(file);
   if (place_.is_replaced()) {
@@ -65,6 +67,7 @@ GrowingFile::~GrowingFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
 }
 
+/// The place may be a descriptor of this process, like /dev/stdout.
 void GrowingFile::open_directly() {
   descriptor_ = place_.descriptor() >= 0 ? ::fcntl(place_.descriptor(), F_DUPFD_CLOEXEC, 0)
                                          : ::open(place_.path().c_str(), O_WRONLY | O_CLOEXEC);
@@ -74,7 +77,7 @@ void GrowingFile::open_directly() {
   begun_ = true;
 }
 
-/// Opens the part, which may be of a run that was killed, and locks it. Another run may rename or remove it just then.
+/// Opens the part, which may be of a run that was killed, and locks it. Another run may rename or remove it at the same time: retried then.
 void GrowingFile::open_part() {
   for (;;) {
     descriptor_ = ::open(part_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
@@ -86,7 +89,7 @@ void GrowingFile::open_part() {
     if (!holder.empty()) refuse("it is being written by " + holder);
   }
   if (size_of(descriptor_) == 0) empty_part_.emplace(part_);
-  // whoever had got the lock of the part before may write under the name itself now
+  // the previous holder of the lock may be writing under the name itself now
   if (const std::string holder = files::who_writes(place_.path()); !holder.empty()) {
     if (empty_part_) ::unlink(part_.c_str());
     ::close(std::exchange(descriptor_, -1));
@@ -97,7 +100,7 @@ void GrowingFile::open_part() {
 void GrowingFile::begin() {
   if (begun_) return;
   if (failed_) refuse(EIO);
-  failed_ = true;  // until it has
+  failed_ = true;  // until it succeeds
   files::check_not_input(place_.path());
   if (size_of(descriptor_) > 0) put_aside();
   take_name();
@@ -105,9 +108,10 @@ void GrowingFile::begin() {
   begun_ = true;
   failed_ = false;
   write(std::exchange(pending_, {}));
+  MUROSIMF_ASSERT(written_ == size_);
 }
 
-/// What another run has left gets a name that is free: game.cut_off_1.mcap.
+/// Moves a file that another run has left to a free name: game.cut_off_1.mcap.
 void GrowingFile::put_aside() {
   const fs::path& place = place_.path();
   for (int i = 1;; ++i) {
@@ -126,6 +130,7 @@ void GrowingFile::take_name() {
   at_ = failure == 0 ? place_.path() : part_;
 }
 
+/// Before the file begins, its bytes stay in memory: a run that fails at its start leaves no file.
 void GrowingFile::append(std::string_view bytes) {
   if (failed_) refuse(EIO);
   if (begun_) {
@@ -134,16 +139,18 @@ void GrowingFile::append(std::string_view bytes) {
     pending_ += bytes;
   }
   size_ += bytes.size();
+  MUROSIMF_ASSERT(!begun_ || written_ == size_);
   crc_ = crc32(bytes, crc_);
 }
 
 void GrowingFile::write(std::string_view bytes) {
+  MUROSIMF_ASSERT(descriptor_ >= 0);
   for (std::string_view left = bytes; !left.empty();) {
     const ssize_t count = ::write(descriptor_, left.data(), left.size());
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0) {
       const int error = count < 0 ? errno : EIO;
-      // half a record would hide that the others are whole; devices have no length
+      // a partial record would make the complete ones unreadable, so it is cut off; devices have no length
       if (place_.is_replaced() && ::ftruncate(descriptor_, static_cast<off_t>(written_)) == 0) {
         (void)::lseek(descriptor_, static_cast<off_t>(written_), SEEK_SET);
       }
@@ -155,9 +162,10 @@ void GrowingFile::write(std::string_view bytes) {
 }
 
 void GrowingFile::sync() {
-  if (begun_ && ::fdatasync(descriptor_) != 0 && errno != EINVAL) refuse(errno);  // a device has nothing to wait for
+  if (begun_ && ::fdatasync(descriptor_) != 0 && errno != EINVAL) refuse(errno);  // EINVAL: a device without a buffer
 }
 
+/// The place is checked again: another program may have begun to write it meanwhile.
 void GrowingFile::finish() {
   begin();
   sync();
@@ -178,6 +186,7 @@ void GrowingFile::refuse(const std::string& reason) const {
   throw SetupError(fmt::format("cannot write '{}': {}", file_.string(), reason));
 }
 
+/// Why there is no whole file: it is still being written, or a part is left of a run that was killed.
 std::string part_diagnostic(const fs::path& file) {
   const fs::path place = files::OutputPlace(file).path(), part = part_beside(place);
   for (const fs::path& one : {place, part}) {

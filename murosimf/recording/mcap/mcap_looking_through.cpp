@@ -1,4 +1,4 @@
-// What McapReader does without a summary: from record to record, as far as these are whole.
+// McapReader without a summary: reads from record to record, as far as these are complete.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ void McapReader::note_other_run(std::uint64_t offset, const std::string& how) {
   if (contents_.other_run.empty()) contents_.other_run = fmt::format("it holds two runs: at byte {} {}", offset, how);
 }
 
-/// From there on; the size of the file if there is none.
+/// Position of the next magic bytes; the size of the file if there are none.
 std::uint64_t McapReader::find_magic(std::uint64_t offset) const {
   constexpr std::uint64_t block = 1 << 20;
   for (; offset < size_; offset += block) {
@@ -27,8 +27,8 @@ std::uint64_t McapReader::find_magic(std::uint64_t offset) const {
   return size_;
 }
 
-/// A file begins and ends with these bytes; what another run has written over it, or behind it, has them in the middle. In the
-/// records themselves, which are compressed or text, they are not met.
+/// A file begins and ends with these bytes; if another run has written over it, or after it, they also appear in the middle. In the
+/// records themselves, which are compressed or text, they do not occur.
 void McapReader::look_for_other_run() {
   const std::uint64_t middle = find_magic(mcap_magic.size());
   if (middle + mcap_magic.size() >= size_) return;
@@ -37,7 +37,7 @@ void McapReader::look_for_other_run() {
                              : "one of them ends, and the file goes on");
 }
 
-/// What a run writes once: of its attachments and metadata the one of this `name`.
+/// Whether a record that a run writes only once is repeated: the attachment or metadata of this `name`.
 template <class Index>
 bool McapReader::is_again(const std::vector<Index>& known, const std::string& found, const char* name,
                           std::uint64_t offset) {
@@ -46,6 +46,7 @@ bool McapReader::is_again(const std::vector<Index>& known, const std::string& fo
   return true;
 }
 
+/// Two channels of the same number are a sign of two files in one.
 bool McapReader::is_other_channel(std::string_view content, std::uint64_t offset) {
   const auto channel = parse_record<Channel>(content);
   const auto known = std::ranges::find(contents_.channels, channel.id, &Channel::id);
@@ -54,7 +55,7 @@ bool McapReader::is_other_channel(std::string_view content, std::uint64_t offset
   return true;
 }
 
-/// In what this program records, time never goes back.
+/// In files of this program time never goes back.
 bool McapReader::is_before_last(const Chunk& chunk, std::uint64_t offset) {
   constexpr std::uint64_t second = 1'000'000'000;
   const bool is_ours = contents_.header.library.starts_with("murosimf");
@@ -64,6 +65,7 @@ bool McapReader::is_before_last(const Chunk& chunk, std::uint64_t offset) {
   return true;
 }
 
+/// For files without an end: record by record from the start, as far as they are whole.
 void McapReader::look_through() {
   std::uint64_t offset = mcap_magic.size();
   while (offset < size_) {
@@ -82,7 +84,7 @@ void McapReader::look_through() {
   }
 }
 
-/// Whether more of this run may follow.
+/// Returns whether more records of this run may follow.
 bool McapReader::take_record(const Record& record, std::uint64_t offset) {
   Statistics& sums = contents_.statistics;
   switch (record.opcode) {
@@ -130,7 +132,7 @@ bool McapReader::take_record(const Record& record, std::uint64_t offset) {
   }
 }
 
-/// Whether it is of this run.
+/// Returns whether it belongs to this run.
 bool McapReader::take_chunk(std::uint64_t offset, std::uint64_t length) {
   const std::string content = bytes_at(offset + record_head, length - record_head);
   const auto chunk = parse_record<Chunk>(content);
@@ -157,6 +159,7 @@ bool McapReader::take_chunk(std::uint64_t offset, std::uint64_t length) {
   return true;
 }
 
+/// Schemas and channels may stand in chunks only.
 void McapReader::take_chunk_record(Opcode opcode, std::string_view content) {
   Statistics& sums = contents_.statistics;
   if (opcode == Opcode::schema || opcode == Opcode::channel) {

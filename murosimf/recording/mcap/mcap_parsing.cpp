@@ -1,4 +1,4 @@
-// Contents of records, from bytes (mcap_records.h).
+// Parses contents of records (mcap_records.h).
 #include "murosimf/recording/mcap/byte_string.h"
 #include "murosimf/recording/mcap/crc32.h"
 #include "murosimf/recording/mcap/mcap_records.h"
@@ -6,6 +6,7 @@
 namespace murosimf::recording {
 namespace {
 
+/// Size in bytes first, then pairs.
 TextMap read_text_map(ByteReader& reader) {
   TextMap map;
   ByteReader entries(reader.raw(reader.number<std::uint32_t>()));
@@ -28,7 +29,7 @@ std::map<std::uint16_t, std::uint64_t> read_number_map(ByteReader& reader) {
 
 }  // namespace
 
-// Braces evaluate from left to right: the order of members is that of the bytes, where these are read at once.
+// Braced initializers are evaluated from left to right: the order of members is that of the bytes.
 
 template <>
 Header parse_record(std::string_view content) {

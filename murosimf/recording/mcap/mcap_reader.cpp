@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::uint64_t footer_bytes = record_head + 20;
 
+/// Bounded before memory is set aside: the size comes from the file.
 std::string unpack(const Chunk& chunk) {
   if (chunk.uncompressed_size > most_chunk_bytes) {
     throw SetupError(fmt::format("the chunk is too large: at most {} MB are read", most_chunk_bytes / 1'000'000));
@@ -27,7 +28,7 @@ std::string unpack(const Chunk& chunk) {
   return records;
 }
 
-/// Adds it, unless it is known: channels and schemas may be repeated.
+/// Adds it, unless it is known: channels and schemas may be repeated in a file.
 template <class T>
 void add_once(std::vector<T>& known, T&& found) {
   const auto same = std::ranges::find(known, found.id, &T::id);
@@ -71,6 +72,7 @@ McapReader::McapReader(const std::filesystem::path& file, McapReading reading) :
 std::string McapReader::bytes_at(std::uint64_t offset, std::uint64_t length) const {
   if (offset > size_ || length > size_ - offset) throw SetupError("the file ends too early");
   std::string bytes(length, '\0');
+  // seek and read together: the stream has one position
   const std::lock_guard lock(reading_);
   const bool good = std::fseek(stream_.get(), static_cast<long>(offset), SEEK_SET) == 0 &&
                     std::fread(bytes.data(), 1, length, stream_.get()) == length;
@@ -78,6 +80,7 @@ std::string McapReader::bytes_at(std::uint64_t offset, std::uint64_t length) con
   return bytes;
 }
 
+/// The length is compared with the rest of the file before anything is read.
 McapReader::Record McapReader::record_at(std::uint64_t offset) const {
   const std::string bytes = bytes_at(offset, record_head);
   ByteReader head(bytes);
@@ -98,6 +101,7 @@ auto McapReader::at(std::uint64_t offset, const Call& call) const {
   return with_context(fmt::format("{}: byte {}", file_.string(), offset), call);
 }
 
+/// Magic bytes and header: other files are refused with a reason.
 void McapReader::check_header() {
   if (size_ < mcap_magic.size() || bytes_at(0, mcap_magic.size()) != mcap_magic) {
     throw SetupError("this is no MCAP file: it does not begin as one");
@@ -108,7 +112,7 @@ void McapReader::check_header() {
   contents_.header = parse_record<Header>(content);
 }
 
-/// Whether there is a good one.
+/// Returns whether there is a valid one.
 bool McapReader::read_summary() try {
   const std::uint64_t end_bytes = footer_bytes + mcap_magic.size();
   if (size_ < end_bytes + mcap_magic.size()) return false;
@@ -120,7 +124,7 @@ bool McapReader::read_summary() try {
   const std::string end = bytes_at(footer_start, footer_bytes - sizeof(footer.summary_crc));
   if (footer.summary_crc != 0 && crc32(end, crc32(bytes)) != footer.summary_crc) return false;
   visit_records(bytes, [this](Opcode opcode, std::string_view content) { take_summary_record(opcode, content); });
-  // a summary may lack what a reader would need
+  // a valid summary may lack records that a reader needs
   return contents_.statistics.chunk_count == contents_.chunks.size() &&
          (contents_.statistics.message_count == 0 || !contents_.chunks.empty());
 } catch (const SetupError&) {
@@ -135,7 +139,7 @@ void McapReader::take_summary_record(Opcode opcode, std::string_view content) {
     case Opcode::attachment_index: return contents_.attachments.push_back(parse_record<AttachmentIndex>(content));
     case Opcode::metadata_index: return contents_.metadata.push_back(parse_record<MetadataIndex>(content));
     case Opcode::statistics: contents_.statistics = parse_record<Statistics>(content); return;
-    default: return;  // of a later version, says the specification
+    default: return;  // reserved for later versions by the specification
   }
 }
 
@@ -146,6 +150,7 @@ void McapReader::visit_messages(const ChunkIndex& chunk, const std::function<voi
     visit_records(records, [&](Opcode opcode, std::string_view content) {
       if (opcode == Opcode::message) messages.push_back(parse_record<Message>(content));
     });
+    // stable: messages of one instant keep the order in which they were written
     std::ranges::stable_sort(messages, {}, &Message::log_time);
     for (const Message& message : messages) {
       check_channel(message);

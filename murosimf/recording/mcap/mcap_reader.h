@@ -1,6 +1,6 @@
-/// mcap_reader.h - reads MCAP files: by their summary, or by looking through all of a file that was cut off.
+/// mcap_reader.h - reads MCAP files: by their summary, or by scanning a file that was cut off.
 ///
-/// Messages stand in chunks, as nearly every program writes them; others are refused.
+/// Messages must be in chunks, as written by nearly every program; others are refused.
 #pragma once
 
 #include <cstdint>
@@ -25,27 +25,27 @@ struct McapContents {
   std::vector<AttachmentIndex> attachments;
   std::vector<MetadataIndex> metadata;
   Statistics statistics;
-  std::string damage;  ///< what is wrong with the file, in one line; empty: it is whole, as far as its summary says
-  /// That there is something of a second run, and where, in one line; empty: there is not, as far as was looked.
+  std::string damage;  ///< error in the file, in one line; empty: complete, according to its summary
+  /// One line about data of a second run, and its place; empty: none found.
   std::string other_run;
 };
 
 enum class McapReading : std::uint8_t {
-  by_summary,  ///< through all of it only if it has no summary, or one that is damaged
+  by_summary,  ///< scans the file only if the summary is missing or damaged
   through_all  ///< checks every chunk
 };
 
 class McapReader {
  public:
-  /// Throws SetupError if this is no MCAP file, or nothing of it can be read.
+  /// Throws SetupError if this is no MCAP file, or nothing of it is readable.
   explicit McapReader(const std::filesystem::path& file, McapReading reading = McapReading::by_summary);
 
   [[nodiscard]] const McapContents& contents() const { return contents_; }
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
 
-  // All throw SetupError, one line that begins with the file's name and says where in it, if what stands there is damaged.
+  // All throw SetupError, one line that begins with the file's name and place, if that place is damaged.
 
-  /// Calls `visit` with the messages of a chunk by time; their data live until it returns.
+  /// Calls `visit` with the messages of a chunk, ordered by time; their data are valid until it returns.
   void visit_messages(const ChunkIndex& chunk, const std::function<void(const Message&)>& visit) const;
   [[nodiscard]] Attachment attachment(const AttachmentIndex& index) const;
   [[nodiscard]] Metadata metadata(const MetadataIndex& index) const;
@@ -53,7 +53,7 @@ class McapReader {
  private:
   struct Record {
     Opcode opcode{};
-    std::uint64_t length = 0;  // [byte] of all of it
+    std::uint64_t length = 0;  // [byte] of the whole record
   };
   [[nodiscard]] std::string bytes_at(std::uint64_t offset, std::uint64_t length) const;
   [[nodiscard]] Record record_at(std::uint64_t offset) const;
@@ -81,7 +81,7 @@ class McapReader {
   [[nodiscard]] bool is_before_last(const Chunk& chunk, std::uint64_t offset);
 
   std::filesystem::path file_;
-  mutable std::mutex reading_;  // several threads may read what they ask for
+  mutable std::mutex reading_;  // several threads may read
   files::FilePtr stream_;
   std::uint64_t size_ = 0;
   McapContents contents_;

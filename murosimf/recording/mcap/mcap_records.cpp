@@ -1,12 +1,13 @@
 #include "murosimf/recording/mcap/mcap_records.h"
 
+#include "murosimf/math/assert.h"
 #include "murosimf/recording/mcap/byte_string.h"
 #include "murosimf/recording/mcap/crc32.h"
 
 namespace murosimf::recording {
 namespace {
 
-/// Writes the head of a record, and its length when the content is complete.
+/// Writes the head of a record, and fills in its length when the content is complete.
 class RecordWriter : public ByteWriter {
  public:
   RecordWriter(std::string& bytes, Opcode opcode) : ByteWriter(bytes), bytes_(bytes), begin_(bytes.size()) {
@@ -14,6 +15,7 @@ class RecordWriter : public ByteWriter {
     number(std::uint64_t{0});
   }
   ~RecordWriter() {
+    MUROSIMF_ASSERT(bytes_.size() >= begin_ + record_head);
     const std::uint64_t length = bytes_.size() - begin_ - record_head;
     for (std::size_t i = 0; i < 8; ++i) bytes_[begin_ + 1 + i] = static_cast<char>(length >> (8 * i) & 0xff);
   }

@@ -1,6 +1,6 @@
 /// mcap_records.h - the records of MCAP files, version 0 (mcap.dev/spec), as plain data and as bytes.
 ///
-/// A file is `magic`, records, `magic`. A record is its opcode (1 byte), the length of what follows (8 bytes), and that. Times
+/// A file is `magic`, records, `magic`. A record is its opcode (1 byte), the length of its content (8 bytes), and the content. Times
 /// are nanoseconds of simulated time here.
 #pragma once
 
@@ -39,7 +39,7 @@ struct Header {
   std::string profile, library;
 };
 struct Footer {
-  std::uint64_t summary_start = 0, summary_offset_start = 0;  ///< [byte] in the file; 0: there is none
+  std::uint64_t summary_start = 0, summary_offset_start = 0;  ///< [byte] in the file; 0: none
   std::uint32_t summary_crc = 0;                              ///< 0: none
 };
 struct Schema {
@@ -55,14 +55,14 @@ struct Message {
   std::uint16_t channel_id = 0;
   std::uint32_t sequence = 0;
   std::uint64_t log_time = 0, publish_time = 0;  ///< [ns]
-  std::string_view data;                         ///< of who holds the bytes
+  std::string_view data;                         ///< in the caller's bytes
 };
 struct Chunk {
   std::uint64_t start_time = 0, end_time = 0;  ///< [ns] of its messages
   std::uint64_t uncompressed_size = 0;         ///< [byte]
   std::uint32_t uncompressed_crc = 0;          ///< 0: none
   std::string compression;
-  std::string_view records;  ///< compressed; of who holds the bytes
+  std::string_view records;  ///< compressed; in the caller's bytes
 };
 struct MessageIndex {
   struct Entry {
@@ -111,7 +111,7 @@ struct DataEnd {
   std::uint32_t data_crc = 0;  ///< of everything before its record; 0: none
 };
 
-// A whole record, behind what `bytes` holds already.
+// Append a whole record to `bytes`.
 void append_record(std::string& bytes, const Header& record);
 void append_record(std::string& bytes, const Footer& record);
 void append_record(std::string& bytes, const Schema& record);
@@ -128,7 +128,7 @@ void append_record(std::string& bytes, const Statistics& record);
 void append_record(std::string& bytes, const SummaryOffset& record);
 void append_record(std::string& bytes, const DataEnd& record);
 
-/// The content of a record (without its head) as T, one of those that readers need. Throws SetupError if it ends too early,
+/// Parses the content of a record (without its head) as T, one of the types that readers need. Throws SetupError if it ends too early,
 /// or its checksum does not fit.
 template <class T>
 [[nodiscard]] T parse_record(std::string_view content);

@@ -15,6 +15,7 @@ namespace {
 
 using NewIds = std::map<std::uint16_t, std::uint16_t>;
 
+/// Channels get new numbers: those of a damaged file may have gaps.
 NewIds copy_channels(const McapContents& contents, McapWriter& out) {
   NewIds schemas{{0, 0}}, channels;
   for (const Schema& schema : contents.schemas) {
@@ -39,7 +40,7 @@ void copy(const McapReader& in, McapWriter& out) {
   }
 }
 
-/// Throws SetupError: what is of the other one would be lost.
+/// Throws SetupError if the data of another run would be lost.
 void check_one_run(const McapReader& in) {
   if (in.contents().other_run.empty()) return;
   throw SetupError(fmt::format("{}: {}; have the first one written to a file of its own (--out), nothing is changed",
@@ -48,6 +49,7 @@ void check_one_run(const McapReader& in) {
 
 }  // namespace
 
+/// Into a part file: if it fails, the damaged file is still there.
 RepairReport repair(const std::filesystem::path& damaged, const std::filesystem::path& whole) {
   const McapReader in(damaged, McapReading::through_all);
   std::error_code error;

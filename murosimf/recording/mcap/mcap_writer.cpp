@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/recording/mcap/compression.h"
 #include "murosimf/recording/mcap/crc32.h"
@@ -13,7 +14,7 @@
 namespace murosimf::recording {
 namespace {
 
-/// The identity of one more of them.
+/// The next id of a kind of records.
 std::uint16_t next_id(std::size_t count, std::string_view what) {
   if (count >= std::numeric_limits<std::uint16_t>::max()) {
     throw SetupError(fmt::format("a recording has room for {} {}", std::numeric_limits<std::uint16_t>::max(), what));
@@ -21,7 +22,7 @@ std::uint16_t next_id(std::size_t count, std::string_view what) {
   return static_cast<std::uint16_t>(count + 1);
 }
 
-/// Adds the records of one kind to a summary that begins at `start` in the file, and where they are to `offsets`.
+/// Adds the records of one kind to a summary that begins at `start` in the file, and their place to `offsets`.
 template <class Record>
 void append_group(std::string& summary, std::uint64_t start, const std::vector<Record>& records, Opcode opcode,
                   std::string& offsets) {
@@ -57,6 +58,7 @@ std::uint16_t McapWriter::add_schema(const std::string& name, const std::string&
 
 std::uint16_t McapWriter::add_channel(const std::string& topic, const std::string& encoding, std::uint16_t schema,
                                       TextMap metadata) {
+  MUROSIMF_ASSERT(schema <= schemas_.size());
   const std::uint16_t id = next_id(channels_.size(), "channels");
   channels_.push_back(
       {.id = id, .schema_id = schema, .topic = topic, .message_encoding = encoding, .metadata = std::move(metadata)});
@@ -64,10 +66,13 @@ std::uint16_t McapWriter::add_channel(const std::string& topic, const std::strin
   sequences_.push_back(0);
   indexes_.push_back({.channel_id = id, .entries = {}});
   ++statistics_.channel_count;
+  MUROSIMF_ASSERT(sequences_.size() == channels_.size() && indexes_.size() == channels_.size());
   return id;
 }
 
+/// A chunk ends when it is long or late: readers find instants by chunks.
 void McapWriter::write(std::uint16_t channel, Duration time, std::string_view data) {
+  MUROSIMF_ASSERT(channel >= 1 && channel <= channels_.size());
   const auto log_time = static_cast<std::uint64_t>(std::max(time, Duration{}).count());
   const auto span = static_cast<std::uint64_t>(options_.chunk_span.count());
   if (!records_.empty() && (records_.size() >= options_.chunk_bytes || log_time >= start_time_ + span)) flush();
@@ -86,8 +91,10 @@ void McapWriter::write(std::uint16_t channel, Duration time, std::string_view da
   ++statistics_.channel_message_counts[channel];
 }
 
+/// The CRC is that of the uncompressed records, so that it covers the compression, too.
 void McapWriter::flush() {
   if (records_.empty()) return;
+  MUROSIMF_ASSERT(start_time_ <= end_time_);
   const bool compressed = options_.compressed && !usual_compression().empty();
   const std::string packed = compressed ? compress(records_) : std::string{};
   const Chunk chunk{.start_time = start_time_,
@@ -124,6 +131,7 @@ void McapWriter::sync() { file_.sync(); }
 
 void McapWriter::attach(const Attachment& attachment) {
   flush();
+  // after flush(): attachments stand between chunks, never inside
   const std::uint64_t offset = file_.size();
   append(attachment);
   attachments_.push_back({.offset = offset,
@@ -136,6 +144,7 @@ void McapWriter::attach(const Attachment& attachment) {
   ++statistics_.attachment_count;
 }
 
+/// Metadata is not part of chunks: what was collected is written first, so that the order stays.
 void McapWriter::add(const Metadata& metadata) {
   flush();
   const std::uint64_t offset = file_.size();
@@ -163,6 +172,7 @@ void McapWriter::close() {
   std::string bytes = summary(footer.summary_start, footer.summary_offset_start);
   std::string end;
   append_record(end, footer);
+  // the checksum of the summary covers the footer up to the checksum itself
   end.resize(end.size() - sizeof(footer.summary_crc));
   footer.summary_crc = crc32(end, crc32(bytes));
   append_record(bytes, footer);

@@ -1,4 +1,4 @@
-/// mcap_writer.h - writes an MCAP file: chunks with indexes of their messages, and a summary at the end that says where all is.
+/// mcap_writer.h - writes an MCAP file: chunks with indexes of their messages, and a summary at the end with the places of all records.
 ///
 ///     McapWriter file("game.mcap", {.library = "murosimf 0.1.0"});
 ///     const auto schema = file.add_schema("foxglove.Log", "protobuf", descriptors);
@@ -6,8 +6,8 @@
 ///     file.write(channel, 20ms, bytes);
 ///     file.close();
 ///
-/// Schemas and channels stand outside of chunks, so that every whole chunk can be read whatever has become of the others. Where the
-/// file grows, and what becomes of one that was there, growing_file.h says.
+/// Schemas and channels are outside of chunks, so that every complete chunk can be read whatever happened to the others. Place and
+/// replacement of the file: growing_file.h.
 #pragma once
 
 #include <cstdint>
@@ -24,14 +24,13 @@
 namespace murosimf::recording {
 
 struct McapOptions {
-  std::string library;                ///< name and version of the program that writes
-  std::size_t chunk_bytes = 1 << 20;  ///< a chunk with so many is complete,
-  Duration chunk_span =
-      std::chrono::milliseconds(500);  ///< or one that would get a message so much later than its first
-  bool compressed = true;              ///< if the build can (compression.h)
+  std::string library;                                   ///< name and version of the program that writes
+  std::size_t chunk_bytes = 1 << 20;                     ///< size at which a chunk is complete,
+  Duration chunk_span = std::chrono::milliseconds(500);  ///< or the span of time of its messages
+  bool compressed = true;                                ///< if supported by the build (compression.h)
 };
 
-/// All throw SetupError if the file cannot be written; what has been written of it stays readable.
+/// All throw SetupError if the file cannot be written; data written before stay readable.
 class McapWriter final : public MessageSink {
  public:
   McapWriter(const std::filesystem::path& file, McapOptions options);
@@ -44,13 +43,13 @@ class McapWriter final : public MessageSink {
   void attach(const Attachment& attachment);
   void add(const Metadata& metadata);
 
-  /// From now on what is written gets into a file; until then, or close(), it is kept in memory, and no file changes.
+  /// Writes to the file from now on; until then, or close(), data are kept in memory, and no file changes.
   void begin() { file_.begin(); }
-  /// What has been written is in the file, as a chunk of its own.
+  /// Completes the present chunk.
   void flush();
-  /// What is in the file is on the disk.
+  /// Returns when the disk has all data of the file.
   void sync();
-  /// Writes the summary, and gives the file its name. Without it the file is one that was cut off.
+  /// Writes the summary, and gives the file its name. Without it the file is incomplete.
   void close();
 
   [[nodiscard]] const Statistics& statistics() const { return statistics_; }
@@ -72,7 +71,7 @@ class McapWriter final : public MessageSink {
   std::vector<MetadataIndex> metadata_;
   Statistics statistics_;
 
-  std::string records_;                // of the chunk that is being filled
+  std::string records_;                // of the present chunk
   std::vector<MessageIndex> indexes_;  // of it, by channel
   std::uint64_t start_time_ = 0, end_time_ = 0;
 };

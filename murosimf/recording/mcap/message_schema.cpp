@@ -7,13 +7,14 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/recording/mcap/protobuf.h"
 
 namespace murosimf::recording {
 namespace {
 
-/// Words and signs of a text.
+/// Splits a text into words and signs.
 class Tokens {
  public:
   explicit Tokens(std::string_view text) : left_(text) { skip_space(); }
@@ -63,6 +64,7 @@ EnumSchema take_enum(Tokens& tokens) {
   return schema;
 }
 
+/// "repeated" and "optional" stand before the type.
 FieldSchema take_field(Tokens& tokens, std::string first) {
   FieldSchema field;
   field.repeated = first == "repeated";
@@ -90,7 +92,7 @@ std::uint64_t type_number(const FieldSchema& field) {
 std::string package_of(const std::string& name) { return name.substr(0, name.rfind('.')); }
 
 std::string file_of(const std::string& name) {
-  if (name == "google.protobuf.Timestamp") return "google/protobuf/timestamp.proto";  // as everybody's are called
+  if (name == "google.protobuf.Timestamp") return "google/protobuf/timestamp.proto";  // the usual name of this file
   if (name == "google.protobuf.Duration") return "google/protobuf/duration.proto";
   std::string file = name;
   std::ranges::replace(file, '.', '/');
@@ -98,6 +100,7 @@ std::string file_of(const std::string& name) {
 }
 
 void append_field(ProtobufWriter& out, const MessageSchema& message, const FieldSchema& field) {
+  MUROSIMF_ASSERT(field.number > 0);
   out.text(1, field.name);
   out.varint(3, static_cast<std::uint64_t>(field.number));
   out.varint(4, field.repeated ? 3 : 1);
@@ -106,7 +109,7 @@ void append_field(ProtobufWriter& out, const MessageSchema& message, const Field
   if (type_number(field) == 14) out.text(6, fmt::format(".{}.{}", message.name, field.type));
 }
 
-/// An optional field is the only one of a "oneof" of its own.
+/// An optional field is the only member of its own "oneof": the encoding of proto3 optional.
 void append_fields(ProtobufWriter& out, const MessageSchema& message) {
   std::uint64_t optional = 0;
   for (const FieldSchema& field : message.fields) {
@@ -142,7 +145,7 @@ void append_message(ProtobufWriter& out, const MessageSchema& message) {
   }
 }
 
-/// The messages of which it consists, each once.
+/// The messages that it contains, each once.
 std::set<std::string> parts_of(const MessageSchema& message) {
   std::set<std::string> parts;
   for (const FieldSchema& field : message.fields) {
@@ -151,7 +154,7 @@ std::set<std::string> parts_of(const MessageSchema& message) {
   return parts;
 }
 
-/// FileDescriptorProto; files come after those that they need.
+/// FileDescriptorProto; files follow those that they depend on.
 void append_file(ProtobufWriter& out, const MessageSchema& message, const FindSchema& find,
                  std::set<std::string>& written) {
   if (!written.insert(message.name).second) return;
@@ -168,6 +171,7 @@ void append_file(ProtobufWriter& out, const MessageSchema& message, const FindSc
 
 }  // namespace
 
+/// Errors of the text are errors of this program: they name the message.
 MessageSchema message_schema(std::string name, std::string_view fields) {
   return with_context(name, [&] {
     MessageSchema schema{.name = name, .enums = {}, .fields = {}};

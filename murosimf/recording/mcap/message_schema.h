@@ -1,4 +1,4 @@
-/// message_schema.h - the types of messages: written down as in .proto files, handed on as descriptors that readers understand.
+/// message_schema.h - types of messages: defined in the notation of .proto files, passed on as descriptors that readers understand.
 ///
 ///     const MessageSchema point = message_schema("own.Point", "double x = 1; double y = 2; repeated own.Point next = 3;");
 ///
@@ -31,13 +31,13 @@ struct MessageSchema {
   std::vector<FieldSchema> fields;
 };
 
-/// Our own errors in `fields` throw SetupError.
+/// Errors in `fields` throw SetupError.
 [[nodiscard]] MessageSchema message_schema(std::string name, std::string_view fields);
 
-/// The message of that name; the answer stays valid.
+/// The message of that name; the result has a stable address.
 using FindSchema = std::function<const MessageSchema&(const std::string& name)>;
 
-/// The bytes of a google.protobuf.FileDescriptorSet with the message and all that it consists of, one file each.
+/// The bytes of a google.protobuf.FileDescriptorSet with the message and all its parts, one file each.
 [[nodiscard]] std::string descriptor_set(const MessageSchema& message, const FindSchema& find);
 
 }  // namespace murosimf::recording

@@ -1,4 +1,4 @@
-/// message_sink.h - where messages go that a FrameWriter makes: a file, or viewers that are connected.
+/// message_sink.h - destination of the messages of a FrameWriter: a file, or connected viewers.
 #pragma once
 
 #include <cstdint>

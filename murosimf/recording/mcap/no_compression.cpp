@@ -1,4 +1,4 @@
-// The compression of builds without Zstandard: none.
+// Replacement for compression in builds without Zstandard.
 #include <fmt/format.h>
 
 #include "murosimf/model/error.h"

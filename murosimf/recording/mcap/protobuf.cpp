@@ -1,5 +1,6 @@
 #include "murosimf/recording/mcap/protobuf.h"
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::recording {
@@ -41,6 +42,7 @@ std::string_view ProtobufReader::bytes() const {
   return bytes_;
 }
 
+/// Seven bits in each byte; at most ten bytes.
 std::uint64_t ProtobufReader::take_varint() {
   std::uint64_t value = 0;
   for (int shift = 0; shift < 64; shift += 7) {
@@ -53,7 +55,9 @@ std::uint64_t ProtobufReader::take_varint() {
   throw SetupError("a message has a number of more than 64 bits");
 }
 
+/// Little endian, whatever the processor is.
 std::uint64_t ProtobufReader::take_fixed(std::size_t size) {
+  MUROSIMF_ASSERT(size <= sizeof(std::uint64_t));
   if (size > left_.size()) throw SetupError("a message ends too early");
   std::uint64_t value = 0;
   for (std::size_t i = 0; i < size; ++i) {

@@ -3,7 +3,7 @@
 ///     ProtobufWriter out(bytes);
 ///     out.message(1, [&](auto& vector) { vector.number(1, x); vector.number(2, y); });
 ///
-/// Values that are zero or empty are left out, as proto3 says, except by `present_...`, for fields that are optional.
+/// Zero and empty values are omitted, as in proto3, except by `present_...`, for optional fields.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ namespace murosimf::recording {
 
 enum class Wire : std::uint8_t { varint = 0, fixed64 = 1, length = 2, fixed32 = 5 };
 
-/// Appends fields to a string that stays the caller's.
+/// Appends fields to a string of the caller.
 class ProtobufWriter {
  public:
   explicit ProtobufWriter(std::string& bytes) : bytes_(&bytes) {}
@@ -48,7 +48,7 @@ class ProtobufWriter {
   void text(int field, std::string_view value) {
     if (!value.empty()) bytes(field, value);
   }
-  /// Of repeated fields, where an empty one counts.
+  /// For repeated fields, where an empty one counts.
   void bytes(int field, std::string_view value) {
     tag(field, Wire::length);
     raw_varint(value.size());
@@ -67,12 +67,12 @@ class ProtobufWriter {
       for (const double value : values) out.fixed(std::bit_cast<std::uint64_t>(value), 8);
     });
   }
-  /// fill(writer) writes the fields of a message within this one.
+  /// fill(writer) writes the fields of an embedded message.
   template <class Fill>
   void message(int field, const Fill& fill) {
     tag(field, Wire::length);
     const std::size_t begin = bytes_->size();
-    bytes_->push_back('\0');  // enough for 127 bytes, as most have
+    bytes_->push_back('\0');  // sufficient for 127 bytes, as for most messages
     fill(*this);
     const std::size_t size = bytes_->size() - begin - 1;
     if (size < 0x80) {
@@ -101,7 +101,7 @@ class ProtobufWriter {
   std::string* bytes_;
 };
 
-/// Goes through the fields of a message whose bytes stay the caller's.
+/// Iterates over the fields of a message in the caller's bytes.
 ///
 ///     for (ProtobufReader in(bytes); in.next();) {
 ///       if (in.field() == 1) x = in.number();
@@ -110,11 +110,11 @@ class ProtobufReader {
  public:
   explicit ProtobufReader(std::string_view bytes) : left_(bytes) {}
 
-  /// Whether there is one more field. Throws SetupError if it ends too early.
+  /// Whether there is another field. Throws SetupError if it ends too early.
   [[nodiscard]] bool next();
   [[nodiscard]] int field() const { return field_; }
 
-  // The value of the field. Throw SetupError if it is of another type.
+  // The value of the field. Throw SetupError if it has another type.
   [[nodiscard]] double number() const;
   [[nodiscard]] std::uint64_t varint() const;
   [[nodiscard]] std::uint64_t fixed64() const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/serial/dynamixel/packet_checksum.h"
 
 namespace murosimf::serial::dynamixel {
@@ -17,11 +18,12 @@ bool reads_many(Instruction instruction) {
 }  // namespace
 
 std::vector<BusAnswer> Bus::execute(const Packet& packet, double rate) {
+  MUROSIMF_ASSERT(rate >= 0);
   Answers answers;
   rate_ = rate;
   const auto instruction = static_cast<Instruction>(packet.instruction);
   const bool all = packet.id == broadcast_id, modern = packet.protocol == Protocol::v2;
-  if (modern && instruction == Instruction{status_instruction}) return answers;  // somebody's answer
+  if (modern && instruction == Instruction{status_instruction}) return answers;  // the answer of another device
   for (const auto& device : devices_) {
     if (understands(*device, packet.protocol)) device->heard();
   }
@@ -50,8 +52,9 @@ BusDevice* Bus::find(Protocol protocol, std::uint8_t id) const {
 void Bus::ping_all(Protocol protocol, Answers& answers) const {
   std::vector<const BusDevice*> in_order;
   for (const auto& device : devices_) {
-    if (understands(*device, protocol) && device->answers_everybody()) in_order.push_back(device.get());
+    if (understands(*device, protocol) && device->answers_broadcast()) in_order.push_back(device.get());
   }
+  // by id, since each device waits for the answers of lower ids
   std::ranges::sort(in_order, {}, [](const BusDevice* device) { return device->id(); });
   for (const BusDevice* device : in_order) answers.push_back({device->return_delay(), to_bytes(*device->ping())});
 }
@@ -63,7 +66,7 @@ bool Bus::read(Protocol protocol, const Request& request, Answers& answers) cons
   return answer.has_value();
 }
 
-/// In the order of the packet; of a device that is named twice the first counts.
+/// In the order of the packet; if a device is named twice, the first entry counts.
 std::vector<Bus::Request> Bus::requests(const Packet& packet) {
   const Bytes& at = packet.parameters;
   const bool old = packet.protocol == Protocol::v1;
@@ -96,13 +99,13 @@ void Bus::read_all(const Packet& packet, Answers& answers) const {
   for (const Request& request : requests(packet)) {
     const BusDevice* device = find(packet.protocol, request.id);
     const bool feetech = device && device->registers().table().feetech;
-    if (old && feetech != (instruction == Instruction::sync_read)) return;  // each knows one of the two
+    if (old && feetech != (instruction == Instruction::sync_read)) return;  // each vendor supports one of the two
     if (!read(packet.protocol, request, answers)) return;
   }
 }
 
-/// One packet of everybody: its head comes from the first, and of each its error, id, data and the checksum of all before it. After
-/// one that is not there nothing follows, and the packet stays unfinished.
+/// One packet for all devices: its head comes from the first, then error, id, data and the checksum of all bytes before from each. After
+/// a missing device nothing follows, and the packet stays incomplete.
 void Bus::fast_read(const Packet& packet, Answers& answers) const {
   const std::vector<Request> all = requests(packet);
   std::size_t length = 1;  // of the instruction, then error, id and checksum of each
@@ -116,14 +119,16 @@ void Bus::fast_read(const Packet& packet, Answers& answers) const {
     const BusDevice* device = find(packet.protocol, request.id);
     const auto answer = device ? device->read(request.address, request.size) : std::nullopt;
     if (!answer) return;
+    MUROSIMF_ASSERT(!answer->parameters.empty());
     Bytes data(answer->parameters.begin() + 1, answer->parameters.end());
-    data.resize(request.size);  // what is refused has no data, but its place
+    data.resize(request.size);  // a refused read has no data, but keeps its place
     bytes.push_back(answer->parameters.front());
     bytes.push_back(request.id);
     append(bytes, data);
     append_word(bytes, crc16(bytes));
     answers.push_back(
         {sent == 0 ? device->return_delay() : 0, {bytes.begin() + static_cast<std::ptrdiff_t>(sent), bytes.end()}});
+    MUROSIMF_ASSERT(bytes.size() > sent);
     sent = bytes.size();
   }
 }
@@ -134,6 +139,7 @@ void Bus::write(Protocol protocol, std::uint8_t id, std::size_t address, ByteVie
   }
 }
 
+/// Incomplete packets are ignored, as devices do: a sync write has no answer that could refuse it.
 void Bus::sync_write(const Packet& packet) {
   const ByteView at = packet.parameters;
   const bool old = packet.protocol == Protocol::v1;
@@ -145,6 +151,7 @@ void Bus::sync_write(const Packet& packet) {
   }
 }
 
+/// Devices take what is complete; the rest of a packet that is too short is ignored.
 void Bus::bulk_write(const Packet& packet) {
   const ByteView at = packet.parameters;
   std::size_t i = 0;

@@ -1,4 +1,4 @@
-/// bus.h - devices on one line: who does what an instruction says, and who answers in which order.
+/// bus.h - devices on one line: which device executes an instruction, and the order of their answers.
 #pragma once
 
 #include <memory>
@@ -7,7 +7,7 @@
 
 namespace murosimf::serial::dynamixel {
 
-/// What a device sends.
+/// An answer of a device.
 struct BusAnswer {
   double delay = 0;  ///< [s] its return delay time
   Bytes bytes;
@@ -18,15 +18,15 @@ class Bus {
   void add(std::unique_ptr<BusDevice> device) { devices_.push_back(std::move(device)); }
   [[nodiscard]] const std::vector<std::unique_ptr<BusDevice>>& devices() const { return devices_; }
 
-  /// The answers, in the order in which they go over the line. In sync and bulk reads every device waits for the one before it in
-  /// the list: after one that is not there, or that refuses to answer, nobody answers. Devices that listen at another rate
-  /// [bit/s] hear nothing; 0: all do.
+  /// Returns the answers, in the order in which they go over the line. In sync and bulk reads every device waits for the previous one in
+  /// the list: after one that is missing, or that refuses to answer, no device answers. Devices set to another rate
+  /// [bit/s] receive nothing; 0: all do.
   [[nodiscard]] std::vector<BusAnswer> execute(const Packet& packet, double rate = 0);
 
  private:
   using Answers = std::vector<BusAnswer>;
 
-  /// What a client wants of one device.
+  /// The part of a request that addresses one device.
   struct Request {
     std::uint8_t id = 0;
     std::size_t address = 0, size = 0;
@@ -36,7 +36,7 @@ class Bus {
   [[nodiscard]] bool understands(const BusDevice& device, Protocol protocol) const;
   void fast_read(const Packet& packet, Answers& answers) const;
   [[nodiscard]] BusDevice* find(Protocol protocol, std::uint8_t id) const;
-  /// Appends its answer; false if there is none.
+  /// Appends the device's answer; false if there is none.
   [[nodiscard]] bool read(Protocol protocol, const Request& request, Answers& answers) const;
   void ping_all(Protocol protocol, Answers& answers) const;
   void read_all(const Packet& packet, Answers& answers) const;

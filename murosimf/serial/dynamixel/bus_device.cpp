@@ -2,16 +2,19 @@
 
 #include <algorithm>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::serial::dynamixel {
 namespace {
 
 constexpr std::uint8_t reset_all = 0xFF, reset_but_id = 0x01, reset_but_id_and_baud = 0x02;
-constexpr std::int32_t no_id = 253;  // secondary ids from here on are none
+constexpr std::int32_t no_id = 253;  // secondary ids from here on mean none
 
-/// Bytes of an address or a length.
+/// Number of bytes of an address or a length.
 std::size_t width(Protocol protocol) { return protocol == Protocol::v1 ? 1 : 2; }
 
 std::size_t number_at(const Packet& packet, std::size_t place) {
+  MUROSIMF_ASSERT(place + width(packet.protocol) <= packet.parameters.size());
   return packet.protocol == Protocol::v1 ? packet.parameters[place] : word(packet.parameters, place);
 }
 
@@ -37,12 +40,12 @@ bool BusDevice::listen_at(double rate) {
   return value.has_value();
 }
 
-/// As Dynamixel servos count: 0 pings, 1 reads too, 2 everything.
+/// Level in the counting of Dynamixel servos: 0 answers pings, 1 reads too, 2 everything.
 std::int32_t BusDevice::answer_level() const {
   return registers_.get(Item::status_return_level) + (registers_.table().feetech ? 1 : 0);
 }
 
-/// Where the byte at an address really stands.
+/// Follows indirect addressing: the address of the byte that an address refers to.
 std::size_t BusDevice::resolved(std::size_t address) const {
   for (const IndirectBlock& block : registers_.table().indirect) {
     if (!block.has_data(address)) continue;
@@ -52,9 +55,11 @@ std::size_t BusDevice::resolved(std::size_t address) const {
   return address;
 }
 
+/// Indirect addresses show bytes of other registers: they are replaced after the plain read.
 Refusal BusDevice::read_bytes(std::size_t address, std::size_t size, Bytes& data) const {
   const Refusal refusal = registers_.read(address, size, data);
   if (refusal != Refusal::none || registers_.table().indirect.empty()) return refusal;
+  MUROSIMF_ASSERT(data.size() >= size);
   for (std::size_t i = 0; i < size; ++i) data[data.size() - size + i] = registers_.byte(resolved(address + i));
   return Refusal::none;
 }
@@ -87,10 +92,11 @@ std::optional<Packet> BusDevice::read(const Packet& packet) const {
 Refusal BusDevice::write(std::size_t address, ByteView data) {
   std::vector<Registers::Change> changes;
   std::size_t done = 0;
-  do {  // stretches of bytes that stand side by side where they really are
+  do {  // runs of bytes that are contiguous after indirect addressing
     const std::size_t begin = resolved(address + done);
     std::size_t size = data.empty() ? 0 : 1;
     while (done + size < data.size() && resolved(address + done + size) == begin + size) ++size;
+    // all fields are checked before any is written: a write is done as a whole or refused
     const Refusal refusal = registers_.plan(begin, data.subspan(done, size), eeprom_locked(), changes);
     if (refusal != Refusal::none) return refusal;
     done += size;
@@ -98,7 +104,7 @@ Refusal BusDevice::write(std::size_t address, ByteView data) {
   for (const Registers::Change& change : changes) {
     if (const Refusal refusal = check(*change.field, change.value); refusal != Refusal::none) return refusal;
   }
-  for (const Registers::Change& change : changes) {  // one after the other: what one does may set another
+  for (const Registers::Change& change : changes) {  // in order: the effect of one may set another
     registers_.apply(change);
     written(*change.field);
   }
@@ -111,6 +117,7 @@ Refusal BusDevice::write(const Packet& packet) {
   return write(number_at(packet, 0), ByteView(packet.parameters).subspan(size));
 }
 
+/// A registered instruction is executed once.
 Refusal BusDevice::act() {
   if (standing_by_.empty()) return Refusal::instruction;
   const Packet packet = standing_by_.front();
@@ -126,7 +133,7 @@ Refusal BusDevice::reset(const Packet& packet) {
     option = packet.parameters[0];
   }
   if (option != reset_all && option != reset_but_id && option != reset_but_id_and_baud) return Refusal::range;
-  if (packet.id == broadcast_id && option == reset_all) return Refusal::access;  // all would have one id
+  if (packet.id == broadcast_id && option == reset_all) return Refusal::access;  // all devices would get the same id
   const std::int32_t old_id = id();
   registers_.restore();
   if (option != reset_all) registers_.set(Item::id, old_id);
@@ -134,6 +141,7 @@ Refusal BusDevice::reset(const Packet& packet) {
   return Refusal::none;
 }
 
+/// RAM has its defaults again; EEPROM keeps its values. The device is deaf while it starts.
 void BusDevice::restart() {
   registers_.restore_ram();
   registers_.set(Item::registered, 0);
@@ -168,7 +176,8 @@ std::optional<Packet> BusDevice::execute(const Packet& packet) {
   const bool own = packet.id == id();
   if (instruction == Instruction::ping) return own ? ping() : std::nullopt;
   if (instruction == Instruction::read) return own ? read(packet) : std::nullopt;
-  const std::uint8_t answering = id();  // from the id that was asked, though the instruction may change it
+  const std::uint8_t answering =
+      id();  // the answer carries the id of the request, though the instruction may change it
   const Refusal refusal = do_as(packet);
   if (!own || answer_level() < 2) return std::nullopt;
   Packet answer = status(refusal);

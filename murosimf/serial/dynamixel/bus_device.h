@@ -1,5 +1,5 @@
-/// bus_device.h - what has an id on the bus and a control table: answers reads, takes writes, keeps registered ones. What the numbers
-/// do is that of its kind (servo_device.h, imu_board.h).
+/// bus_device.h - a device with an id and a control table on the bus: answers reads, executes writes, stores registered ones. The effect
+/// of the registers is defined by derived classes (servo_device.h, imu_board.h).
 #pragma once
 
 #include <optional>
@@ -18,23 +18,23 @@ class BusDevice {
 
   [[nodiscard]] Protocol protocol() const { return registers_.table().protocol; }
   [[nodiscard]] std::uint8_t id() const { return static_cast<std::uint8_t>(registers_.get(Item::id)); }
-  /// Whether it does what is sent to this id: its own, its secondary one, or everybody's. Only its own is answered.
+  /// Whether it executes packets to this id: its own, its secondary one, or the broadcast id. Only its own is answered.
   [[nodiscard]] bool obeys(std::uint8_t id) const;
-  /// Whether it understands what comes at a rate [bit/s]; 0: any. Not while it starts.
+  /// Whether it receives at a rate [bit/s]; 0: any. Not while it starts.
   [[nodiscard]] bool hears(double rate) const;
-  /// An instruction has come, for it or for others.
+  /// Called for every received instruction, also those for others.
   virtual void heard() {}
-  /// Whether it answers a ping to everybody.
-  [[nodiscard]] virtual bool answers_everybody() const { return true; }
-  /// dt [s] go by.
+  /// Whether it answers a broadcast ping.
+  [[nodiscard]] virtual bool answers_broadcast() const { return true; }
+  /// Advances time by dt [s].
   void pass(double dt) { asleep_ -= dt < asleep_ ? dt : asleep_; }
-  /// Listens at this rate [bit/s]. False: it knows none that is near enough.
+  /// Sets its rate [bit/s]. False: it has no rate near enough.
   bool listen_at(double rate);
-  /// [s] from an instruction to its answer.
+  /// [s] Delay from an instruction to its answer.
   [[nodiscard]] double return_delay() const { return 2e-6 * registers_.get(Item::return_delay); }
   [[nodiscard]] const Registers& registers() const { return registers_; }
 
-  /// Does what one instruction for one device says. The answer to its own id; nothing where its status return level forbids one.
+  /// Executes one instruction. Returns the answer to its own id; nothing where its status return level forbids one.
   [[nodiscard]] std::optional<Packet> execute(const Packet& packet);
   [[nodiscard]] std::optional<Packet> ping() const;
   [[nodiscard]] std::optional<Packet> read(std::size_t address, std::size_t size) const;
@@ -45,17 +45,17 @@ class BusDevice {
   static constexpr double start_time = 0.2;  ///< [s] without an answer after a reboot or a factory reset [assumption]
 
  protected:
-  /// The EEPROM takes nothing now.
+  /// Whether the EEPROM is write-protected at present.
   [[nodiscard]] virtual bool eeprom_locked() const { return false; }
-  /// Whether a number that its field allows may be written now.
+  /// Whether a number within the range of its field may be written at present.
   [[nodiscard]] virtual Refusal check(const Field&, std::int32_t) const { return Refusal::none; }
-  /// It was.
+  /// Called after a write.
   virtual void written(const Field&) {}
-  /// It has started.
+  /// Called after a restart.
   virtual void restarted() {}
   /// "Clear" of protocol 2.0.
   [[nodiscard]] virtual Refusal clear(ByteView) { return Refusal::instruction; }
-  /// What every error byte has besides.
+  /// Bits that every error byte contains in addition.
   [[nodiscard]] virtual std::uint8_t alarm() const { return 0; }
 
   Registers& memory() { return registers_; }
@@ -74,7 +74,7 @@ class BusDevice {
 
   Registers registers_;
   std::vector<Packet> standing_by_;  // the registered write; at most one
-  double asleep_ = 0;                // [s] until it has started
+  double asleep_ = 0;                // [s] until the start is complete
 };
 
 }  // namespace murosimf::serial::dynamixel

@@ -3,20 +3,23 @@
 #include <algorithm>
 #include <vector>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::serial::dynamixel {
 
 void BusLine::set_rate(double rate) {
-  if (rate != rate_) parser_.forget();  // what has begun at another one is no packet
+  if (rate != rate_) parser_.forget();  // bytes at different rates form no packet
   rate_ = rate;
   if (byte_time_ > 0 && rate > 0) byte_time_ = 10 / rate;
 }
 
 void BusLine::push(ByteView bytes, double now) {
+  MUROSIMF_ASSERT(byte_time_ >= 0);
   parser_.push(bytes);
   while (auto packet = parser_.next()) {
     free_ = std::max(free_, now) + static_cast<double>(parser_.size_of_last()) * byte_time_;
+    // With byte times an instruction is executed later, in run(), when its last byte has arrived.
     arrivals_.push_back({free_, std::move(*packet)});
     if (byte_time_ > 0) continue;
     execute(arrivals_.front());
@@ -24,6 +27,7 @@ void BusLine::push(ByteView bytes, double now) {
   }
 }
 
+/// Half duplex: an answer begins when the line is free of the answers before.
 void BusLine::execute(const Arrival& arrival) {
   ++instructions_;
   double begin = std::max(arrival.due, answered_);
@@ -33,17 +37,19 @@ void BusLine::execute(const Arrival& arrival) {
     begin += delay + static_cast<double>(departures_.back().bytes.size()) * byte_time_;
   }
   answered_ = begin;
+  MUROSIMF_ASSERT(answered_ >= arrival.due);
   free_ = std::max(free_, begin);
 }
 
 void BusLine::run(double now, Bytes& out) {
-  constexpr double rounding = 1e-9;  // [s]
+  constexpr double rounding = 1e-9;  // [s] of sums of byte times
   while (!arrivals_.empty() && arrivals_.front().due <= now + rounding) {
     execute(arrivals_.front());
     arrivals_.pop_front();
   }
   while (!departures_.empty()) {
     Departure& next = departures_.front();
+    MUROSIMF_ASSERT(next.sent <= next.bytes.size());
     while (next.sent < next.bytes.size() &&
            next.begin + static_cast<double>(next.sent + 1) * byte_time_ <= now + rounding) {
       out.push_back(next.bytes[next.sent++]);

@@ -1,7 +1,7 @@
-/// bus_line.h - a bus at the end of a line: bytes of a client come in, bytes of the devices go out.
+/// bus_line.h - a bus at the end of a line: bytes of a client enter, bytes of the devices leave.
 ///
-/// Without a baud rate bytes take no time: what has come is done, and answered, at once. With one, every byte takes ten bits of simulated time
-/// on the one wire that client and devices share: an instruction is done when its last byte has come, its answers begin after the
+/// Without a baud rate bytes take no time: received packets are executed and answered at once. With one, every byte takes ten bits of simulated time
+/// on the single wire that client and devices share: an instruction is executed when its last byte has arrived, its answers begin after the
 /// devices' return delay times, one after the other, and their bytes leave one by one.
 #pragma once
 
@@ -17,23 +17,23 @@ class BusLine {
   /// `baud_rate` [bit/s]; 0: bytes take no time.
   explicit BusLine(Bus& bus, double baud_rate = 0) : bus_(&bus), byte_time_(baud_rate > 0 ? 10 / baud_rate : 0) {}
 
-  /// The client's port is at this rate [bit/s]: devices that listen at another hear nothing, and if bytes take time here, it is
-  /// that of this rate. 0: everybody hears.
+  /// Sets the rate [bit/s] of the client's port: devices set to another one receive nothing, and if bytes take time, their duration
+  /// follows it. 0: all devices receive.
   void set_rate(double rate);
-  /// What the client has sent, seen at the time `now` [s].
+  /// Bytes of the client, received at the time `now` [s].
   void push(ByteView bytes, double now);
-  /// Does what is due, and appends the bytes that have left by now.
+  /// Executes due instructions, and appends the bytes that have left by now.
   void run(double now, Bytes& out);
-  /// Drops a packet that has begun and is not whole.
+  /// Drops an incomplete packet.
   void forget_partial() { parser_.forget(); }
-  /// Drops everything on its way: the client has gone.
+  /// Drops everything in transit: the client has disconnected.
   void hang_up();
-  /// All that is on its way.
+  /// Everything in transit.
   void state(StateArchive& archive);
 
   /// [bit/s]
   [[nodiscard]] double rate() const { return rate_; }
-  /// [s] When nobody is on the wire any more; past, if nobody is.
+  /// [s] When the wire becomes free; in the past if it is free.
   [[nodiscard]] double free_at() const { return free_; }
   [[nodiscard]] bool has_partial() const { return parser_.pending() > 0; }
   [[nodiscard]] std::uint64_t instructions() const { return instructions_; }
@@ -41,7 +41,7 @@ class BusLine {
 
  private:
   struct Arrival {
-    double due = 0;  // [s] when its last byte has come
+    double due = 0;  // [s] when its last byte has arrived
     Packet packet;
     void state(StateArchive& archive);
   };
@@ -59,7 +59,7 @@ class BusLine {
   PacketParser parser_;
   std::deque<Arrival> arrivals_;
   std::deque<Departure> departures_;
-  double free_ = 0;      // [s] when nobody is on the wire any more
+  double free_ = 0;      // [s] when the wire becomes free
   double answered_ = 0;  // [s] when the last answer has left
   std::uint64_t instructions_ = 0;
 };

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::serial::dynamixel {
 namespace {
 
@@ -36,13 +38,17 @@ std::optional<std::int32_t> ControlTable::baud_value(double rate) const {
   std::optional<std::int32_t> nearest;
   for (std::int32_t value = 0; field && value <= field->highest; ++value) {
     if (!same_rate(baud_rate(value), rate)) continue;
+    // rates of a divider may lie closer than the tolerance, hence the nearest
     const auto error = [&](std::int32_t one) { return std::abs(baud_rate(one) - rate); };
     if (!nearest || error(value) < error(*nearest)) nearest = value;
   }
   return nearest;
 }
 
-double ControlTable::pulses_per_radian() const { return pulses_per_turn / (2 * std::numbers::pi); }
+double ControlTable::pulses_per_radian() const {
+  MUROSIMF_ASSERT(pulses_per_turn > 0);
+  return pulses_per_turn / (2 * std::numbers::pi);
+}
 
 bool same_rate(double first, double second) {
   constexpr double tolerance = 0.03;

@@ -1,5 +1,5 @@
-/// control_table.h - the memory of a device as data: where each number stands, how long it is, who may write it, its range and the
-/// value that it has when the device leaves the factory.
+/// control_table.h - the memory of a device as data: address, size, access, range and
+/// factory value of each number.
 #pragma once
 
 #include <filesystem>
@@ -14,11 +14,11 @@ namespace murosimf::serial::dynamixel {
 
 enum class Access : std::uint8_t {
   read_only,
-  ram,     ///< may be written; has its first value again when the device starts
-  eeprom,  ///< may be written while the torque is off; stays
+  ram,     ///< writable; reset when the device starts
+  eeprom,  ///< writable while the torque is off; permanent
 };
 
-/// What a number means to the device. `stored`: it is kept and read back, and acts on nothing here.
+/// Meaning of a number for the device. `stored`: kept and read back, without effect.
 enum class Item : std::uint8_t {
   stored,
   model_number,
@@ -81,7 +81,7 @@ enum class Item : std::uint8_t {
   accelerometer_x,
   accelerometer_y,
   accelerometer_z,
-  last,  // none: how many there are
+  last,  // no item: their number
 };
 
 struct Field {
@@ -89,28 +89,28 @@ struct Field {
   std::uint8_t size = 1;  ///< [bytes] 1, 2 or 4, the lowest first
   Access access = Access::read_only;
   std::int32_t initial = 0;
-  std::int32_t lowest = 0, highest = 0;  ///< that may be written; two's complement if one is negative
+  std::int32_t lowest = 0, highest = 0;  ///< writable range; two's complement if negative
   Item item = Item::stored;
   std::uint8_t sign_bit = 0;  ///< if not 0: this bit is the sign of a number, not two's complement
 
   [[nodiscard]] std::size_t end() const { return std::size_t{address} + size; }
 };
 
-/// What the numbers of a servo mean.
+/// Units of a servo's numbers.
 struct ServoUnits {
-  double velocity = 0;       ///< [rad/s] of one
-  double acceleration = 0;   ///< [rad/s^2] of one; 0: it knows none
-  double current = 0;        ///< [A] of one; 0: it measures none
+  double velocity = 0;       ///< [rad/s] per count
+  double acceleration = 0;   ///< [rad/s^2] per count; 0: not supported
+  double current = 0;        ///< [A] per count; 0: not measured
   double stall_torque = 0;   ///< [N m] at its nominal voltage
-  double stall_current = 0;  ///< [A] then
-  double no_load_speed = 0;  ///< [rad/s] then
-  double p_gain = 0;         ///< [1] of one
+  double stall_current = 0;  ///< [A] at stall_torque
+  double no_load_speed = 0;  ///< [rad/s] without load
+  double p_gain = 0;         ///< [1] per count
   double i_gain = 0;         ///< [1/s]
   double d_gain = 0;         ///< [s]
   double full_torque = 0;    ///< [1] of Item::torque_limit or Item::goal_pwm: no limit
 };
 
-/// Bytes `data`, `data` + 1, ... are those whose addresses stand at `addresses`, two bytes each.
+/// Bytes `data`, `data` + 1, ... refer to the addresses stored at `addresses`, two bytes each.
 struct IndirectBlock {
   std::uint16_t addresses = 0, data = 0, count = 0;
 
@@ -119,28 +119,28 @@ struct IndirectBlock {
 
 struct ControlTable {
   std::string name;  ///< "mx28"
-  std::string base;  ///< of the table upon which it was read; empty: none
+  std::string base;  ///< name of its base table; empty: none
   Protocol protocol = Protocol::v2;
-  std::vector<Field> fields;  ///< by address, none over another
+  std::vector<Field> fields;  ///< by address, without overlap
   ServoUnits units;
-  bool feetech = false;                       ///< protocol 1.0 as servos of Feetech speak it
-  std::vector<std::int32_t> operating_modes;  ///< that may be chosen
+  bool feetech = false;                       ///< protocol 1.0 in the variant of Feetech
+  std::vector<std::int32_t> operating_modes;  ///< supported modes
   std::vector<double> baud_rates;             ///< [bit/s] of the values from 0 on
-  double baud_clock = 0;                      ///< [bit/s] if not 0: values to 249 divide this, plus one
-  std::vector<double> fast_baud_rates;        ///< [bit/s] then, of the values from 250 on
+  double baud_clock = 0;                      ///< [bit/s] if not 0: rate of values up to 249: baud_clock / (value + 1)
+  std::vector<double> fast_baud_rates;        ///< [bit/s] with baud_clock, of the values from 250 on
   std::vector<IndirectBlock> indirect;
   double pulses_per_turn = 4096;
-  double middle_pulse = 2048;  ///< where a servo stands at the angle 0
+  double middle_pulse = 2048;  ///< position at the angle 0
 
-  /// Null if it has none.
+  /// Null if it has no such item.
   [[nodiscard]] const Field* find(Item item) const;
-  /// That has the byte at an address; null: none.
+  /// The field that contains the byte at an address; null: none.
   [[nodiscard]] const Field* at(std::size_t address) const;
-  /// Bytes from 0 to the end of the last field.
+  /// Number of bytes from 0 to the end of the last field.
   [[nodiscard]] std::size_t size() const { return fields.back().end(); }
-  /// [bit/s] of a value of Item::baud_rate; 0: there is no such value.
+  /// [bit/s] of a value of Item::baud_rate; 0: no such value.
   [[nodiscard]] double baud_rate(std::int32_t value) const;
-  /// The value for a rate [bit/s]; nothing if none is near enough to be understood.
+  /// The value for a rate [bit/s]; nothing if none is near enough.
   [[nodiscard]] std::optional<std::int32_t> baud_value(double rate) const;
 
   [[nodiscard]] double pulses_per_radian() const;
@@ -148,13 +148,13 @@ struct ControlTable {
   [[nodiscard]] double angle_of(double pulses) const { return (pulses - middle_pulse) / pulses_per_radian(); }
 };
 
-/// Whether who listens at one rate [bit/s] understands bytes of the other: clocks of UARTs may differ by some 3 %.
+/// Whether a receiver at one rate [bit/s] understands bytes of the other: clocks of UARTs may differ by some 3 %.
 [[nodiscard]] bool same_rate(double first, double second);
 
-/// Of a file: "servos/tables/NAME.toml" of those that come with the program, or, if it ends with ".toml", a file of the user's,
-/// here or in `beside`. It stays where it is. Null if there is none. Throws SetupError with file:line:column (control_table_file.h).
+/// From a file: "servos/tables/NAME.toml" of those supplied with the program, or, if it ends with ".toml", a file of the user's,
+/// here or in `beside`. Its address is stable. Null if there is none. Throws SetupError with file:line:column (control_table_file.h).
 [[nodiscard]] const ControlTable* find_servo_table(std::string_view name, const std::filesystem::path& beside = {});
-/// Of those that come with the program, in alphabetical order.
+/// Names of those supplied with the program, in alphabetical order.
 [[nodiscard]] std::vector<std::string> servo_table_names();
 
 }  // namespace murosimf::serial::dynamixel

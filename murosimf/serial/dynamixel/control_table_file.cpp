@@ -11,6 +11,7 @@
 
 #include "murosimf/files/data_path.h"
 #include "murosimf/files/toml_reader.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::serial::dynamixel {
@@ -20,7 +21,7 @@ using files::fail_at;
 using files::TomlTable;
 
 constexpr std::size_t largest_address = 2048;
-constexpr int most_bases = 4;  // one upon the other
+constexpr int most_bases = 4;  // limits recursion of tables that name each other
 
 constexpr std::pair<std::string_view, Item> names[] = {
     {"model_number", Item::model_number},
@@ -75,7 +76,7 @@ constexpr std::pair<std::string_view, Item> names[] = {
     {"present_temperature", Item::present_temperature},
 };
 
-/// A row of a table of fields.
+/// A row of the table of fields.
 class Row {
  public:
   explicit Row(const toml::node& node) : node_(&node), cells_(node.as_array()) {
@@ -134,6 +135,7 @@ class Row {
     if (field.access == Access::read_only) return;
     if (field.initial < field.lowest || field.initial > field.highest) fail("the value is out of its range");
     const int bits = field.sign_bit > 0 ? field.sign_bit : field.lowest < 0 ? 8 * field.size - 1 : 8 * field.size;
+    // below 31 bits only: 1 << 31 overflows, and every int32 fits into 32 bits
     if (bits < 31 && (field.highest >= 1 << bits || field.lowest < -(1 << bits))) fail("the range needs more bytes");
   }
 
@@ -163,7 +165,7 @@ void read_units(const TomlTable& file, ServoUnits& units) {
   }
 }
 
-/// Numbers of a key, if it is there.
+/// Reads the numbers of a key, if present.
 void read_numbers(const TomlTable& file, std::string_view key, double highest, std::vector<double>& numbers) {
   const toml::node* node = file.find(key);
   if (!node) return;
@@ -174,6 +176,7 @@ void read_numbers(const TomlTable& file, std::string_view key, double highest, s
 }
 
 void put(std::vector<Field>& fields, const Field& field) {
+  // kept in the order of addresses, which ControlTable::at searches
   const auto place = std::ranges::lower_bound(fields, field.address, {}, &Field::address);
   if (place != fields.end() && place->address == field.address) {
     *place = field;
@@ -182,7 +185,7 @@ void put(std::vector<Field>& fields, const Field& field) {
   }
 }
 
-/// The fields of a block, one for each address and each byte.
+/// Adds the fields of a block, one for each address and each byte.
 void put_block(const toml::table& table, ControlTable& made) {
   const TomlTable given(table, {"addresses", "data", "count", "lowest", "highest"});
   std::uint64_t addresses = 0, data = 0, count = 0, lowest = 0, highest = largest_address;
@@ -204,6 +207,7 @@ void put_block(const toml::table& table, ControlTable& made) {
     put(made.fields, {static_cast<std::uint16_t>(addresses + 2 * i), 2, Access::ram, target,
                       static_cast<std::int32_t>(lowest), static_cast<std::int32_t>(highest)});
     put(made.fields, {static_cast<std::uint16_t>(data + i), 1, Access::ram, 0, 0, 255});
+    MUROSIMF_ASSERT(std::ranges::is_sorted(made.fields, {}, &Field::address));
   }
 }
 
@@ -227,12 +231,15 @@ void read_fields(const TomlTable& file, ControlTable& made) {
     const Field field = row.field();
     if (!own.insert(field.address).second) row.fail(fmt::format("two fields stand at {}", field.address));
     if (field.item != Item::stored) {
-      std::erase_if(made.fields, [&](const Field& old) { return old.item == field.item; });
+      std::erase_if(made.fields, [&](const Field& old) {
+        return old.item == field.item;
+      });  // an item moves, it does not exist twice
     }
     put(made.fields, field);
   }
 }
 
+/// Fields must not overlap: a write to one would change another.
 void check_whole(const TomlTable& file, const ControlTable& table) {
   const auto fail = [&](const std::string& what) { throw SetupError(file.where() + ": " + what); };
   std::size_t end = 0;
@@ -260,6 +267,7 @@ void check_whole(const TomlTable& file, const ControlTable& table) {
   if (baud && !(table.baud_rate(baud->initial) > 0)) fail("the baud rate from the factory is not in baud_rates");
 }
 
+/// Tables build upon others; the depth is bounded, since files could name each other.
 ControlTable read_upon(const std::filesystem::path& file, int depth) {
   const toml::table root = files::parse_toml_file(file);
   const TomlTable given(root, {"base", "without", "protocol", "feetech", "operating_modes", "baud_rates", "baud_clock",

@@ -27,7 +27,7 @@ namespace murosimf::serial::dynamixel {
 
 /// Throws SetupError with file:line:column.
 [[nodiscard]] ControlTable read_control_table(const std::filesystem::path& file);
-/// Of the base that a file in the folder `beside` names: one that comes with the program, else there.
+/// Finds the base that a file in the folder `beside` names: one supplied with the program, else in that folder.
 [[nodiscard]] std::optional<std::filesystem::path> find_base_file(const std::string& base,
                                                                   const std::filesystem::path& beside);
 

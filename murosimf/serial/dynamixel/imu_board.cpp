@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::serial::dynamixel {
 namespace {
 
@@ -50,10 +52,11 @@ std::int32_t counts(double value, double unit) {
 
 }  // namespace
 
-ImuBoard::ImuBoard(Protocol protocol, std::uint8_t id, bool everybody)
-    : BusDevice(imu_table(protocol), id), everybody_(everybody) {}
+ImuBoard::ImuBoard(Protocol protocol, std::uint8_t id, bool answers_broadcast)
+    : BusDevice(imu_table(protocol), id), answers_broadcast_(answers_broadcast) {}
 
 void ImuBoard::sense(const ImuSample& sample) {
+  MUROSIMF_ASSERT(sample.gyroscope.size() == 3 && sample.accelerometer.size() == 3);
   constexpr double rate_unit = 0.001, acceleration_unit = 0.01;
   memory().set(Item::sample, static_cast<std::int32_t>(sample.count % 65536));
   memory().set(Item::sample_time, static_cast<std::int32_t>(std::llround(1000 * sample.time) % 65536));

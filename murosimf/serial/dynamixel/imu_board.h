@@ -23,13 +23,13 @@ struct ImuSample {
 
 class ImuBoard final : public BusDevice {
  public:
-  /// `everybody`: it answers a ping to everybody, which programs that know the vendor's products only do not expect.
-  ImuBoard(Protocol protocol, std::uint8_t id, bool everybody = false);
-  [[nodiscard]] bool answers_everybody() const override { return everybody_; }
+  /// `answers_broadcast`: whether it answers broadcast pings, which programs for the vendor's products only do not expect.
+  ImuBoard(Protocol protocol, std::uint8_t id, bool answers_broadcast = false);
+  [[nodiscard]] bool answers_broadcast() const override { return answers_broadcast_; }
   void sense(const ImuSample& sample);
 
  private:
-  bool everybody_;
+  bool answers_broadcast_;
 };
 
 }  // namespace murosimf::serial::dynamixel

@@ -15,14 +15,14 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view folder = "servos/tables", extension = ".toml";
 
-/// Of a name without a path only what comes with the program, which a file of another kind must not hide.
+/// A name without a path means a supplied table only, which a file of another kind must not hide.
 std::optional<fs::path> file_of(std::string_view name, const fs::path& beside) {
   if (name.ends_with(extension)) return files::look_for_data_file(name, folder, "", beside);
   if (name.empty() || name.find('/') != std::string_view::npos) return std::nullopt;
   return files::look_for_data_file(std::string(folder) + "/" + std::string(name) + std::string(extension), "", "");
 }
 
-/// Tables that were read, once each. Who has one keeps it, though its file may change.
+/// Cache of tables. A table stays valid for its users, though its file may change.
 class KnownTables {
  public:
   const ControlTable* get(const fs::path& file) {
@@ -48,18 +48,19 @@ class KnownTables {
     const auto base = find_base_file(table.base, file.parent_path());
     return base ? get(*base) : nullptr;
   }
-  /// A recording has to know all files, whether they were read before or not. False: the base has changed.
+  /// Notes all files of a cached table, since a recording contains them. False: the base has changed.
   bool look_up_again(const fs::path& file, const Known& entry) {
     files::note_file_read(file);
     return base_of(file, *entry.table) == entry.base;
   }
 
-  std::list<ControlTable> tables_;
+  std::list<ControlTable> tables_;  // a list: addresses stay valid
   std::map<fs::path, Known> known_;
 };
 
 }  // namespace
 
+/// Each file is read once; buses of several threads may ask at the same time.
 const ControlTable* find_servo_table(std::string_view name, const fs::path& beside) {
   static std::mutex mutex;
   static KnownTables tables;

@@ -1,11 +1,12 @@
 #include "murosimf/serial/dynamixel/packet.h"
 
+#include "murosimf/math/assert.h"
 #include "murosimf/serial/dynamixel/packet_checksum.h"
 
 namespace murosimf::serial::dynamixel {
 namespace {
 
-/// Appends a byte of instruction or parameters, and what keeps it from looking like a header.
+/// Appends a byte of instruction or parameters, with a stuffing byte where a header would appear.
 void append_stuffed(Bytes& bytes, std::size_t begin, std::uint8_t byte) {
   bytes.push_back(byte);
   const std::size_t size = bytes.size();
@@ -20,12 +21,14 @@ Bytes to_bytes_v1(const Packet& packet) {
   return bytes;
 }
 
+/// The length is written last: stuffed bytes count.
 Bytes to_bytes_v2(const Packet& packet) {
   Bytes bytes{0xFF, 0xFF, 0xFD, 0x00, packet.id, 0, 0};
   const std::size_t begin = bytes.size();
   append_stuffed(bytes, begin, packet.instruction);
   for (const std::uint8_t byte : packet.parameters) append_stuffed(bytes, begin, byte);
   const std::size_t length = bytes.size() - begin + 2;
+  MUROSIMF_ASSERT(length <= 0xFFFF);
   bytes[5] = static_cast<std::uint8_t>(length & 0xFF);
   bytes[6] = static_cast<std::uint8_t>(length >> 8);
   append_word(bytes, crc16(bytes));

@@ -22,11 +22,11 @@ struct Packet {
 /// The answer of a device.
 [[nodiscard]] Packet status_packet(Protocol protocol, std::uint8_t id, std::uint8_t error, ByteView data = {});
 
-/// As they go over the line. The packet must not be longer than its length field can say: 253 parameters in 1.0, most_bytes in
+/// Bytes on the line. The packet must not be longer than its length field allows: 253 parameters in 1.0, most_bytes in
 /// 2.0.
 [[nodiscard]] Bytes to_bytes(const Packet& packet);
 
-/// A packet of protocol 2.0 that is longer on the line is none: so much the vendor's own software sends at most.
+/// A longer packet of protocol 2.0 is invalid: the vendor's software sends no longer ones.
 inline constexpr std::size_t most_bytes = 1024;
 
 }  // namespace murosimf::serial::dynamixel

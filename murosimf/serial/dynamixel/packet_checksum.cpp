@@ -6,8 +6,9 @@
 namespace murosimf::serial::dynamixel {
 namespace {
 
-constexpr std::uint16_t polynomial = 0x8005;
+constexpr std::uint16_t polynomial = 0x8005;  // x^16 + x^15 + x^2 + 1, without its highest bit
 
+/// The remainders of all bytes: a checksum then takes one look-up for each byte.
 constexpr std::array<std::uint16_t, 256> make_table() {
   std::array<std::uint16_t, 256> table{};
   for (unsigned byte = 0; byte < table.size(); ++byte) {

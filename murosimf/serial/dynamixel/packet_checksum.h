@@ -1,4 +1,4 @@
-/// packet_checksum.h - how packets are told from damaged ones.
+/// packet_checksum.h - checksums that detect damaged packets.
 #pragma once
 
 #include "murosimf/serial/dynamixel/protocol.h"

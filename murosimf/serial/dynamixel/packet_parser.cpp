@@ -1,12 +1,13 @@
 #include "murosimf/serial/dynamixel/packet_parser.h"
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/serial/dynamixel/packet_checksum.h"
 
 namespace murosimf::serial::dynamixel {
 namespace {
 
-/// Without the FD that follows each FF FF FD.
+/// Removes the FD that follows each FF FF FD.
 Bytes unstuffed(ByteView stuffed) {
   Bytes bytes;
   for (std::size_t i = 0; i < stuffed.size(); ++i) {
@@ -19,6 +20,7 @@ Bytes unstuffed(ByteView stuffed) {
 
 }  // namespace
 
+/// Where no packet begins, one byte is skipped: the next one may begin a packet.
 std::optional<Packet> PacketParser::next() {
   Packet packet;
   while (place_ < bytes_.size()) {
@@ -27,6 +29,7 @@ std::optional<Packet> PacketParser::next() {
     place_ += found == Found::packet ? size_of_last_ : 1;
     if (found == Found::packet) return packet;
   }
+  MUROSIMF_ASSERT(place_ <= bytes_.size());
   bytes_.erase(bytes_.begin(), bytes_.begin() + static_cast<std::ptrdiff_t>(place_));
   place_ = 0;
   return std::nullopt;
@@ -38,6 +41,7 @@ void PacketParser::forget() {
 }
 
 PacketParser::Found PacketParser::look(ByteView bytes, Packet& packet) {
+  MUROSIMF_ASSERT(!bytes.empty());
   if (bytes[0] != 0xFF) return Found::nothing;
   if (bytes.size() < 2) return Found::more_needed;
   if (bytes[1] != 0xFF) return Found::nothing;
@@ -45,6 +49,7 @@ PacketParser::Found PacketParser::look(ByteView bytes, Packet& packet) {
   return bytes[2] == 0xFD && bytes[3] == 0x00 ? look_v2(bytes, packet) : look_v1(bytes, packet);
 }
 
+/// A wrong checksum does not skip the whole length, which may be wrong itself.
 PacketParser::Found PacketParser::look_v1(ByteView bytes, Packet& packet) {
   const std::size_t length = bytes[3], size = length + 4;
   if (bytes[2] == 0xFF || length < 2) return Found::nothing;
@@ -59,6 +64,7 @@ PacketParser::Found PacketParser::look_v1(ByteView bytes, Packet& packet) {
   return Found::packet;
 }
 
+/// A length beyond the largest packet is noise: waiting for its end would block the line.
 PacketParser::Found PacketParser::look_v2(ByteView bytes, Packet& packet) {
   if (bytes.size() < 7) return Found::more_needed;
   const std::size_t length = word(bytes, 5), size = length + 7;
@@ -69,6 +75,7 @@ PacketParser::Found PacketParser::look_v2(ByteView bytes, Packet& packet) {
     return Found::nothing;
   }
   Bytes body = unstuffed(bytes.subspan(7, length - 2));
+  MUROSIMF_ASSERT(!body.empty());
   packet = {Protocol::v2, bytes[4], body.front(), {body.begin() + 1, body.end()}};
   size_of_last_ = size;
   return Found::packet;

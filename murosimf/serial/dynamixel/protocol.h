@@ -39,7 +39,7 @@ inline constexpr std::uint8_t voltage = 0x01, angle_limit = 0x02, overheating = 
                               overload = 0x20, instruction = 0x40;
 }
 
-/// Numbers in the error byte of protocol 2.0; besides, its highest bit tells of a hardware error.
+/// Numbers in the error byte of protocol 2.0; its highest bit reports a hardware error.
 namespace error_v2 {
 inline constexpr std::uint8_t result_fail = 1, instruction = 2, checksum = 3, data_range = 4, data_length = 5,
                               data_limit = 6, access = 7, alert = 0x80;

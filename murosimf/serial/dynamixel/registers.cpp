@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::serial::dynamixel {
 namespace {
 
@@ -25,6 +27,7 @@ std::uint8_t error_byte(Protocol protocol, Refusal refusal) {
 }
 
 Registers::Registers(const ControlTable& table) : table_(&table), bytes_(table.size()) {
+  // a pointer for each item: get and set are called dozens of times per servo and step
   for (const Field& field : table.fields) {
     if (field.item != Item::stored) fields_[static_cast<std::size_t>(field.item)] = &field;
   }
@@ -32,11 +35,13 @@ Registers::Registers(const ControlTable& table) : table_(&table), bytes_(table.s
 }
 
 std::int32_t Registers::value(const Field& field, ByteView bytes) {
+  MUROSIMF_ASSERT(bytes.size() >= field.size && field.size <= 4);
   std::uint32_t bits = 0;
   for (std::size_t i = 0; i < field.size; ++i) bits |= std::uint32_t{bytes[i]} << 8 * i;
   if (field.sign_bit > 0) {
     const std::uint32_t sign = 1U << field.sign_bit;
     const auto size = static_cast<std::int32_t>(bits & (sign - 1));
+    // INT32_MAX, which no field allows: bits above the sign make the number invalid
     return (bits & ~(2 * sign - 1)) != 0 ? INT32_MAX : (bits & sign) != 0 ? -size : size;
   }
   if (!is_signed(field) || field.size == 4) return static_cast<std::int32_t>(bits);
@@ -44,6 +49,7 @@ std::int32_t Registers::value(const Field& field, ByteView bytes) {
 }
 
 void Registers::store(const Field& field, std::int32_t value) {
+  MUROSIMF_ASSERT(field.address + std::size_t{field.size} <= bytes_.size());
   auto bits = static_cast<std::uint32_t>(value);
   if (field.sign_bit > 0 && value < 0) bits = (0U - bits) | 1U << field.sign_bit;
   for (std::size_t i = 0; i < field.size; ++i) {
@@ -78,6 +84,7 @@ Refusal Registers::read(std::size_t address, std::size_t size, Bytes& data) cons
   return Refusal::none;
 }
 
+/// All changes are planned before the first is made: a refused write changes nothing.
 Refusal Registers::plan(std::size_t address, ByteView data, bool eeprom_locked, std::vector<Change>& changes) const {
   if (data.empty()) return Refusal::length;
   const std::size_t end = address + data.size();

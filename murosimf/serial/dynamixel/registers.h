@@ -9,38 +9,38 @@
 
 namespace murosimf::serial::dynamixel {
 
-/// Why something is not done.
+/// Reason why an instruction is refused.
 enum class Refusal : std::uint8_t { none, failed, instruction, range, length, limit, access };
 
-/// As the error byte of an answer says it; 1.0 knows fewer.
+/// The refusal as error byte of an answer; 1.0 has fewer values.
 [[nodiscard]] std::uint8_t error_byte(Protocol protocol, Refusal refusal);
 
 class Registers {
  public:
-  /// As from the factory. The table must outlive it.
+  /// Factory state. The table must outlive it.
   explicit Registers(const ControlTable& table);
 
   [[nodiscard]] const ControlTable& table() const { return *table_; }
   [[nodiscard]] bool has(Item item) const { return field(item) != nullptr; }
-  /// 0 if there is none.
+  /// Value of an item; 0 if the table has none.
   [[nodiscard]] std::int32_t get(Item item) const;
-  /// Whatever the table says about writing; what does not fit is cut to the nearest that does. Nothing if there is none.
+  /// Sets an item regardless of its access; values out of range are clamped. Nothing if there is none.
   void set(Item item, std::int32_t value);
-  /// As from the factory: all, or what is not in the EEPROM.
+  /// Restores the factory state: everything, or all but the EEPROM.
   void restore();
   void restore_ram();
 
-  /// One byte; 0 if it is of no field or beyond the end.
+  /// One byte; 0 outside of the memory and of all fields.
   [[nodiscard]] std::uint8_t byte(std::size_t address) const { return address < bytes_.size() ? bytes_[address] : 0; }
-  /// Bytes of no field are 0.
+  /// Bytes outside of fields are 0.
   [[nodiscard]] Refusal read(std::size_t address, std::size_t size, Bytes& data) const;
 
   struct Change {
     const Field* field = nullptr;
     std::int32_t value = 0;
   };
-  /// What bytes at an address would change, in the order of the table: whole fields that may be written, within their ranges; bytes
-  /// of no field between them change nothing. Writes nothing itself.
+  /// Changes that a write at an address would make, in the order of the table: whole writable fields, within their ranges; bytes
+  /// outside of fields are ignored. Does not write.
   [[nodiscard]] Refusal plan(std::size_t address, ByteView data, bool eeprom_locked,
                              std::vector<Change>& changes) const;
   void apply(const Change& change) { store(*change.field, change.value); }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::serial::dynamixel {
 namespace {
 
@@ -41,6 +43,7 @@ ServoDevice::Mode ServoDevice::mode() const {
   return several_turns ? Mode::extended : Mode::position;
 }
 
+/// The protocols and vendors differ in sign and range of the offset.
 std::int32_t ServoDevice::offset() const {
   constexpr std::int32_t most_in_one_turn = 1024;
   const std::int32_t offset = registers().get(Item::position_offset);
@@ -51,7 +54,7 @@ std::int32_t ServoDevice::offset() const {
 
 double ServoDevice::direction() const { return has_drive_mode(reverse_bit) ? -1 : 1; }
 
-/// [rad] where the shaft meets its end, as the servo counts.
+/// [rad] End stops of the shaft in the servo's direction of counting.
 double ServoDevice::lowest() const { return direction() > 0 ? options_.lowest : -options_.highest; }
 double ServoDevice::highest() const { return direction() > 0 ? options_.highest : -options_.lowest; }
 
@@ -98,14 +101,14 @@ Refusal ServoDevice::check(const Field& field, std::int32_t value) const {
   }
 }
 
-/// The goal is where the shaft is.
+/// Sets the goal to the present position.
 void ServoDevice::stay() {
   goal_ = trajectory_ = present_;
   velocity_ = integral_ = 0;
   show_position(Item::goal_position, present_);
 }
 
-/// What a mode commands begins at nothing, what limits it at its limit.
+/// Commands of the new mode start at zero, limits at their maximum.
 void ServoDevice::change_mode() {
   if (mode() == Mode::position) count_turns();
   stay();
@@ -117,14 +120,14 @@ void ServoDevice::change_mode() {
   memory().set(Item::goal_current, mode() == Mode::torque ? 0 : registers().get(Item::current_limit));
 }
 
-/// It counts the other way from now on.
+/// Reverses the direction of counting.
 void ServoDevice::turn_round() {
   present_ = 2 * table().middle_pulse - present_ - turns_;
   turns_ = 0;
   stay();
 }
 
-/// As after its power is switched on: its encoder knows the angle within one turn.
+/// Counts turns as after power-on: the encoder measures the angle within one turn.
 void ServoDevice::count_turns() {
   const double all = present_ + turns_;
   turns_ = std::floor(all / table().pulses_per_turn) * table().pulses_per_turn;
@@ -148,6 +151,7 @@ void ServoDevice::take_goal() {
   goal_ = static_cast<double>(goal) - offset();
   constexpr double ms = 1e-3;
   const double all = ms * registers().get(Item::profile_velocity);
+  // The acceleration time is part of the total time, at most half of it: a trapezoid or a triangle.
   const double rise = std::min(ms * registers().get(Item::profile_acceleration), 0.5 * all);
   timed_speed_ = all > 0 ? std::abs(goal_ - trajectory_) / (all - rise) : 0;
   timed_rise_ = rise > 0 ? timed_speed_ / rise : 0;
@@ -160,7 +164,7 @@ void ServoDevice::written(const Field& field) {
     case Item::drive_mode: return turn_round();
     case Item::lowest_position:
     case Item::highest_position:
-      if (!registers().has(Item::operating_mode)) stay();  // the limits say the mode
+      if (!registers().has(Item::operating_mode)) stay();  // the limits determine the mode
       return;
     case Item::goal_position: return take_goal();
     case Item::bus_watchdog: silent_ = 0; return;
@@ -168,6 +172,7 @@ void ServoDevice::written(const Field& field) {
   }
 }
 
+/// Turns are counted anew from the present position, and the goal is there: the servo does not jump.
 void ServoDevice::restarted() {
   errors_ = 0;
   overloaded_ = false;
@@ -177,6 +182,7 @@ void ServoDevice::restarted() {
   was_on_ = torque();
 }
 
+/// The manual asks for these bytes, so that turns are not cleared by accident.
 Refusal ServoDevice::clear(ByteView parameters) {
   constexpr std::uint8_t all_turns[] = {0x01, 0x44, 0x58, 0x4C, 0x22};
   if (!std::ranges::equal(parameters, all_turns)) return Refusal::range;
@@ -187,10 +193,10 @@ Refusal ServoDevice::clear(ByteView parameters) {
   return Refusal::none;
 }
 
-/// [rad/s]
+/// [rad/s] Commanded velocity.
 double ServoDevice::wanted_velocity() const { return registers().get(Item::goal_velocity) * units().velocity; }
 
-/// [pulses/s] on the way to a position.
+/// [pulses/s] Velocity limit on the way to a position.
 double ServoDevice::fastest() const {
   constexpr double any = std::numeric_limits<double>::infinity();
   if (has_drive_mode(time_based_bit) && !old()) return timed_speed_ > 0 ? timed_speed_ : any;
@@ -231,8 +237,9 @@ double ServoDevice::torque_share() const {
   return std::min(share, std::abs(at.get(Item::goal_current)) * units().current / units().stall_current);
 }
 
-/// Not beyond what gives all torque by itself.
+/// Limits the integral to the error that yields full torque by itself: no windup beyond saturation.
 void ServoDevice::integrate(double dt) {
+  MUROSIMF_ASSERT(dt >= 0);
   const double p = registers().get(Item::position_p_gain) * units().p_gain;
   const double i = registers().get(Item::position_i_gain) * units().i_gain;
   if (!torque() || turns() || pushes() || p <= 0 || i <= 0) {
@@ -244,7 +251,7 @@ void ServoDevice::integrate(double dt) {
   integral_ = std::clamp(integral_, -most, most);
 }
 
-/// Stops where no instruction has come for as long as the bus watchdog says, in units of 20 ms.
+/// Stops if no instruction has arrived for the period of the bus watchdog, in units of 20 ms.
 void ServoDevice::watch_bus(double dt) {
   constexpr double unit = 0.02, rounding = 1e-9;  // [s]
   const std::int32_t limit = registers().get(Item::bus_watchdog);
@@ -258,7 +265,7 @@ void ServoDevice::watch_bus(double dt) {
   stay();
 }
 
-/// Too much load for too long.
+/// Detects an overload that lasts too long.
 void ServoDevice::watch_load(double dt) {
   const Registers& at = registers();
   const bool own = at.has(Item::overload_torque) && at.has(Item::overload_time);
@@ -268,19 +275,21 @@ void ServoDevice::watch_load(double dt) {
   if (loaded_for_ > longest) overloaded_ = true;
 }
 
-/// As fast as profile velocity and acceleration say; without an acceleration at once.
+/// Moves with the velocity and acceleration of the profile; without an acceleration at constant velocity.
 void ServoDevice::follow_profile(double dt) {
   const double left = goal_ - trajectory_, rise = acceleration();
+  MUROSIMF_ASSERT(dt >= 0);
   if (!std::isfinite(rise)) {
     const double most = fastest() * dt;
     trajectory_ += std::clamp(left, -most, most);
     return;
   }
-  // what can be stopped in time: v dt + v^2 / (2 a) is what is left
+  // velocity from which the rest is just enough for braking: v dt + v^2 / (2 a) = |left|
   const double stopping = rise * (std::sqrt(dt * dt + 2 * std::abs(left) / rise) - dt);
   const double wanted = std::copysign(std::min(fastest(), stopping), left);
   velocity_ += std::clamp(wanted - velocity_, -rise * dt, rise * dt);
   const double step = velocity_ * dt;
+  // half a pulse: below the resolution of the register, so that the goal is reached exactly
   const bool arrives = std::abs(left - step) < 0.5 && std::abs(velocity_) <= 2 * rise * dt;
   trajectory_ = arrives ? goal_ : trajectory_ + step;
 }
@@ -302,7 +311,7 @@ void ServoDevice::advance(double dt) {
     velocity_ = 0;
   } else if (turns()) {
     follow_rate(dt);
-  } else if (pushes()) {  // as far as it gets: what it may give is the torque limit
+  } else if (pushes()) {  // a goal far ahead: the torque limit then determines the torque
     const std::int32_t push = registers().get(mode() == Mode::pwm ? Item::goal_pwm : Item::goal_current);
     const double far = driven_ && push != 0 ? std::copysign(table().pulses_per_turn, push) : 0.0;
     trajectory_ = present_ + far;

@@ -1,9 +1,9 @@
-/// servo_device.h - a servo on the bus: what its registers do.
+/// servo_device.h - a servo on the bus: the effect of its registers.
 ///
-/// It knows its shaft's angle [rad], counterclockwise, 0 at the middle position. Who simulates the shaft tells it what it feels
-/// (sense) and asks for where it wants the shaft (target). Modes, profiles and limits are those of the e-Manual; the time and the load of
-/// an overload are ours where no register says them. Torque, load, voltage and temperature are what is simulated; where nothing
-/// is, nominal values stand.
+/// The angle of its shaft is in [rad], counterclockwise, 0 at the middle position. The simulation of the shaft passes measured values
+/// (sense) and reads the commanded position (target). Modes, profiles and limits are those of the e-Manual; duration and load of
+/// an overload are ours where no register defines them. Torque, load, voltage and temperature are simulated values, or
+/// nominal ones if not simulated.
 #pragma once
 
 #include <limits>
@@ -13,22 +13,22 @@
 namespace murosimf::serial::dynamixel {
 
 struct ServoOptions {
-  double lowest = -std::numeric_limits<double>::infinity();  ///< [rad] where the shaft meets its end
+  double lowest = -std::numeric_limits<double>::infinity();  ///< [rad] lower end stop of the shaft
   double highest = std::numeric_limits<double>::infinity();
   double stall_torque = 0;   ///< [N m] of the simulated servo; 0: that of the data sheet
   double no_load_speed = 0;  ///< [rad/s] likewise
-  double full_error = 0.2;   ///< [rad] between goal and shaft that makes it give that, with the gains of the factory
-  bool torque = false;       ///< is on at the start
+  double full_error = 0.2;   ///< [rad] position error that yields the stall torque with factory gains
+  bool torque = false;       ///< enabled at the start
 };
 
-/// What a servo measures. NaN: not simulated.
+/// Measured values of a servo. NaN: not simulated.
 struct ServoSense {
   double angle = 0;         ///< [rad]
   double velocity = 0;      ///< [rad/s]
   double torque = 0;        ///< [N m]
   double voltage = 12;      ///< [V]
   double temperature = 25;  ///< [C]
-  bool driven = true;       ///< torque moves the shaft; false: it goes where it is told
+  bool driven = true;       ///< torque moves the shaft; false: it follows its target exactly
 };
 
 class ServoDevice final : public BusDevice {
@@ -37,20 +37,20 @@ class ServoDevice final : public BusDevice {
 
   /// At the time `now` [s].
   void sense(const ServoSense& sense, double now);
-  /// Goes on for dt [s] to its goal, as fast as its profile says.
+  /// Advances by dt [s] towards its goal, as its profile permits.
   void advance(double dt);
   void heard() override { silent_ = 0; }
 
   [[nodiscard]] bool torque() const { return registers().get(Item::torque_enable) != 0; }
   [[nodiscard]] bool turns() const { return mode() == Mode::velocity; }
   [[nodiscard]] bool led() const { return registers().get(Item::led) != 0; }
-  /// [1] its P gain, over that from the factory.
+  /// [1] Its P gain, relative to the factory value.
   [[nodiscard]] double gain_share() const;
-  /// [s] its D gain beyond that from the factory, over the P gain from the factory.
+  /// [s] Its D gain beyond the factory value, relative to the factory P gain.
   [[nodiscard]] double damping_time() const;
-  /// [1] the torque that it may give, over its stall torque.
+  /// [1] Its torque limit, relative to its stall torque.
   [[nodiscard]] double torque_share() const;
-  /// [rad] within its ends; with what its I gain adds.
+  /// [rad] Within its end stops; includes the contribution of its I gain.
   [[nodiscard]] double target() const;
   /// [rad/s]
   [[nodiscard]] double target_velocity() const;
@@ -102,22 +102,22 @@ class ServoDevice final : public BusDevice {
   void look_for_errors();
 
   ServoOptions options_;
-  double present_;           // [pulses] of the shaft, without offset, since turns were counted last
-  double turns_ = 0;         // [pulses] whole turns that are left out
+  double present_;           // [pulses] of the shaft, without offset and whole turns
+  double turns_ = 0;         // [pulses] whole turns not contained in the position
   double goal_;              // [pulses]
   double trajectory_;        // [pulses] on its way to the goal
   double velocity_ = 0;      // [pulses/s] of the trajectory
   double timed_speed_ = 0;   // [pulses/s] of a profile that is given by times
   double timed_rise_ = 0;    // [pulses/s^2] likewise
   double integral_ = 0;      // [rad] that the I gain adds to the target
-  double silent_ = 0;        // [s] since an instruction has come
+  double silent_ = 0;        // [s] since the last instruction
   double load_ = 0;          // [1] of the stall torque
-  double loaded_for_ = 0;    // [s] with too much of it
+  double loaded_for_ = 0;    // [s] of overload
   std::uint8_t errors_ = 0;  // bits as in protocol 1.0
   bool overloaded_ = false;
   bool driven_ = true;   // torque moves the shaft
-  bool sensed_ = false;  // it knows where the shaft is
-  bool was_on_ = false;  // the torque, before the present packet
+  bool sensed_ = false;  // a position was measured
+  bool was_on_ = false;  // torque before the present packet
 };
 
 }  // namespace murosimf::serial::dynamixel

@@ -1,4 +1,4 @@
-// What a servo measures, as its registers show it.
+// Measured values of a servo, as shown in its registers.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -9,7 +9,7 @@
 namespace murosimf::serial::dynamixel {
 namespace {
 
-/// For a register; 0 for what is not finite.
+/// Rounds for a register; 0 if not finite.
 std::int32_t rounded(double value) {
   constexpr double most = 1 << 30;
   return std::isfinite(value) ? static_cast<std::int32_t>(std::lround(std::clamp(value, -most, most))) : 0;
@@ -38,13 +38,13 @@ void ServoDevice::show_motion(double velocity) {
   memory().set(Item::moving_status, (arrived ? 1 : 0) | (on_its_way ? 2 : 0));
 }
 
-/// The duty cycle is what a motor takes for its torque and its speed: u = M / M_stall + w / w_no_load.
+/// The duty cycle that a motor needs for its torque and its speed: u = M / M_stall + w / w_no_load.
 void ServoDevice::show_load(double torque, double velocity) {
   const double stall_torque = options_.stall_torque > 0 ? options_.stall_torque : units().stall_torque;
   const double no_load_speed = options_.no_load_speed > 0 ? options_.no_load_speed : units().no_load_speed;
   const bool known = std::isfinite(torque);
   const double share = known ? torque / stall_torque : 0;
-  load_ = driven_ && options_.stall_torque > 0 ? std::abs(share) : 0;  // of one that is simulated
+  load_ = driven_ && options_.stall_torque > 0 ? std::abs(share) : 0;  // only if simulated
   memory().set(Item::present_load, rounded(std::clamp(1000 * share, -1000.0, 1000.0)));
   const double duty = known && this->torque() ? share + (no_load_speed > 0 ? velocity / no_load_speed : 0) : 0;
   memory().set(Item::present_pwm, rounded(units().full_torque * std::clamp(duty, -1.0, 1.0)));
@@ -55,7 +55,7 @@ void ServoDevice::show_load(double torque, double velocity) {
   memory().set(Item::present_current, rounded(current / units().current) + (about_zero ? zero_current : 0));
 }
 
-/// Those of 1.0 last as long as their cause, those of 2.0 until the servo starts again.
+/// Updates the error bits: in 1.0 they last as long as their cause, in 2.0 until the servo restarts.
 void ServoDevice::look_for_errors() {
   const Registers& at = registers();
   const std::int32_t voltage = at.get(Item::present_voltage);
@@ -89,7 +89,8 @@ void ServoDevice::sense(const ServoSense& sense, double now) {
   memory().set(Item::present_temperature, rounded(std::isfinite(sense.temperature) ? sense.temperature : room));
   memory().set(Item::realtime_tick, static_cast<std::int32_t>(std::llround(1000 * now) % 32768));
   look_for_errors();
-  if (!std::exchange(sensed_, true)) stay();  // its torque may be on from the start
+  if (!std::exchange(sensed_, true)) stay();  // the torque may be enabled from the start
+  // remembered here, since looking for errors may have switched it off
   was_on_ = torque();
 }
 

@@ -1,4 +1,4 @@
-// The field from above in a corner of the picture: everybody with number and heading, the ball; click to select.
+// The field from above in a corner of the picture: all robots with number and heading, the ball; click to select.
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +13,7 @@ namespace {
 
 /// From the field to the window: x to the right, y upwards.
 struct Map {
-  double x, y, pixels;  // [px] of the middle, to a meter
+  double x, y, pixels;  // [px] of the middle, per meter
   [[nodiscard]] ImVec2 at(const Vec3d& place) const { return vec2(x + pixels * place.x, y - pixels * place.y); }
 };
 

@@ -39,7 +39,7 @@ constexpr std::array named_keys{
     NamedKey{GLFW_KEY_DOWN, "Down"},
 };
 
-/// As letters stand on this keyboard; empty: a key without a name here.
+/// Name by the layout of this keyboard; empty: a key without a name here.
 std::string name_of(int key, int scancode) {
   for (const NamedKey& named : named_keys) {
     if (named.key == key) return std::string(named.name);
@@ -61,7 +61,7 @@ std::string& last_trouble() {
 struct GlfwWindow::Handles {
   GLFWwindow* window = nullptr;
   std::vector<Input> inputs;
-  int x = 0, y = 0, width = 0, height = 0;  // of the window, while it fills the screen
+  int x = 0, y = 0, width = 0, height = 0;  // of the window before it filled the screen
 };
 
 namespace {
@@ -86,7 +86,7 @@ void take_key(GLFWwindow* window, int key, int scancode, int action, int mods) {
   if (!input.chord.key.empty()) inputs_of(window).push_back(input);
 }
 
-/// Pixels of what is drawn into, which may be finer than the window's own.
+/// Pixels of the framebuffer, which may be finer than the window's own.
 Pixel in_pixels(GLFWwindow* window, double x, double y) {
   int width = 1, height = 1, pixels_x = 1, pixels_y = 1;
   glfwGetWindowSize(window, &width, &height);
@@ -94,6 +94,7 @@ Pixel in_pixels(GLFWwindow* window, double x, double y) {
   return {x * pixels_x / std::max(1, width), y * pixels_y / std::max(1, height)};
 }
 
+/// All callbacks put their input into one queue, in the order in which it came.
 void listen(GLFWwindow* window) {
   glfwSetKeyCallback(window, take_key);
   glfwSetCharCallback(window, [](GLFWwindow* of, unsigned int letter) { inputs_of(of).push_back(TextInput{letter}); });
@@ -113,7 +114,7 @@ GLFWwindow* open(const std::string& title, int width, int height) {
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-  // cameras draw by EGL, and one thread is better off with one of the two
+  // cameras draw by EGL; mixing it with GLX in one thread fails with some drivers
   for (const int api : {GLFW_EGL_CONTEXT_API, GLFW_NATIVE_CONTEXT_API}) {
     glfwWindowHint(GLFW_CONTEXT_CREATION_API, api);
     if (GLFWwindow* window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr)) return window;
@@ -121,7 +122,7 @@ GLFWwindow* open(const std::string& title, int width, int height) {
   return nullptr;
 }
 
-/// No larger than the screen, which may be small for letters of that size.
+/// Limited to the screen, which may be small for letters of that size.
 void fit_to_screen(GLFWwindow* window) {
   GLFWmonitor* monitor = glfwGetPrimaryMonitor();
   if (!monitor) return;
@@ -183,6 +184,7 @@ double GlfwWindow::scale() const {
   return std::clamp(static_cast<double>(x), 1.0, 4.0);
 }
 
+/// Place and size are kept for the way back.
 void GlfwWindow::set_full_screen(bool full) {
   GLFWmonitor* monitor = glfwGetWindowMonitor(handles_->window);
   if (full == (monitor != nullptr)) return;

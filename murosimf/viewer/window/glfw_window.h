@@ -1,4 +1,4 @@
-/// glfw_window.h - a window with an OpenGL context, and what keys and mouse do in it as a list of events.
+/// glfw_window.h - a window with an OpenGL context, and its keys and mouse as a list of events.
 #pragma once
 
 #include <memory>
@@ -12,22 +12,22 @@ namespace murosimf::viewer {
 
 class GlfwWindow {
  public:
-  /// `width` x `height` in points of the desktop: so many pixels where scale() is 1, and no more than the screen has. Throws SetupError with
-  /// what else there is, if there is no display or no OpenGL 3.3.
+  /// `width` x `height` in points of the desktop: equal to pixels where scale() is 1, and limited to the screen. Throws SetupError with
+  /// alternatives, if there is no display or no OpenGL 3.3.
   GlfwWindow(const std::string& title, int width, int height);
   ~GlfwWindow();
   GlfwWindow(const GlfwWindow&) = delete;
   GlfwWindow& operator=(const GlfwWindow&) = delete;
 
-  /// What has come since the last call. Waits up to `patience` [s] if nothing has: a paused scene costs nothing.
+  /// Events since the last call. Waits up to `patience` [s] if there are none: a paused scene costs nothing.
   [[nodiscard]] std::vector<Input> inputs(double patience);
   [[nodiscard]] bool wants_to_close() const;
-  /// [px] of what is drawn into.
+  /// [px] of the framebuffer.
   [[nodiscard]] std::pair<int, int> size() const;
-  /// How much larger letters and all else are to be on this screen: 2 where a point of the desktop has two pixels.
+  /// Magnification of letters and everything else on this screen: 2 where a point of the desktop has two pixels.
   [[nodiscard]] double scale() const;
   void set_full_screen(bool full);
-  /// OpenGL calls go to it from now on; nobody() before other contexts are used in this thread.
+  /// OpenGL calls go to it from now on; call nobody() before other contexts are used in this thread.
   void make_current();
   void make_nobody_current();
   void swap();

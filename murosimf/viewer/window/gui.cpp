@@ -12,7 +12,7 @@ struct TextKey {
   const char* name;
   ImGuiKey key;
 };
-/// Keys with which text is edited.
+/// Keys for editing text.
 constexpr std::array text_keys{TextKey{"Tab", ImGuiKey_Tab},
                                TextKey{"Left", ImGuiKey_LeftArrow},
                                TextKey{"Right", ImGuiKey_RightArrow},
@@ -58,6 +58,7 @@ void number_keys() {
 #endif
 }
 
+/// The first font that is installed; ImGui's own has no letters besides ASCII.
 void choose_letters(float size) {
   ImGuiIO& io = ImGui::GetIO();
   for (const char* file :
@@ -94,7 +95,7 @@ void choose_style(float scale) {
 Gui::Gui(double scale) : letters_scale_(scale), scale_(scale) {
   IMGUI_CHECKVERSION();
   ImGui::CreateContext();
-  ImGui::GetIO().IniFilename = nullptr;  // nothing is written behind people's backs
+  ImGui::GetIO().IniFilename = nullptr;  // no files are written unasked
   ImGui::GetIO().LogFilename = nullptr;
   number_keys();
   choose_letters(static_cast<float>(usual_letters * scale));
@@ -122,6 +123,7 @@ void Gui::feed(const Input& input) {
   if (const auto* wheel = std::get_if<WheelInput>(&input)) wheel_ += wheel->clicks;
 }
 
+/// The state of the mouse once in each frame; steps of the wheel add up since the frame before.
 void Gui::feed_pointer() {
   ImGuiIO& io = ImGui::GetIO();
   const ImVec2 place = vec2(mouse_);
@@ -137,6 +139,7 @@ void Gui::feed_pointer() {
 #endif
 }
 
+/// At least 0.1 ms: ImGui refuses a frame that takes no time.
 void Gui::begin(int width, int height, double wall) {
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = vec2(width, height);

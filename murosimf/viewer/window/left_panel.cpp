@@ -1,4 +1,4 @@
-// Robots with their levels and laws; the tree of entities and objects with the properties of those that are opened.
+// Robots with their levels and laws; the tree of entities and objects with the properties of open ones.
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
@@ -45,6 +45,7 @@ std::string state_text(const EntityState& state) {
   return line;
 }
 
+/// Outline and inspection may be of different instants: only entities of both are shown.
 void robots_tab(Panels& panels) {
   Viewer& viewer = panels.viewer;
   const std::size_t count = std::min(viewer.outline().size(), viewer.seen().entities.size());
@@ -94,6 +95,7 @@ void object_row(Panels& panels, const ObjectPath& path, const std::string& name)
   ImGui::TreePop();
 }
 
+/// With a filter, the tree is open where something matches.
 void tree_tab(Panels& panels) {
   Viewer& viewer = panels.viewer;
   ImGui::SetNextItemWidth(-1);
@@ -114,7 +116,7 @@ void tree_tab(Panels& panels) {
   }
 }
 
-/// All numbers in one field, to be edited.
+/// All numbers in one editable field.
 void edit_value(Panels& panels, const ObjectPath& path, const PropertyValue& property) {
   PanelState& state = panels.state;
   const bool edited = state.edited == path && state.edited_property == property.name;
@@ -157,7 +159,7 @@ void edit_value(Panels& panels, const ObjectPath& path, const PropertyValue& pro
   }
 }
 
-/// What people look for before the rest.
+/// The most frequently used items, shown first.
 std::vector<const PropertyValue*> usual_first(const std::vector<PropertyValue>& properties) {
   constexpr std::array<std::string_view, 10> usual{"position",         "orientation",    "linear_velocity",
                                                    "angular_velocity", "joint_position", "joint_velocity",
@@ -172,6 +174,7 @@ std::vector<const PropertyValue*> usual_first(const std::vector<PropertyValue>& 
 
 }  // namespace
 
+/// Values come with the next inspection after the selection.
 void properties_of(Panels& panels, const ObjectPath& path) {
   Viewer& viewer = panels.viewer;
   const auto values = std::ranges::find(viewer.seen().objects, path, &ObjectValues::path);

@@ -10,11 +10,11 @@
 namespace murosimf::viewer {
 namespace {
 
-constexpr double nearest_drawn = 0.02;  // [m] in front of the eye, where lines are cut
+constexpr double nearest_drawn = 0.02;  // [m] distance from the eye at which lines are clipped
 
 ImVec2 in_area(const Pixel& pixel, const Area& area) { return vec2(area.x + pixel.x, area.y + pixel.y); }
 
-/// Both ends of the part of a line that is in front of the eye; false if none is.
+/// Clips a line to the part in front of the eye; false if there is none.
 bool cut(const sensors::Perspective& view, Vec3d& a, Vec3d& b) {
   const double za = dot(view.axes.z, a - view.eye), zb = dot(view.axes.z, b - view.eye);
   if (za < nearest_drawn && zb < nearest_drawn) return false;
@@ -23,6 +23,7 @@ bool cut(const sensors::Perspective& view, Vec3d& a, Vec3d& b) {
   return true;
 }
 
+/// A head on a very short arrow would hide it.
 void paint_head(ImDrawList& list, const ImVec2& from, const ImVec2& to, ImU32 color, double width) {
   const double x = to.x - from.x, y = to.y - from.y, length = std::hypot(x, y);
   if (length < 3) return;
@@ -44,6 +45,7 @@ void paint_segment(ImDrawList& list, const sensors::Perspective& view, const Are
   if (head) paint_head(list, p, q, color, width);
 }
 
+/// An area that reaches behind the eye is left out: its corners have no pixels.
 void paint_filled(ImDrawList& list, const sensors::Perspective& view, const Area& area, const Mark& mark) {
   std::vector<ImVec2> corners;
   for (const Vec3d& point : mark.points) {
@@ -72,7 +74,7 @@ void paint(ImDrawList& list, const sensors::Perspective& view, const Area& area,
     paint_segment(list, view, area, mark.points.back(), mark.points.front(), mark, false);
 }
 
-/// `points`: those of the shape, in the window.
+/// `points`: of the shape, in the window.
 void paint_area(ImDrawList& list, const render::SeenShape& shape, const std::vector<ImVec2>& points, ImU32 color) {
   if (render::is_convex(shape.points)) {
     return list.AddConvexPolyFilled(points.data(), static_cast<int>(points.size()), color);
@@ -95,7 +97,7 @@ void paint_letters(ImDrawList& list, const ImVec2& middle, const std::string& le
   list.AddText(ImGui::GetFont(), scale * ImGui::GetFontSize(), corner, color, letters.c_str());
 }
 
-/// Draws into the area only.
+/// Clips to the area.
 class Clipped {
  public:
   explicit Clipped(const Area& area) : list(*ImGui::GetBackgroundDrawList()) {
@@ -138,6 +140,7 @@ void paint_drawings(const std::vector<render::SeenShape>& shapes, const Area& ar
   }
 }
 
+/// The arrow is drawn in the world, the force as text beside its end.
 void paint_pull(const MouseControl::Pull& pull, const sensors::Perspective& view, const Area& area) {
   const Clipped clipped(area);
   const Mark arrow{.points = {pull.from, pull.to}, .color = {1, 0.35, 0.1}, .width = 4, .arrow = true};
@@ -150,6 +153,7 @@ void paint_pull(const MouseControl::Pull& pull, const sensors::Perspective& view
   }
 }
 
+/// A ring on the ground, which other bodies hardly hide.
 void paint_selection(const Viewer& viewer, const sensors::Perspective& view, const Area& area) {
   if (!viewer.selected()) return;
   const Clipped clipped(area);

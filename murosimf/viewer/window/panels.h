@@ -1,6 +1,6 @@
-/// panels.h - the parts of the window around the picture. Each reads the viewer, and tells it what people do.
+/// panels.h - the parts of the window around the picture. Each reads the viewer, and passes user input to it.
 ///
-/// Only for the .cpp files of this folder: it brings ImGui in.
+/// Only for the .cpp files of this folder: it includes ImGui.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace murosimf::viewer {
 
-inline constexpr Color faint{0.6, 0.62, 0.65};  ///< of letters that only explain
+inline constexpr Color faint{0.6, 0.62, 0.65};  ///< of explanatory text
 
 /// A rectangle of the window [px].
 struct Area {
@@ -23,25 +23,25 @@ struct Area {
   }
 };
 
-/// What panels remember from picture to picture.
+/// State of panels kept from picture to picture.
 struct PanelState {
   PictureQuality quality;
   double plot_seconds = 10;  ///< of simulated time that plots show
-  ObjectPath edited;         ///< whose property has the focus
+  ObjectPath edited;         ///< object of the focused property
   std::string edited_property;
   std::array<char, 128> edit{};   ///< its text
   std::array<char, 64> filter{};  ///< of the tree
-  bool scrubs = false;            ///< the time line is being dragged
+  bool scrubs = false;            ///< the timeline is being dragged
   double scrubbed_to = -1;        ///< [s]
   int scrubbed_branch = 0;
-  Area timeline;                                     ///< where times stand, for scripts
+  Area timeline;                                     ///< area of the times, for scripts
   double timeline_end = 1;                           ///< [s]
-  std::vector<imaging::ColorImage> camera_pictures;  ///< of what is selected, by camera
+  std::vector<imaging::ColorImage> camera_pictures;  ///< of the selected entity, by camera
   double frames_per_second = 0;
   std::string drawn_by;
 };
 
-/// What panels work with.
+/// Input of panels.
 struct Panels {
   Gui& gui;
   Viewer& viewer;
@@ -52,7 +52,7 @@ struct Panels {
 void toolbar(Panels& panels, const Area& area);
 /// Robots with their levels and laws, and the tree of entities, objects, properties.
 void left_panel(Panels& panels, const Area& area);
-/// What is selected, its sensors, plots, algorithms, events, view.
+/// The selection, its sensors, plots, algorithms, events, view.
 void right_panel(Panels& panels, const Area& area, std::vector<std::unique_ptr<Texture>>& camera_pictures);
 void timeline_panel(Panels& panels, const Area& area);
 void field_map(Panels& panels, const Area& area);
@@ -70,15 +70,15 @@ void joints_tab(Panels& panels);
 void draw_plot(const Plot& plot, double now, double window, double width, double height);
 [[nodiscard]] std::string number_text(double number);
 
-/// Begins a part of the window that stays where it is; ImGui::End() ends it.
+/// Begins a fixed part of the window; ImGui::End() ends it.
 void begin_part(const char* name, const Area& area);
 
-/// Contacts, forces, names and the like over the picture in `area`; a push that is being pulled.
+/// Contacts, forces, names and the like over the picture in `area`; a push in preparation.
 void paint_overlays(const Overlays& overlays, const sensors::Perspective& view, const Area& area);
 void paint_pull(const MouseControl::Pull& pull, const sensors::Perspective& view, const Area& area);
-/// What is drawn for people who watch.
+/// Debug drawings.
 void paint_drawings(const std::vector<render::SeenShape>& shapes, const Area& area);
-/// A frame about what is selected.
+/// A frame around the selection.
 void paint_selection(const Viewer& viewer, const sensors::Perspective& view, const Area& area);
 
 }  // namespace murosimf::viewer

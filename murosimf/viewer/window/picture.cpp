@@ -19,7 +19,7 @@ constexpr int coarse_shadows = 1024;  // [px]
 ScenePicture::ScenePicture(Viewer& viewer) : viewer_(viewer) { renew({}); }
 
 void ScenePicture::renew(const PictureQuality& quality) {
-  renderer_.reset();  // it may belong to a scene that is gone
+  renderer_.reset();  // it may belong to a scene that was replaced
   viewer_.session()
       .visit([&](scene::Scene& scene) {
         scene_file::LightSpec light = scene.spec().light;
@@ -37,6 +37,7 @@ void ScenePicture::renew(const PictureQuality& quality) {
   quality_ = quality;
 }
 
+/// The scene of the picture is made anew when the scene, its appearance or the quality has changed.
 void ScenePicture::draw(const sensors::Perspective& view, const PictureQuality& quality, sensors::View& into) {
   const bool other = generation_ != viewer_.generation() || changes_ != viewer_.seen().changes_to_see;
   if (other || !(quality == quality_)) renew(quality);
@@ -50,6 +51,7 @@ void ScenePicture::draw(const sensors::Perspective& view, const PictureQuality& 
   if (const std::string trouble = renderer_->trouble(); !trouble.empty()) throw SetupError(trouble);
 }
 
+/// A picture of a few pixels around the pointer is enough to find what is there.
 std::optional<Hit> ScenePicture::pick(const sensors::Perspective& view, const Pixel& pixel) {
   if (generation_ != viewer_.generation() || !viewer_.frame()) return std::nullopt;
   moment_.frame = viewer_.frame();
@@ -78,6 +80,7 @@ Texture::~Texture() {
   if (name_ != 0) glDeleteTextures(1, &name_);
 }
 
+/// The texture's memory is used again while the size stays the same.
 void Texture::fill(const imaging::ColorImage& image) {
   if (image.empty()) return;
   const bool is_new = name_ == 0 || image.width() != width_ || image.height() != height_;
@@ -96,6 +99,7 @@ void Texture::fill(const imaging::ColorImage& image) {
   }
 }
 
+/// Rows of OpenGL begin at the bottom.
 imaging::ColorImage read_window(int width, int height) {
   imaging::ColorImage upside_down(width, height), image(width, height);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);

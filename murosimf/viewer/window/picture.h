@@ -1,4 +1,4 @@
-/// picture.h - the scene as a texture: drawn by the renderer that cameras have, of a frame of poses.
+/// picture.h - the scene as a texture: a frame of poses drawn by the renderer of cameras.
 ///
 /// The renderer draws into its own context, without the window, and its picture is copied into a texture of the window: simple, the
 /// same pixels as `murosimf render`, and 2 to 3 ms at 1280x720.
@@ -22,15 +22,15 @@ struct PictureQuality {
 
 class ScenePicture {
  public:
-  /// Keeps up with what changes in the viewer's scene. Throws SetupError if nothing can be drawn here. No context of the window may be
+  /// Follows changes of the viewer's scene. Throws SetupError if drawing is impossible here. No context of the window may be
   /// current in all calls but show().
   explicit ScenePicture(Viewer& viewer);
 
-  /// Of the viewer's present frame.
+  /// Draws the viewer's present frame.
   void draw(const sensors::Perspective& view, const PictureQuality& quality, sensors::View& into);
   [[nodiscard]] std::optional<Hit> pick(const sensors::Perspective& view, const Pixel& pixel);
   [[nodiscard]] std::string drawn_by() const { return renderer_->name(); }
-  /// The processor draws, not a graphics card.
+  /// Whether the processor draws, not a graphics card.
   [[nodiscard]] bool software() const { return renderer_->name().ends_with(", software"); }
 
  private:
@@ -44,7 +44,7 @@ class ScenePicture {
   sensors::View picked_;
 };
 
-/// A texture of the context that is current.
+/// A texture of the current context.
 class Texture {
  public:
   Texture() = default;
@@ -61,7 +61,7 @@ class Texture {
   int width_ = 0, height_ = 0;
 };
 
-/// What stands in the window now, row 0 at the top.
+/// The present contents of the window, row 0 at the top.
 [[nodiscard]] imaging::ColorImage read_window(int width, int height);
 
 }  // namespace murosimf::viewer

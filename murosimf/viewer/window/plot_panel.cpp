@@ -17,6 +17,7 @@ struct Frame {
   }
 };
 
+/// One scale for all curves of the plot.
 Curve::Range range_of(const Plot& plot, double begin) {
   Curve::Range range{INFINITY, -INFINITY};
   for (const Curve& curve : plot.curves) {
@@ -51,6 +52,7 @@ void draw_grid(ImDrawList& list, const Frame& frame) {
   }
 }
 
+/// A gap in the curve where a value is not finite.
 void draw_curve(ImDrawList& list, const Frame& frame, const Curve& curve, ImU32 color) {
   std::vector<ImVec2> points;
   for (std::size_t i = 0; i < curve.times().size(); ++i) {
@@ -66,6 +68,7 @@ void draw_curve(ImDrawList& list, const Frame& frame, const Curve& curve, ImU32 
 
 std::string number_text(double number) { return fmt::format("{:.4g}", number); }
 
+/// The newest instant is at the right; the grid moves with it.
 void draw_plot(const Plot& plot, double now, double window, double width, double height) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImGui::Dummy(vec2(width, height));

@@ -1,4 +1,4 @@
-// What is selected: its properties, sensors and cameras; algorithms; what the picture shows.
+// The selection: its properties, sensors and cameras; algorithms; contents of the picture.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -32,6 +32,7 @@ void camera_view(const CameraState& camera, const imaging::ColorImage& picture, 
        faint);
 }
 
+/// The outputs of a sensor follow each other in one row of numbers.
 void sensor_rows(Panels& panels, const SensorState& sensor) {
   std::size_t first = 0;
   for (const sensors::Output& output : sensor.info->outputs) {
@@ -49,7 +50,7 @@ void sensor_rows(Panels& panels, const SensorState& sensor) {
   }
 }
 
-/// Laser fans and other long rows as a curve over their numbers.
+/// Long rows like laser fans as a curve over their indices.
 void row_picture(const SensorState& sensor) {
   std::size_t first = 0;
   for (const sensors::Output& output : sensor.info->outputs) {
@@ -64,6 +65,7 @@ void row_picture(const SensorState& sensor) {
   }
 }
 
+/// Whether the tab is open is remembered: scripts and tests ask for it.
 void tab(Panels& panels, const char* name, bool& open, const auto& draw) {
   open = ImGui::BeginTabItem(name);
   panels.gui.remember(name);
@@ -74,7 +76,7 @@ void tab(Panels& panels, const char* name, bool& open, const auto& draw) {
   ImGui::EndTabItem();
 }
 
-/// Groups of drawings, each to be switched.
+/// Groups of drawings, each with a switch.
 void drawing_boxes(Panels& panels) {
   Viewer& viewer = panels.viewer;
   if (!viewer.overlay.drawings) return;
@@ -91,6 +93,7 @@ void drawing_boxes(Panels& panels) {
 
 }  // namespace
 
+/// Joints can be moved while the run is paused only: the controller would move them back.
 void joints_tab(Panels& panels) {
   Viewer& viewer = panels.viewer;
   const std::vector<MovableJoint> joints = viewer.joints();

@@ -9,10 +9,10 @@ namespace {
 
 using Kind = ScriptStep::Kind;
 
-constexpr double longest_run = 300;  // [s] of wall time that `until` waits
-constexpr double longest_pause = 5;  // [s] that it waits for one who stands still
-constexpr double longest_look = 3;   // [s] that an item of a panel is looked for
-constexpr int moves = 6;             // pictures that a drag takes
+constexpr double longest_run = 300;  // [s] of wall time limit of `until`
+constexpr double longest_pause = 5;  // [s] limit of waiting while time stands still
+constexpr double longest_look = 3;   // [s] limit of the search for an item of a panel
+constexpr int moves = 6;             // pictures per drag
 constexpr int left_button = 0, right_button = 1;
 
 double since(std::chrono::steady_clock::time_point then) {
@@ -23,6 +23,7 @@ Pixel in_window(const Pixel& pixel, const Area& area) { return {area.x + pixel.x
 
 }  // namespace
 
+/// Steps become inputs of several frames, as those of a hand.
 std::vector<Input> ScriptPlayer::next(const Stage& stage) {
   while (frames_.empty() && at_ < steps_.size()) {
     const ScriptStep& step = steps_[at_];
@@ -72,7 +73,7 @@ bool ScriptPlayer::begin(const ScriptStep& step, const Stage& stage) {
       return true;
     case Kind::scrub: {
       const Area& line = stage.panels.timeline;
-      if (line.width <= 0) return false;  // no picture of it yet
+      if (line.width <= 0) return false;  // not drawn yet
       const Pixel to{line.x + step.numbers[0] / stage.panels.timeline_end * line.width, line.y + line.height - 4};
       pull({to.x + 1, to.y}, to, nullptr, left_button);
       return true;
@@ -94,7 +95,7 @@ bool ScriptPlayer::begin(const ScriptStep& step, const Stage& stage) {
   return true;
 }
 
-/// In the window.
+/// In coordinates of the window.
 Pixel ScriptPlayer::where(const ScriptStep& step, const Stage& stage) const {
   if (step.text.empty()) return {step.numbers[0], step.numbers[1]};
   const auto place = stage.viewer.place_of(stage.viewer.path_of(step.text));
@@ -104,6 +105,7 @@ Pixel ScriptPlayer::where(const ScriptStep& step, const Stage& stage) const {
   return in_window(*pixel, stage.area);
 }
 
+/// Items may appear some frames later: they are waited for, but not without end.
 bool ScriptPlayer::press_item(const ScriptStep& step, const Stage& stage) {
   if (const auto place = stage.gui.place_of(step.text)) {
     click(*place, 1);
@@ -121,6 +123,7 @@ void ScriptPlayer::key(const KeyChord& chord) {
   frames(1);
 }
 
+/// The pointer rests for a frame before and after the click: ImGui needs both.
 void ScriptPlayer::click(const Pixel& pixel, int times) {
   frame({MoveInput{pixel}});
   frames(1);

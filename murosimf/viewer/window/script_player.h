@@ -1,4 +1,4 @@
-/// script_player.h - does what a script says (script.h) as if somebody sat at the window: its steps become inputs, picture by picture.
+/// script_player.h - executes a script (script.h) by simulated input: its steps become inputs, picture by picture.
 #pragma once
 
 #include <deque>
@@ -15,7 +15,7 @@ class ScriptPlayer {
  public:
   explicit ScriptPlayer(std::vector<ScriptStep> steps) : steps_(std::move(steps)) {}
 
-  /// What the window shows now.
+  /// Present contents of the window.
   struct Stage {
     Viewer& viewer;
     const Gui& gui;
@@ -24,15 +24,15 @@ class ScriptPlayer {
     Area area;  ///< of the picture
     const MouseControl::Pick& pick;
   };
-  /// Inputs for this picture; none while it waits, and at the end. Throws SetupError with the step's place if it cannot go on.
+  /// Inputs for this picture; none while it waits, and at the end. Throws SetupError with the step's place if it fails.
   [[nodiscard]] std::vector<Input> next(const Stage& stage);
-  /// A file for the picture that is drawn now; once.
+  /// File for the present picture; once.
   [[nodiscard]] std::optional<std::string> wanted_screenshot();
   [[nodiscard]] bool ended() const { return at_ >= steps_.size() && frames_.empty(); }
 
  private:
   using WallClock = std::chrono::steady_clock;
-  /// Whether the step is done; else it is asked again with the next picture.
+  /// Whether the step is complete; else it is called again with the next picture.
   bool begin(const ScriptStep& step, const Stage& stage);
   [[nodiscard]] Pixel where(const ScriptStep& step, const Stage& stage) const;
   bool press_item(const ScriptStep& step, const Stage& stage);
@@ -45,7 +45,7 @@ class ScriptPlayer {
 
   std::vector<ScriptStep> steps_;
   std::size_t at_ = 0;
-  std::optional<WallClock::time_point> since_;  // the present step waits
+  std::optional<WallClock::time_point> since_;  // start of waiting in the present step
   std::deque<std::vector<Input>> frames_;       // to come, one for each picture
   std::optional<std::string> screenshot_;
 };

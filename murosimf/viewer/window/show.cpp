@@ -1,4 +1,4 @@
-// The window's loop: inputs, what they mean, a picture.
+// The window's loop: inputs, their effects, a picture.
 #include <chrono>
 #include <cmath>
 #include <set>
@@ -19,11 +19,11 @@ namespace {
 using WallClock = std::chrono::steady_clock;
 
 constexpr double most_pictures = 60;        // [Hz] pictures
-constexpr double calm_wait = 0.05;          // [s] of a paused window that nobody touches
+constexpr double calm_wait = 0.05;          // [s] waiting time of a paused window without input
 constexpr double double_click_time = 0.35;  // [s]
 constexpr double flying = 2;                // [m/s]
-constexpr double fluent = 30;               // [Hz] pictures: fewer, and shadows go
-constexpr int judged_pictures = 60;         // before that is said
+constexpr double fluent = 30;               // [Hz] pictures: below this, shadows are switched off
+constexpr int judged_pictures = 60;         // before that decision
 // [px] of a window at scale 1 in which all parts have their place; a smaller one has smaller letters, down to a scale of
 constexpr double least_width = 1000, least_height = 560, least_scale = 1;
 
@@ -31,7 +31,7 @@ double seconds_since(WallClock::time_point then) {
   return std::chrono::duration<double>(WallClock::now() - then).count();
 }
 
-/// What decides the picture of the scene.
+/// Settings that determine the picture of the scene.
 struct Drawn {
   const PoseFrame* frame = nullptr;
   std::int64_t tick = -1;
@@ -69,7 +69,7 @@ class Show {
 
   ~Show() {
     picture_.reset();
-    window_.make_current();  // what follows belongs to it
+    window_.make_current();  // following calls belong to it
   }
   Show(const Show&) = delete;
   Show& operator=(const Show&) = delete;
@@ -89,6 +89,7 @@ class Show {
     return player_ && player_->ended();
   }
 
+  /// While nothing moves, the window waits for input and leaves the processor alone.
   void make_picture() {
     const bool calm = viewer_.status().paused && !player_ && !viewer_.busy() && queue_.empty();
     queue_.add(window_.inputs(calm ? calm_wait : 0));
@@ -119,7 +120,7 @@ class Show {
     if (left > 0) std::this_thread::sleep_for(std::chrono::duration<double>(left));
   }
 
-  /// `took`: [s] for a picture with a new scene. Whoever switches shadows himself has them as he wants.
+  /// `took`: [s] for a picture with a new scene. A choice of shadows by the user has precedence.
   void judge_speed(double took) {
     drawing_ += took;
     if (++judged_ < judged_pictures) return;
@@ -131,6 +132,7 @@ class Show {
         judged_ / drawing_));
   }
 
+  /// The parts keep their proportions; a small window gets smaller letters.
   void arrange() {
     const auto [width, height] = window_.size();
     width_ = std::max(width, 200);
@@ -150,6 +152,7 @@ class Show {
 
   [[nodiscard]] Pixel in_scene(const Pixel& pixel) const { return {pixel.x - scene_.x, pixel.y - scene_.y}; }
 
+  /// The panels take the input first; the scene gets what they leave.
   void take(const Input& input) {
     gui_.feed(input);
     if (const auto* key = std::get_if<KeyInput>(&input)) take_key(*key);
@@ -161,6 +164,7 @@ class Show {
     if (const auto* wheel = std::get_if<WheelInput>(&input); wheel && !gui_.wants_mouse()) mouse_.wheel(wheel->clicks);
   }
 
+  /// Keys belong to text fields while one of them is active.
   void take_key(const KeyInput& key) {
     held_ = {key.chord.ctrl, key.chord.shift, key.chord.alt};
     KeyChord alone{.key = key.chord.key};
@@ -189,6 +193,7 @@ class Show {
     mouse_.press(button, held_, at, view_, pick_);
   }
 
+  /// The way depends on the time since the last picture, not on the number of pictures.
   void fly(double wall) {
     const double way = (held_.shift ? 4 : 1) * flying * wall;
     for (const auto& [key, action] : flown_) {
@@ -199,12 +204,13 @@ class Show {
     }
   }
 
-  /// What the mouse points at on the ground.
+  /// The place on the ground under the mouse.
   void point() {
     const bool over = scene_.holds(pointer_) && !gui_.wants_mouse();
     viewer_.pointed_at = over ? on_plane(view_, in_scene(pointer_), {}, {0, 0, 1}) : std::nullopt;
   }
 
+  /// Drawn again only if something has changed: pictures are the most expensive part of the window.
   void draw_scene() {
     Drawn now{.frame = viewer_.frame(),
               .tick = viewer_.frame() ? viewer_.frame()->tick : -1,
@@ -223,7 +229,7 @@ class Show {
     drawn_ = now;
   }
 
-  /// What the cameras of the selected robot have drawn; if nobody reads them, what a pinhole would see.
+  /// Pictures of the selected robot's cameras; if they are not drawn, a pinhole view instead.
   void draw_cameras() {
     state_.camera_pictures.clear();
     if (!viewer_.wants_pictures || viewer_.seen().sensors_of != viewer_.selected_entity() || !viewer_.selected())
@@ -269,6 +275,7 @@ class Show {
     gui_.end();
   }
 
+  /// After the window is drawn: pictures show it as the user sees it.
   void take_screenshots() {
     if (player_) {
       if (const auto file = player_->wanted_screenshot()) write(*file);

@@ -1,4 +1,4 @@
-// The time line with its branches and marks; what has happened, as a list; the last message.
+// The timeline with its branches and marks; past events as a list; the last message.
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +9,7 @@
 namespace murosimf::viewer {
 namespace {
 
-constexpr double message_time = 8;  // [s] for which a message stays
+constexpr double message_time = 8;  // [s] for which a message is shown
 
 double row_height() { return std::round(scaled(13)); }  // [px] of a branch
 
@@ -24,7 +24,7 @@ Color color_of(TimeMark::Kind kind) {
   return {0.75, 0.78, 0.8};
 }
 
-/// What was seen last, so that dragging back and forth asks for no more than that.
+/// The last target, so that dragging within a pixel makes no further requests.
 void scrub(Panels& panels, const TimelineLayout& layout, const Area& area) {
   PanelState& state = panels.state;
   const ImVec2 mouse = ImGui::GetIO().MousePos;
@@ -37,6 +37,7 @@ void scrub(Panels& panels, const TimelineLayout& layout, const Area& area) {
   panels.viewer.seek(std::min(time, place.time), place.branch);
 }
 
+/// Branches begin at their parent's bar, so that it is seen where they left it.
 void draw_bars(const TimelineLayout& layout, const Area& area) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   for (const BranchBar& bar : layout.bars()) {
@@ -50,7 +51,7 @@ void draw_bars(const TimelineLayout& layout, const Area& area) {
   }
 }
 
-/// Whether the mouse is over one of them, and it was clicked.
+/// Whether the mouse is over one of them and has clicked it.
 void draw_marks(Panels& panels, const TimelineLayout& layout, const Area& area) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 mouse = ImGui::GetIO().MousePos;
@@ -74,7 +75,7 @@ void draw_scale(const TimelineLayout& layout, const Area& area, double now) {
   for (const double time : ticks(0, layout.end(), static_cast<int>(area.width / scaled(90)))) {
     const double x = area.x + layout.x_of(time);
     list.AddLine(vec2(x, area.y), vec2(x, area.y + area.height), IM_COL32(255, 255, 255, 24));
-    // ticks are multiples, and the first one may be a zero with a sign
+    // ticks are multiples, and the first one may be a negative zero
     const std::string label = std::abs(time) < 1e-9 ? std::string("0 s") : fmt::format("{:g} s", time);
     list.AddText(vec2(x + scaled(3), area.y + area.height + 1), packed(faint), label.c_str());
   }
@@ -98,7 +99,7 @@ void timeline_panel(Panels& panels, const Area& area) {
   const auto& status = viewer.status();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const double width = ImGui::GetContentRegionAvail().x;
-  const double margin = scaled(40);  // right of the strip, where the last time stands
+  const double margin = scaled(40);  // right of the strip, for the last time
   const TimelineLayout layout(viewer.branches(), status.branch, seconds(std::max(status.time, status.last)),
                               width - margin);
   const int most_rows = std::max(1, static_cast<int>((area.height - scaled(56)) / row_height()));

@@ -26,6 +26,7 @@ void begin_part(const char* name, const Area& area) {
                    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav);
 }
 
+/// Every button shows its key, from the map that the user may have changed.
 void toolbar(Panels& panels, const Area& area) {
   begin_part("toolbar", area);
   Viewer& viewer = panels.viewer;

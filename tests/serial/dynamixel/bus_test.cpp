@@ -1,4 +1,4 @@
-// Devices on a bus: who answers, what is written, what is refused, in both protocols.
+// Devices on a bus: which of them answer, what is written, what is refused, in both protocols.
 #include "murosimf/serial/dynamixel/bus.h"
 
 #include <gtest/gtest.h>
@@ -82,7 +82,7 @@ Bytes long_word(std::int32_t value) {
 }
 Bytes short_word(int value) { return {static_cast<std::uint8_t>(value & 0xFF), static_cast<std::uint8_t>(value >> 8)}; }
 
-constexpr int everybody = 0xFE;
+constexpr int broadcast = 0xFE;
 constexpr double turn = 2 * std::numbers::pi;
 
 TEST(ControlTable, FieldsStandInOrderAndStartWithinTheirRanges) {
@@ -129,9 +129,9 @@ TEST(Bus, AnswersPings) {
   EXPECT_TRUE(old.send(9, Instruction::ping).empty());
   modern.add("xm430_w350", 0);  // answers come in the order of the ids
   std::vector<int> ids;
-  for (const Seen& answer : modern.send(everybody, Instruction::ping)) ids.push_back(answer.id);
+  for (const Seen& answer : modern.send(broadcast, Instruction::ping)) ids.push_back(answer.id);
   EXPECT_EQ(ids, (std::vector{0, 1, 2, 3}));
-  EXPECT_EQ(old.send(everybody, Instruction::ping).size(), 3U);
+  EXPECT_EQ(old.send(broadcast, Instruction::ping).size(), 3U);
 }
 
 TEST(Bus, EachServoKnowsItsProtocolOnly) {
@@ -190,7 +190,7 @@ TEST(Bus, RegisteredWritesWaitForTheAction) {
     EXPECT_EQ(test.write(2, goal, to, Instruction::reg_write), 0);
     EXPECT_EQ(test.number(1, goal, size), 2048);
     EXPECT_EQ(test.number(1, registered, 1), 1);
-    EXPECT_TRUE(test.send(everybody, Instruction::action).empty());
+    EXPECT_TRUE(test.send(broadcast, Instruction::action).empty());
     EXPECT_EQ(test.number(1, goal, size), 1000);
     EXPECT_EQ(test.number(2, goal, size), 1000);
     EXPECT_EQ(test.number(3, goal, size), 2048);
@@ -205,17 +205,17 @@ TEST(Bus, SyncAndBulkWritesAreNotAnswered) {
   sync.push_back(3);
   append(sync, long_word(170));
   sync.push_back(2);  // cut off: nothing for it
-  EXPECT_TRUE(modern.send(everybody, Instruction::sync_write, sync).empty());
+  EXPECT_TRUE(modern.send(broadcast, Instruction::sync_write, sync).empty());
   EXPECT_EQ(modern.number(1, 116, 4), 150);
   EXPECT_EQ(modern.number(3, 116, 4), 170);
   EXPECT_EQ(modern.number(2, 116, 4), 2048);
   Bytes bulk{1, 116, 0, 4, 0};
   append(bulk, long_word(99));
   append(bulk, Bytes{2, 65, 0, 1, 0, 1});
-  EXPECT_TRUE(modern.send(everybody, Instruction::bulk_write, bulk).empty());
+  EXPECT_TRUE(modern.send(broadcast, Instruction::bulk_write, bulk).empty());
   EXPECT_EQ(modern.number(1, 116, 4), 99);
   EXPECT_EQ(modern.number(2, 65, 1), 1);
-  EXPECT_TRUE(old.send(everybody, Instruction::sync_write, {30, 2, 1, 0x10, 0x01, 2, 0x20, 0x02}).empty());
+  EXPECT_TRUE(old.send(broadcast, Instruction::sync_write, {30, 2, 1, 0x10, 0x01, 2, 0x20, 0x02}).empty());
   EXPECT_EQ(old.number(1, 30, 2), 0x110);
   EXPECT_EQ(old.number(2, 30, 2), 0x220);
 }
@@ -227,11 +227,11 @@ TEST(Bus, SyncAndBulkReadsAnswerInTheirOrderUntilOneIsMissing) {
     for (const Seen& answer : answers) found.push_back(answer.id);
     return found;
   };
-  EXPECT_EQ(ids(modern.send(everybody, Instruction::sync_read, {0x84, 0, 4, 0, 3, 1, 2})), (std::vector{3, 1, 2}));
-  EXPECT_EQ(ids(modern.send(everybody, Instruction::sync_read, {0x84, 0, 4, 0, 3, 9, 2})), (std::vector{3}));
-  const auto bulk = modern.send(everybody, Instruction::bulk_read, {2, 0x90, 0, 2, 0, 1, 0x92, 0, 1, 0});
+  EXPECT_EQ(ids(modern.send(broadcast, Instruction::sync_read, {0x84, 0, 4, 0, 3, 1, 2})), (std::vector{3, 1, 2}));
+  EXPECT_EQ(ids(modern.send(broadcast, Instruction::sync_read, {0x84, 0, 4, 0, 3, 9, 2})), (std::vector{3}));
+  const auto bulk = modern.send(broadcast, Instruction::bulk_read, {2, 0x90, 0, 2, 0, 1, 0x92, 0, 1, 0});
   EXPECT_EQ(bulk, (std::vector<Seen>{{2, 0, {120, 0}}, {1, 0, {25}}}));
-  const auto old_bulk = old.send(everybody, Instruction::bulk_read, {0, 2, 1, 0x1E, 1, 2, 0x2B, 2, 1, 0});
+  const auto old_bulk = old.send(broadcast, Instruction::bulk_read, {0, 2, 1, 0x1E, 1, 2, 0x2B, 2, 1, 0});
   EXPECT_EQ(old_bulk, (std::vector<Seen>{{1, 0, {0x00, 0x08}}, {2, 0, {25}}}));  // the second of id 1 is ignored
 }
 
@@ -284,7 +284,7 @@ TEST(Bus, RebootForgetsTheRamAndFactoryResetEverything) {
   EXPECT_EQ(test.send(2, Instruction::factory_reset, {0x01})[0].error, 0);
   wait();
   EXPECT_EQ(test.number(2, 24, 4), 10);
-  EXPECT_TRUE(test.send(everybody, Instruction::factory_reset, {0xFF}).empty());  // refused: all would be number 1
+  EXPECT_TRUE(test.send(broadcast, Instruction::factory_reset, {0xFF}).empty());  // refused: all would be number 1
   EXPECT_EQ(test.send(3, Instruction::ping).size(), 1U);
   EXPECT_EQ(test.send(3, Instruction::factory_reset, {0x07})[0].error, error_v2::data_range);
   EXPECT_EQ(test.send(3, Instruction::factory_reset, {0xFF})[0].id, 3);

@@ -1,4 +1,4 @@
-// Reads that all answer in one packet, and who hears at which rate.
+// Reads that all answer in one packet, and which devices hear at which rate.
 #include <gtest/gtest.h>
 
 #include "murosimf/serial/dynamixel/bus_line.h"
@@ -117,10 +117,10 @@ TEST(BaudRate, SaysHowLongBytesTake) {
 }
 
 TEST(ImuBoard, AnswersPingsToEverybodyIfItIsTold) {
-  for (const bool everybody : {false, true}) {
+  for (const bool broadcast : {false, true}) {
     ReadBus test("mx28_2", 2);
-    test.bus.add(std::make_unique<ImuBoard>(Protocol::v2, 200, everybody));
-    EXPECT_EQ(test.send(Instruction::ping, {}).size() / 14, everybody ? 3U : 2U);
+    test.bus.add(std::make_unique<ImuBoard>(Protocol::v2, 200, broadcast));
+    EXPECT_EQ(test.send(Instruction::ping, {}).size() / 14, broadcast ? 3U : 2U);
     EXPECT_EQ(test.bus.execute({Protocol::v2, 200, 0x01, {}}).size(), 1U);
   }
 }

@@ -261,7 +261,7 @@ TEST(OperatingMode, CurrentAndPwmPushAsHardAsTheySay) {
   EXPECT_EQ(bench.servo.target(), -3);
   EXPECT_NEAR(bench.servo.torque_share(), 200 * 0.00269 / 2.3, 1e-12);
   EXPECT_EQ(bench.write(102, 1194, 2), Refusal::range);
-  bench.servo.sense({.angle = 0.5, .driven = false}, 0);  // nobody makes a motion of torque
+  bench.servo.sense({.angle = 0.5, .driven = false}, 0);  // no level computes a motion from the torque
   bench.servo.advance(0.001);
   EXPECT_NEAR(bench.servo.target(), 0.5, 1e-9);
   bench.servo.sense({.angle = 0.5}, 0);
