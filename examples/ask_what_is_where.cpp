@@ -1,4 +1,4 @@
-// Asks a running game what a robot would see and feel: a ray, a distance, contacts.
+// Queries of a running game: what a ray meets, a distance, contacts.
 #include <cstdio>
 
 #include <murosimf/scene.h>

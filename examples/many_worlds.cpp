@@ -1,4 +1,4 @@
-// A hundred worlds in one process, each put back to its start with another seed instead of being built anew: what learning needs.
+// A hundred worlds in one process, each put back to its start with another seed instead of being built anew, as for learning.
 //
 //     example_many_worlds
 #include <algorithm>

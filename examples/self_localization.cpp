@@ -1,4 +1,4 @@
-// How well a robot knows where it is on the field, from the lines that its camera sees, against where it really is.
+// Errors of a robot's estimated pose on the field, which it computes from the lines that its camera sees.
 //
 // <!-- not run (example_self_localization  ): takes minutes -->
 //     example_self_localization                        # a table over thirteen seeds; takes minutes
@@ -43,7 +43,7 @@ const std::vector<Setting> settings{
       "robot.sensors.camera.mounting_error_deg=[0,2,0]"}},
 };
 
-/// x, y and heading, as they really are.
+/// x, y and heading, true values.
 Vec3d truth(Entity& robot) {
   const Vec3d place = robot.base().get(properties::position);
   return {place.x, place.y, heading(robot.base().get(properties::orientation))};

@@ -1,7 +1,7 @@
 /// course.h - the behavior of examples that cross an obstacle course, as shared library (course.cpp), over TCP (course_tcp.cpp) and over a
-/// serial line (course_serial.cpp): joint angles in, joint angles out. It knows nothing of how its robot is connected.
+/// serial line (course_serial.cpp): joint angles in, joint angles out. It does not depend on how its robot is connected.
 ///
-/// Its own gait for kid21 without balance: at `kinematic_walking`. Where it is, it knows from its joints alone: the lower foot stands still.
+/// Its own gait for kid21 without balance: at `kinematic_walking`. Its position follows from its joints alone: the lower foot stands still.
 #pragma once
 
 #include <algorithm>
@@ -35,7 +35,7 @@ class CourseRunner {
   }
 
   bool arrived = false;
-  /// [m, m, rad] where it takes itself to be; it starts at 0, 0, 0.
+  /// [m, m, rad] estimated pose, which starts at 0, 0, 0.
   [[nodiscard]] std::array<double, 3> place() const { return {x_, y_, heading_}; }
 
  private:

@@ -1,5 +1,5 @@
 /// walk_to_ball.h - the behavior of examples that walk to the ball, as shared library (walk_to_ball.cpp) and over TCP
-/// (walk_to_ball_tcp.cpp): it knows nothing of how its robot is connected.
+/// (walk_to_ball_tcp.cpp): it does not depend on how its robot is connected.
 #pragma once
 
 #include <algorithm>
@@ -27,5 +27,5 @@ class WalkToBall {
   }
 
   double speed = 0.15;   // [m/s]
-  bool arrived = false;  // all that it remembers
+  bool arrived = false;  // its whole state
 };

@@ -93,7 +93,6 @@ bool PortCommands::uses_motions() const {
   return !watched_.empty() || has(motion_velocity) || has(motion_play) || has(motion_kick);
 }
 
-/// Only while the robot is set up: properties cannot be added later.
 void PortCommands::watch_motions(std::string_view signal) {
   if (!setup_) {
     throw SetupError(
@@ -129,7 +128,6 @@ PortCommands::Command& PortCommands::make(std::string_view name) {
   command.first.resize(command.places.size());
   MUROSIMF_ASSERT(command.declare && command.labels.size() == command.places.size());
   MUROSIMF_ASSERT(command.lowest.size() == command.places.size() && command.highest.size() == command.places.size());
-  MUROSIMF_ASSERT(command.first.size() == command.places.size());
   command.accepted = command.first;
   const std::size_t count = command.first.size();
   command.row = &rows_->add(command.name, numbers_text(count), sizeof(murosimf_command), count * sizeof(double),
@@ -301,7 +299,6 @@ std::vector<double> PortCommands::numbers_set() const {
   return numbers;
 }
 
-/// Numbers of a recorded call, in the order in which the commands were requested.
 void PortCommands::set_numbers(std::span<const double> numbers) noexcept {
   for (Command& command : commands_) {
     if (numbers.size() < command.staged.size()) return;
@@ -310,9 +307,7 @@ void PortCommands::set_numbers(std::span<const double> numbers) noexcept {
   }
 }
 
-/// All commands in one row: they arrive together or not at all.
 void PortCommands::send(Duration now) {
-  MUROSIMF_ASSERT(link_);
   sent_.clear();
   for (const Command& command : commands_) {
     sent_.insert(sent_.end(), command.accepted.begin(), command.accepted.end());
@@ -344,7 +339,6 @@ std::string PortCommands::refusal() const {
                      refused_.value, command.lowest[refused_.number], command.highest[refused_.number]);
 }
 
-/// Staged numbers of an unfinished call belong to no state: they begin as what was accepted.
 void PortCommands::state(StateArchive& archive) {
   for (Command& command : commands_) {
     archive.elements(std::span(command.accepted));

@@ -8,6 +8,7 @@
 
 namespace murosimf::recording {
 
+/// Everything from which the scene is built and begun again.
 std::string to_json(const RunDescription& run) {
   return files::json_text({{"schema", files::json_schema("run_description")},
                            {"scene", run.scene},
@@ -26,6 +27,7 @@ std::string to_json(const RunDescription& run) {
                            {"names", run.names}});
 }
 
+/// Recordings come from others: every missing or wrong key is an error of the file.
 RunDescription parse_run_description(const std::string& json) {
   try {
     const auto document = nlohmann::json::parse(json);

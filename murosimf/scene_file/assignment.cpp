@@ -24,6 +24,7 @@ std::string trimmed(std::string_view text) {
   return std::string(text.substr(begin, text.find_last_not_of(" \t") + 1 - begin));
 }
 
+/// Entries of other types are left out: the reader of robots refuses them.
 std::vector<toml::table*> all_robots(toml::table& scene) {
   std::vector<toml::table*> robots;
   if (toml::array* all = scene["robots"].as_array()) {
@@ -53,6 +54,7 @@ std::string Assignment::object(std::size_t begin) const {
   return fmt::format("{}", fmt::join(path.begin() + static_cast<std::ptrdiff_t>(begin), path.end() - 1, "."));
 }
 
+/// Only the first '=' separates: the value may contain others.
 Assignment split_assignment(std::string_view text, std::string where) {
   Assignment assignment{std::move(where), {}, {}};
   const auto equals = text.find('=');
@@ -63,7 +65,7 @@ Assignment split_assignment(std::string_view text, std::string where) {
         fmt::format("{}: write PATH=VALUE, for example 'blue.*.level=simplified_dynamics'", assignment.where));
   }
   std::string part;
-  for (const char c : left + ".") {
+  for (const char c : left + ".") {  // the last part ends with a dot, too
     if (c != '.') {
       part += c;
     } else if (part.empty()) {

@@ -124,6 +124,7 @@ const Section<PushSpec>& push_section() {
   return section;
 }
 
+/// Pushes of the file come before those of the command line.
 std::vector<PushSpec> read_pushes(toml::table& scene, const std::vector<std::string>& push_options) {
   std::vector<PushSpec> pushes;
   for (const toml::table* node : files::TomlTable(scene, scene_section().names()).tables("pushes")) {

@@ -45,6 +45,7 @@ void Session::Inside::run(const std::function<void(Duration)>& progress) {
     next_report = std::chrono::steady_clock::now() + between_reports;
   }
   publish(true);
+  // Callers in other threads would wait forever for what is no longer done.
   refuse_all();
 }
 

@@ -18,6 +18,7 @@ constexpr std::array long_names{"Space",  "Tab",  "Enter", "Escape", "Backspace"
                                 "F6",     "F7",   "F8",    "F9",     "F10",       "F11",       "F12"};
 constexpr std::string_view short_names = "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-=[];',./`";
 
+/// Names of keys may be written in any case.
 bool equal_in_any_case(std::string_view a, std::string_view b) {
   return std::ranges::equal(a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }

@@ -25,6 +25,7 @@ struct Grammar {
   std::string_view form;
 };
 
+/// The last text is shown in errors.
 constexpr std::array grammar{
     Grammar{"wait", Kind::wait, Grammar::Text::none, 1, "wait SECONDS"},
     Grammar{"until", Kind::until, Grammar::Text::none, 1, "until SECONDS"},
@@ -43,6 +44,7 @@ constexpr std::array grammar{
     Grammar{"say", Kind::say, Grammar::Text::rest, 0, "say TEXT"},
 };
 
+/// The whole text must be the number: "1x" is an error.
 double number_of(const std::string& text, const Grammar& form) {
   double number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);

@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/web/gzip.h"
 #include "murosimf/web/json_line.h"
@@ -90,7 +89,6 @@ FoxgloveConversation::~FoxgloveConversation() {
   live_.leave();
 }
 
-/// The number of open requests is bounded: each one occupies the thread of the run.
 void FoxgloveConversation::receive(std::string_view message, bool binary) {
   if (jobs_.size() >= most_requests) throw ClientError("too many requests at once");
   try {
@@ -130,7 +128,6 @@ void FoxgloveConversation::receive_text(const json& order) {
   }
 }
 
-/// Unknown channels are an error of the client, which is told but not disconnected.
 void FoxgloveConversation::subscribe(const json& order) {
   for (const json& one : order.at("subscriptions")) {
     const auto id = one.at("id").get<std::uint32_t>();
@@ -244,7 +241,6 @@ void FoxgloveConversation::introduce() {
   introduced_ = true;
 }
 
-/// Channels can be added during the run; each is announced once.
 void FoxgloveConversation::announce_channels() {
   json channels = json::array();
   for (; announced_ < live_.channels().size(); ++announced_) {
@@ -271,7 +267,6 @@ void FoxgloveConversation::send_parameters(const std::set<std::string>& names, c
 }
 
 void FoxgloveConversation::send_packet(const FoxgloveLive::Packet& packet) {
-  MUROSIMF_ASSERT(packet.bytes != nullptr);
   const auto found = subscriptions_.find(packet.channel);
   if (found == subscriptions_.end()) return;
   std::string bytes;

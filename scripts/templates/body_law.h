@@ -4,7 +4,7 @@
 ///
 ///     f = max(0, k delta - d n . v) n on A, -f on B
 ///
-/// Here stands which equations the law has, their source, and for which steps it is good.
+/// This place is for the equations of the law, their source, and the steps at which it is stable.
 #pragma once
 
 #include "murosimf/collision/body_contact_law.h"
@@ -13,7 +13,8 @@ namespace murosimf::collision {
 
 class NewName final : public BodyContactLaw {
  public:
-  void push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt, ParallelFor& parallel_for) noexcept override;
+  void push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt,
+            ParallelFor& parallel_for) noexcept override;
 };
 
 }  // namespace murosimf::collision

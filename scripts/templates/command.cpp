@@ -19,7 +19,7 @@ void define(const Command& command, NewNameOptions& options) {
       .offers_list("scenes");
 }
 
-/// Returns the exit code. Errors of the user are SetupErrors, which the program says in one line.
+/// Returns the exit code. Errors of the user are SetupErrors, which the program prints in one line.
 int show(const NewNameOptions& options) {
   const scene::Scene whole(options.scene);
   std::string text;

@@ -4,13 +4,13 @@
 
 namespace murosimf::soccer {
 
-// What it feels and sees is taken here: sensors::read_output(setup, "imu.gyroscope") (sensors/reading.h).
+// Sensors are read here: sensors::read_output(setup, "imu.gyroscope") (sensors/reading.h).
 NewName::NewName(Setup& setup, const NewNameOptions& options)
     : options_(options), command_(setup.write(properties::walk_command)[0]) {}
 
 void NewName::initialize() { command_ = {}; }
 
-// Decides anew in every step. What it must remember is a property of its own (behavior_properties.h), not a member.
+// Decides anew in every step. State is a property of its own (behavior_properties.h), not a member.
 void NewName::step(const Instant&) noexcept { command_ = options_.velocity; }
 
 }  // namespace murosimf::soccer

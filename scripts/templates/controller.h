@@ -3,7 +3,7 @@
 /// Writes `walk_command` [m/s, m/s, rad/s], in the robot's frame, x forward; the walk engine (locomotion/walk_engine.h), which
 /// is attached after it, turns that into joint targets.
 ///
-/// Here stands what a controller decides from what, and its source.
+/// This place is for the rules of a controller, their inputs, and their source.
 #pragma once
 
 #include "murosimf/model/algorithm.h"

@@ -1,4 +1,4 @@
-// The format new_name: what is read of it, and what is said of errors.
+// The format new_name: what is read of it, and its errors.
 #include "murosimf/robot_formats/new_name/new_name_reader.h"
 
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 ///
 ///     f = max(0, k delta - d n . v) n
 ///
-/// Here stands which equations the law has, their source, and for which steps it is good.
+/// This place is for the equations of the law, their source, and the steps at which it is stable.
 #pragma once
 
 #include "murosimf/collision/contact_law.h"
@@ -19,7 +19,7 @@ class NewName final : public ContactLaw {
                             std::span<const Vec3d>) const noexcept override {
     return true;
   }
-  /// It remembers nothing. A law that does writes to the points (ContactPoint::stretch), never to members.
+  /// It has no state. A law with a state writes it to the points (ContactPoint::stretch), never to members.
   void commit(std::span<ContactPoint>, const ContactTerms&, std::span<const Vec3d>) const noexcept override {}
 };
 

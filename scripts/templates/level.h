@@ -6,7 +6,7 @@
 ///
 /// Taking over a robot that moves (model/motion_level.h): its base stops at once, and its momentum is lost; pose and
 /// joints stay as they are.
-/// Source:  none. Here stand the equations of a level, and the paper or book that they are from.
+/// Source:  none. This place is for the equations of a level, and the paper or book that they are from.
 /// Limits:  forces are ignored, also gravity: a robot stays in the air. It pushes others and is never pushed.
 #pragma once
 
@@ -31,7 +31,7 @@ class NewName final : public MotionLevel {
  private:
   void move_links() noexcept;
 
-  // All state is in columns: what a level remembers besides is a property of its own (motion_properties.h).
+  // All state is in columns: further state of a level is a property of its own (motion_properties.h).
   Entity& entity_;
   PoseColumns columns_;
   JointReference reference_;

@@ -1,11 +1,11 @@
-/// new_name.h - sensor `new_name`: how high it is.
+/// new_name.h - sensor `new_name`: its height.
 ///
 /// Output `height` [m]: of the sensor above the plane z = 0, world frame, whatever it is mounted on.
 ///
 ///     height = e_z . r      r: place of the sensor, world
 ///
-/// Here stand the equations of a sensor, their source (a paper, a data sheet) and what it does not model. Rate, delay, noise,
-/// filter, saturation and conversion come for nothing (sensor.h).
+/// This place is for the equations of a sensor, their source (a paper, a data sheet) and what it does not model. Rate, delay, noise,
+/// filter, saturation and conversion are part of the base class (sensor.h).
 #pragma once
 
 #include "murosimf/sensors/mounting.h"

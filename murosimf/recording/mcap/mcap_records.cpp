@@ -32,7 +32,7 @@ class RecordWriter : public ByteWriter {
     text(entries);
   }
   void map(const std::map<std::uint16_t, std::uint64_t>& map) {
-    number(static_cast<std::uint32_t>(10 * map.size()));
+    number(static_cast<std::uint32_t>(10 * map.size()));  // [byte] a number of 2 bytes and one of 8
     for (const auto& [key, value] : map) {
       number(key);
       number(value);
@@ -100,7 +100,7 @@ void append_record(std::string& bytes, const Chunk& record) {
 void append_record(std::string& bytes, const MessageIndex& record) {
   RecordWriter out(bytes, Opcode::message_index);
   out.number(record.channel_id);
-  out.number(static_cast<std::uint32_t>(16 * record.entries.size()));
+  out.number(static_cast<std::uint32_t>(16 * record.entries.size()));  // [byte] two numbers of 8 bytes each
   for (const MessageIndex::Entry& entry : record.entries) {
     out.number(entry.log_time);
     out.number(entry.offset);

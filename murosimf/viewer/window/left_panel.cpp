@@ -18,6 +18,7 @@ std::vector<std::string> names_of(const Entries& entries) {
   return names;
 }
 
+/// The level is exchanged during the run, with the present motion.
 void choose_level(Panels& panels, int entity, const EntityState& state, float width) {
   const auto levels = names_of(catalog::levels());
   ImGui::SetNextItemWidth(width);

@@ -65,7 +65,7 @@ void row_picture(const SensorState& sensor) {
   }
 }
 
-/// Whether the tab is open is remembered: scripts and tests ask for it.
+/// The place of the tab is remembered, so that scripts find it by name.
 void tab(Panels& panels, const char* name, bool& open, const auto& draw) {
   open = ImGui::BeginTabItem(name);
   panels.gui.remember(name);
