@@ -40,8 +40,8 @@ void Entity::place(const Vec3d& position, double heading, const Mat3d& attitude)
 }
 
 void Entity::exchange_model(ModelPtr model) {
+  MUROSIMF_ASSERT(model);
   const auto same = [](const Object& a, const Object& b) {
-    MUROSIMF_ASSERT(model);
     return a.name == b.name && a.kind == b.kind && a.parent == b.parent;
   };
   if (!std::ranges::equal(model_->objects(), model->objects(), same)) {
