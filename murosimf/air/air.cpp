@@ -7,6 +7,7 @@
 
 #include "murosimf/air/air_properties.h"
 #include "murosimf/collision/contact_properties.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
@@ -24,6 +25,7 @@ const Sphere* sphere_of(const Model& model) {
 
 /// [1/m] rho A / (2 m).
 double air_per_meter(double density, const RoundBody& body) {
+  MUROSIMF_ASSERT(body.radius >= 0 && !(body.mass <= 0));
   return 0.5 * density * pi * body.radius * body.radius / body.mass;
 }
 
@@ -35,6 +37,7 @@ double drag_per_meter(double density, const RoundBody& body) noexcept {
 
 Vec3d air_force(double density, const RoundBody& body, const Vec3d& u, const Vec3d& w, const Vec3d& acceleration,
                 double dt) noexcept {
+  MUROSIMF_ASSERT(dt > 0 && density >= 0 && !(body.mass <= 0));
   const double speed = norm(u);
   if (!(speed > slowest)) return {};
   const double k = air_per_meter(density, body);  // [1/m]
@@ -80,6 +83,7 @@ void Air::model_exchanged(const Entity& entity) {
 void Air::step(const Instant& instant) noexcept {
   if (dynamic_ == 0) return;
   body_.mass = mass_;
+  MUROSIMF_ASSERT(instant.period > Duration{});
   const bool flies = contacts_.points.empty();
   const Vec3d others = flies ? gravity_ + (1 / mass_) * external_force_[base].f : Vec3d{};
   const Wrenchd force{{},

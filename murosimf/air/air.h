@@ -1,10 +1,10 @@
-/// air.h - algorithm: what air does to a ball that moves through it: drag, and lift by its spin.
+/// air.h - algorithm: aerodynamic forces on a ball: drag, and lift due to its spin.
 ///
 ///     F = -1/2 rho C_d A |u| u + 1/2 rho C_l A |u|^2 (w x u) / |w x u|
 ///     A = pi r^2        u = v - wind        C_l = lift S / (S + 0.17)        S = r |w x u| / |u|^2
 ///
 /// Source: drag, lift and S as in J. E. Goff and M. J. Carre, Trajectory analysis of a soccer ball, Am. J. Phys. 77 (2009). C_l(S):
-/// R. Cross' fit for baseballs, 1 / (2.32 + 0.4 / S), as A. Nathan's trajectory calculator has it; wind tunnels give about the same
+/// R. Cross' fit for baseballs, 1 / (2.32 + 0.4 / S), as in A. Nathan's trajectory calculator; wind tunnels give about the same
 /// for soccer balls, 0.1 to 0.15 at S = 0.1 and 0.25 to 0.3 at S = 0.3 (T. Asai et al., Fundamental aerodynamics of the soccer ball,
 /// Sports Eng. 10 (2007)). All figures are from memory: no copy was at hand. Here S counts the spin across the way alone, so that a
 /// ball that spins about its way, as a bullet does, has no lift and no jump there.
@@ -14,12 +14,12 @@
 /// seconds, drag that grows with spin, and all bodies that are not round.
 ///
 /// The step: drag is linearly implicit, lift turns u by a Cayley rotation about the axis across the way, so it never changes |u|; a
-/// ball loses energy at any step length, its terminal velocity is exact, and so is its speed without other forces. With a = what
-/// else accelerates it,
+/// ball loses energy at any step length, its terminal velocity is exact, and so is its speed without other forces. With a = the
+/// acceleration by all other forces,
 ///
 ///     u_k+1 = (C(turn) u_k + dt a) / (1 + dt k |u_k|)        k = rho C_d A / (2 m)
 ///
-/// and the force of the step is the one that makes this of u_k. In contact a is unknown here, and taken for zero: the drag of such
+/// and the force of the step is the one with this result. In contact a is unknown here, and taken for zero: the drag of such
 /// a step is off by k |u_k| a dt.
 #pragma once
 
@@ -50,7 +50,7 @@ struct RoundBody {
 [[nodiscard]] Vec3d air_force(double density, const RoundBody& body, const Vec3d& u, const Vec3d& w,
                               const Vec3d& acceleration, double dt) noexcept;
 
-/// Adds it to the external force of an entity whose base is one sphere with a drag_coefficient. To be attached after
+/// Adds it to the external force of an entity whose base is one sphere with a drag_coefficient. Attach it after
 /// GroundContact, at the same rate, for levels at which forces move the entity.
 class Air final : public Algorithm {
  public:

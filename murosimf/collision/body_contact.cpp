@@ -6,6 +6,7 @@
 #include "murosimf/collision/continuous_collision.h"
 #include "murosimf/collision/depenetration.h"
 #include "murosimf/collision/kinematic_separation.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::collision {
@@ -29,6 +30,7 @@ BodyContact::BodyContact(Setup& setup, const Entity* environment, const std::vec
       set_(setup.write(pair_contacts)[0]),
       environment_(static_compound_of(environment)) {
   for (const MovingEntity& moving_entity : moving_entities_) finder_.add(moving_entity);
+  MUROSIMF_ASSERT(law_);
 }
 
 void BodyContact::initialize() {
@@ -83,6 +85,7 @@ void BodyContact::entity_entered(const Entity& entity) {
 }
 
 void BodyContact::state(StateArchive& archive) {
+  // entities that were added after the state was saved keep what they are, but for pushes
   std::size_t known = moving_entities_.size();
   archive(known);
   for (std::size_t i = 0; i < moving_entities_.size(); ++i) {
@@ -96,14 +99,16 @@ void BodyContact::state(StateArchive& archive) {
 
 void BodyContact::step(const Instant& instant) noexcept {
   const double dt = seconds(instant.period);
+  MUROSIMF_ASSERT(dt > 0);
   for (MovingEntity& moving_entity : moving_entities_) moving_entity.start_step();
   finder_.find(moving_entities_, set_);
+  // before depths are changed by the depenetration below: reports show the depths that were found
   note_interpenetrations(moving_entities_, dt, instant.now, set_);
   for (PairContact& c : set_.points) end_depenetration(c, set_.parameters[c.surface], dt);
   kinematic_separation(moving_entities_, *environment_, finder_.within_reach(), dt, set_);
   stop_at_touch(moving_entities_, set_, *environment_, gravity_, dt);
-  SerialFor nobody;
-  law_->push(moving_entities_, set_, dt, instant.parallel_for ? *instant.parallel_for : nobody);
+  SerialFor serial;
+  law_->push(moving_entities_, set_, dt, instant.parallel_for ? *instant.parallel_for : serial);
 }
 
 }  // namespace murosimf::collision

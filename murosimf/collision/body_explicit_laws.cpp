@@ -5,6 +5,7 @@
 
 #include "murosimf/collision/contact_law_parts.h"
 #include "murosimf/collision/depenetration.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::collision {
 namespace {
@@ -22,8 +23,11 @@ Vec3d direction_of(const Vec3d& v) {
   return size > 0 ? (1 / size) * v : Vec3d{};
 }
 
-/// A damper c that takes the velocity after a step in which it alone acts on what yields by S.
-double bounded(double c, double dt, double S) { return c / (1 + dt * c * S); }
+/// A damper c for the velocity after a step in which it alone acts on an inverse effective mass S: it cannot turn the motion around.
+double bounded(double c, double dt, double S) {
+  MUROSIMF_ASSERT(dt > 0);
+  return c / (1 + dt * c * S);
+}
 
 }  // namespace
 
@@ -34,10 +38,13 @@ void BodyKelvinVoigtLaw::push(std::vector<MovingEntity>& moving_entities, PairSe
 
 void push_by_kelvin_voigt(std::vector<MovingEntity>& moving_entities, PairContact& c, const ContactParameters& p,
                           double dt) noexcept {
+  MUROSIMF_ASSERT(dt > 0 && static_cast<std::size_t>(c.a) < moving_entities.size() &&
+                  static_cast<std::size_t>(c.b) < moving_entities.size());
   const double v_n = dot(c.velocity, c.normal);
   const Vec3d v_t = c.velocity - v_n * c.normal;
   const double slide = norm(v_t);
   const double f_n = std::min(spring_force(p, c.depth, v_n), explicit_limit(c, p, dt, v_n));
+  // friction from the velocity of this instant, at most the force that the damper gives: near rest it does not alternate
   c.force = f_n * c.normal;
   if (slide > 0) c.force -= (std::min(p.friction * f_n, p.tangent_damping * slide) / slide) * v_t;
   moving_entities[c.a].push(c.object, c.point, c.force, dt);
@@ -53,6 +60,7 @@ void BodyPaperLaw::push(std::vector<MovingEntity>& moving_entities, PairSet& set
         {parts_.touch(moving_entities[c.a], c.a, c.object), parts_.touch(moving_entities[c.b], c.b, c.object_b)});
   }
   for (std::size_t i = 0; i < set.points.size(); ++i) {
+    MUROSIMF_ASSERT(touched_.size() == set.points.size());
     PairContact& c = set.points[i];
     MovingEntity &a = moving_entities[c.a], &b = moving_entities[c.b];
     c.angular_velocity = a.w[c.object] - b.w[c.object_b];

@@ -6,6 +6,7 @@
 #include "murosimf/collision/body_explicit_laws.h"
 #include "murosimf/collision/contact_law.h"
 #include "murosimf/collision/contact_parameters.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::collision {
@@ -19,9 +20,10 @@ bool ground_becomes_rows(const ContactInterface& interface) {
 
 void BodyIslandLaw::push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt,
                          ParallelFor& parallel_for) noexcept {
+  MUROSIMF_ASSERT(dt > 0);
   find_islands(moving_entities, set);
   for (PairContact& c : set.points) {
-    // levels that cannot answer an island solver
+    // contacts without an entity that answers impulses: no island contains them
     if (islands_.of(c) < 0)
       push_by_kelvin_voigt(moving_entities, c, for_explicit_step(set.parameters[c.surface], dt), dt);
   }
@@ -31,6 +33,7 @@ void BodyIslandLaw::push(std::vector<MovingEntity>& moving_entities, PairSet& se
   });
   parallel_for.for_each(first_members_, [&](std::size_t i) { solve(static_cast<int>(i), moving_entities, set, dt); });
   count_unsettled(moving_entities, dt, set);
+  // in order, after the parallel part: sums of several islands on one entity have a fixed order
   for (int island = 0; island < islands_.count(); ++island) push_members(island, moving_entities, set, dt);
   parallel_for.for_each(entities_, [&](std::size_t i) { finish_member(in_islands_[i], moving_entities); });
 }
@@ -53,8 +56,10 @@ void BodyIslandLaw::find_islands(const std::vector<MovingEntity>& moving_entitie
   }
 }
 
-/// The free pass: pushes of users, explicit laws, and rolling resistance, which is no row. Whether its numbers are sensible.
+/// Executes the free pass with the pushes of users, explicit laws, and rolling resistance, which has no row in the solver. Returns
+/// whether its numbers are sane.
 bool BodyIslandLaw::start_member(MovingEntity& moving_entity, double dt) noexcept {
+  MUROSIMF_ASSERT(dt > 0 && moving_entity.interface.response);
   ContactSet& ground = moving_entity.contacts;
   if (ground_becomes_rows(moving_entity.interface)) {
     for (const int object : ground.loaded) {
@@ -69,8 +74,9 @@ bool BodyIslandLaw::start_member(MovingEntity& moving_entity, double dt) noexcep
   return moving_entity.interface.response->free_pass(dt);
 }
 
-/// Forces and memory of all contacts of an island.
+/// Computes forces and memory of all contacts of an island.
 void BodyIslandLaw::solve(int number, std::vector<MovingEntity>& moving_entities, PairSet& set, double dt) noexcept {
+  MUROSIMF_ASSERT(number >= 0 && static_cast<std::size_t>(number) < island_.size());
   Island& island = island_[number];
   IslandSolver& solver = island.solver;
   solver.start(dt);
@@ -97,7 +103,7 @@ void BodyIslandLaw::solve(int number, std::vector<MovingEntity>& moving_entities
 
 void BodyIslandLaw::count_unsettled(const std::vector<MovingEntity>& moving_entities, double dt,
                                     PairSet& set) const noexcept {
-  UnsettledSteps& second = set.unsettled;
+  UnsettledSteps& second = set.unsettled;  // sums over a second: single steps that do not settle are normal
   IslandSolver::Rest most;
   for (int island = 0; island < islands_.count(); ++island) {
     const IslandSolver::Rest& rest = island_[island].solver.rest();
@@ -151,6 +157,8 @@ void BodyIslandLaw::finish_member(int number, std::vector<MovingEntity>& moving_
 }
 
 bool BodyIslandLaw::is_row(const PairContact& contact) const {
+  MUROSIMF_ASSERT(static_cast<std::size_t>(contact.a) < member_.size() &&
+                  static_cast<std::size_t>(contact.b) < member_.size());
   return member_[contact.a].number != insane && member_[contact.b].number != insane;
 }
 

@@ -1,6 +1,6 @@
 /// bounce.h - round bodies bounce by an impulse, so that their restitution is right at steps of any length.
 ///
-/// A bounce of a ball lasts for some milliseconds, which long steps do not resolve. Whoever finds a new point of a round body that comes
+/// A bounce of a ball lasts for some milliseconds, which long steps do not resolve. The algorithm that finds a new point of a round body that comes
 /// faster than 0.1 m/s therefore gives it the velocity with which it leaves, at the end of this step (Newton's law of impact):
 ///
 ///     u_n+ = e u_n-         f_n = b (u_n+ - v_n+) >= 0,  b = 10^6 m_p / dt

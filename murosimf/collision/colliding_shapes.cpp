@@ -3,20 +3,22 @@
 #include <algorithm>
 #include <limits>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/math/quaternion.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::collision {
 namespace {
 
-/// How far a slider can go; without limits, anywhere.
+/// Longest travel [m] of a slider; infinite without limits.
 double longest_travel(const Model& model, int joint) {
   const Vec3d* range = model.find(properties::joint_range, joint);
   return range ? std::max(std::abs(range->x), std::abs(range->y)) : std::numeric_limits<double>::infinity();
 }
 
-/// What a joint adds at the position nearest to zero that it can have.
+/// Transform of a joint at its position nearest to zero.
 Transformd moved(const Object& joint, const Vec3d& range) {
+  MUROSIMF_ASSERT(range.x <= range.y);
   const double q = std::clamp(0.0, range.x, range.y);
   if (q == 0) return {};
   if (joint.kind == Kind::prismatic) return {q * joint.vector, {}};
@@ -47,7 +49,7 @@ std::vector<CollidingShape> colliding_planes(const Model& model) { return shapes
 double farthest_reach(const Model& model) {
   double reach = 0;
   for (const CollidingShape& shape : colliding_shapes(model)) {
-    // the longest chain of offsets from the base, and the size of what sits there
+    // the longest chain of offsets from the base, and the size of the shape at its end
     double length = norm(shape.placed.position) + bounding_radius(shape.placed.shape);
     for (int i = shape.object; i >= 0; i = model.objects()[i].parent) {
       if (model.objects()[i].kind == Kind::translation) length += norm(model.objects()[i].vector);
@@ -68,6 +70,7 @@ std::vector<Transformd> rest_poses(const Model& model) {
     if (object.kind == Kind::rotation) step.orientation = object.turn;
     if (const Vec3d* range = model.find(properties::joint_range, i)) step = moved(object, *range);
     poses[i] = poses[object.parent] * step;
+    MUROSIMF_ASSERT(object.parent < i);
   }
   return poses;
 }

@@ -1,4 +1,4 @@
-/// colliding_shapes.h - the shapes of a model that take part in collisions: one list, in one order, for all who ask.
+/// colliding_shapes.h - the shapes of a model that take part in collisions: one list, in one order, for all users.
 #pragma once
 
 #include <vector>

@@ -7,6 +7,7 @@
 #include "murosimf/collision/interpenetration.h"
 #include "murosimf/collision/relief/relief.h"
 #include "murosimf/collision/robot_tree.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::collision {
 namespace {
@@ -28,6 +29,7 @@ geometry::AnyTree make_tree(const Model& model, std::span<const CollidingShape> 
 std::vector<double> thicknesses_of(const Model& model, std::span<const CollidingShape> shapes) {
   std::vector<double> result(static_cast<std::size_t>(model.size()));
   for (const CollidingShape& shape : shapes) {
+    MUROSIMF_ASSERT(shape.object >= 0 && shape.object < model.size());
     double& thickest = result[static_cast<std::size_t>(shape.object)];
     const ReliefPtr* relief = model.find(properties::relief, shape.object);
     thickest = std::max(thickest, relief ? (*relief)->thickness() : thickness(shape.placed.shape));

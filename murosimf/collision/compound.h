@@ -34,7 +34,7 @@ class Compound {
   /// Every shape is of the one kind that is usual, and touches it.
   [[nodiscard]] bool all_touch() const { return parts_->all_touch; }
   [[nodiscard]] const InnerPairs& inner_pairs() const { return parts_->inner_pairs; }
-  /// No shape is farther [m] from the base's origin, in any posture: who is near nobody needs no refit.
+  /// No shape is farther [m] from the base's origin, in any posture: an entity without others near it needs no refit.
   [[nodiscard]] double reach() const { return parts_->reach; }
 
   /// [m] of a body: that of its thickest shape (interpenetration.h); 0 without shapes.

@@ -42,7 +42,7 @@ static void state(StateArchive& archive, Contact& contact) {
 }
 
 void state(StateArchive& archive, ContactPoint& c) {
-  // no structured binding knows members of two classes
+  // structured bindings do not work with members of two classes
   constexpr std::size_t own = sizeof(double) + 6 * sizeof(Vec3d) + 7 * sizeof(double);
   static_assert(sizeof(ContactPoint) == sizeof(Contact) + own, "is a new member stored here?");
   state(archive, static_cast<Contact&>(c));

@@ -36,7 +36,7 @@ struct ContactSet {
   TestCounts tests;                      ///< of collision detection in this step; no state (body_pairs.h)
   std::optional<Interpenetration> interpenetration;  ///< the first so far, for a warning
   bool solved = false;         ///< an island solver has settled this step already; motion takes it over and resets this
-  bool island_stands = false;  ///< in that case: somebody in the island touches the environment
+  bool island_stands = false;  ///< in that case: an entity of the island touches the environment
 
   // what bodies feel besides, so that a trial step can begin anew
   std::vector<Wrenchd> rest_force;                  ///< [N m, N] external force of every object without these contacts

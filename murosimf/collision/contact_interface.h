@@ -1,7 +1,7 @@
-/// contact_interface.h - who works on the contacts of one entity: where the algorithms that share them find each other.
+/// contact_interface.h - connection of the algorithms that share the contacts of one entity.
 ///
 /// Contact with the ground brings the law, the level that moves the entity what answers to impulses. Both can be exchanged
-/// between two steps, and neither is state: the points (contact.h) are, and know nothing of who works on them.
+/// between two steps, and neither is state: the points (contact.h) are, and do not depend on these algorithms.
 #pragma once
 
 #include "murosimf/collision/contact_point.h"
@@ -20,7 +20,7 @@ struct ContactInterface {
   ImpulseResponse* response = nullptr;  ///< of the level that moves the entity, for island solvers; null: none
 };
 
-/// No state: whoever attaches the algorithms again makes it again.
+/// No state: it is made again when the algorithms are attached again.
 inline void append_hash(Hasher&, const ContactInterface&) {}
 inline void state(StateArchive&, ContactInterface&) {}
 

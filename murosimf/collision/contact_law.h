@@ -28,7 +28,7 @@ class ContactLaw {
   /// Whether it bears the stiffest contacts that a step resolves (contact_parameters.h).
   [[nodiscard]] virtual bool implicit() const noexcept { return false; }
 
-  /// May drop points (a law that wants one per body).
+  /// May drop points (a law with one per body).
   virtual void prepare(std::vector<ContactPoint>& points, const ContactTerms& terms) const noexcept = 0;
   /// `next_velocity` [m/s]: of every point after the trial step, as many as points. True if all points agree with it;
   /// false if some changed and the step must be repeated.

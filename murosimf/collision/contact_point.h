@@ -45,7 +45,7 @@ struct ContactParameters {
   double spin_friction = 0;     ///< [m s] s_nu of these
 };
 
-/// What a law knows besides the points: the constants of one entity's contacts, the same in every step.
+/// Input of a law besides the points: the constants of one entity's contacts, the same in every step.
 struct ContactTerms {
   std::vector<ContactParameters> parameters;  ///< by Contact::surface
   double dt = 0;                              ///< [s] of contact's steps; 0: no contact attached

@@ -1,4 +1,4 @@
-/// contact_properties.h - properties of what pushes bodies: contacts, users, and who can be pushed.
+/// contact_properties.h - properties of forces on bodies: contacts, users, and which entities can be pushed.
 ///
 /// Frames as in model/properties.h: "world" means world axes.
 #pragma once

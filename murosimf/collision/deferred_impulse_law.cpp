@@ -2,6 +2,7 @@
 
 #include "murosimf/collision/contact_law_parts.h"
 #include "murosimf/collision/depenetration.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::collision {
 namespace {
@@ -11,8 +12,9 @@ SymMat3d damping_of(const PairContact& c) {
   return diagonal(c.tangent_damping) + (c.normal_damping - c.tangent_damping) * outer(c.normal);
 }
 
-/// Force at the present velocity, and the dampings; the spring first follows the motion of the step before.
+/// Force at the present velocity, and the dampings; the spring first follows the motion of the preceding step.
 void find_carry_force(PairContact& c, const ContactParameters& p, double dt) {
+  MUROSIMF_ASSERT(dt > 0);
   const double v_n = dot(c.velocity, c.normal);
   const Vec3d v_t = c.velocity - v_n * c.normal;
   c.stretch = tangential(c.stretch, c.normal);
@@ -41,7 +43,7 @@ void find_carry_force(PairContact& c, const ContactParameters& p, double dt) {
   }
 }
 
-/// What the contacts of the step before left: -e/2 for either side, or the ledger of a side that cannot be pushed.
+/// Reverts what the contacts of the preceding step have left over: -e/2 for either side, or the ledger of an immovable side.
 void take_back(std::vector<MovingEntity>& moving_entities, const PairContact& old, double dt) {
   MovingEntity &a = moving_entities[old.a], &b = moving_entities[old.b];
   const SymMat3d damping = damping_of(old);
@@ -62,6 +64,7 @@ void DeferredImpulseLaw::push(std::vector<MovingEntity>& moving_entities, PairSe
     if (old.state != ContactState::open) take_back(moving_entities, old, dt);
   }
   for (PairContact& c : set.points) {
+    MUROSIMF_ASSERT(c.surface < set.parameters.size());
     find_carry_force(c, set.parameters[c.surface], dt);
     if (c.state == ContactState::open) continue;
     MovingEntity &a = moving_entities[c.a], &b = moving_entities[c.b];

@@ -3,12 +3,13 @@
 #include <algorithm>
 
 #include "murosimf/collision/impulse_response.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/math/rigid_inertia.h"
 
 namespace murosimf::collision {
 namespace {
 
-/// Joints are moved by torques: more coordinates than those of a rigid body. A level that does not say counts as if.
+/// Whether torques move the joints: more coordinates than those of a rigid body. A level without an answer counts as such.
 bool limbs_yield(const MovingEntity& moving_entity) {
   const ImpulseResponse* response = moving_entity.interface.response;
   return !response || response->coordinates() > 6;
@@ -28,11 +29,12 @@ struct MassAndInertia {
 };
 
 MassAndInertia at_center(const RigidInertia<double>& sum) {
+  MUROSIMF_ASSERT(sum.mass >= 0);
   const Vec3d c = sum.mass > 0 ? (1 / sum.mass) * sum.first : Vec3d{};
   return {sum.mass, c, sum.second - sum.mass * inertia_of_point(c)};
 }
 
-/// A link; one without mass goes with its parent.
+/// Inertia of a link; a link without mass moves with its parent.
 MassAndInertia inertia_from(const MovingEntity& moving_entity, int link) {
   const std::vector<Link>& links = moving_entity.model().tree().links;
   RigidInertia<double> sum;
@@ -54,7 +56,8 @@ MassAndInertia inertia_of_all(const MovingEntity& moving_entity) {
 }  // namespace
 
 EffectiveMass::Number EffectiveMass::touch(const MovingEntity& moving_entity, int number, int object) {
-  if (!moving_entity.can_be_pushed()) return nobody;
+  if (!moving_entity.can_be_pushed()) return none;
+  MUROSIMF_ASSERT(object >= 0 && object < moving_entity.model().size());
   const bool by_links = limbs_yield(moving_entity);
   const int link = by_links ? moving_entity.model().tree().link_of[object] : 0;
   const auto known = std::find_if(parts_.begin(), parts_.end(),
@@ -71,14 +74,16 @@ EffectiveMass::Number EffectiveMass::touch(const MovingEntity& moving_entity, in
 }
 
 double EffectiveMass::along(Number number, const Vec3d& point, const Vec3d& direction) const noexcept {
-  if (number == nobody) return 0;
+  if (number == none) return 0;
+  MUROSIMF_ASSERT(static_cast<std::size_t>(number) < parts_.size());
   const Part& part = parts_[number];
   const Vec3d moment = cross(point - part.center, direction);
   return part.contacts * (1 / part.mass + dot(moment, part.inverse_inertia * moment));
 }
 
 double EffectiveMass::about(Number number, const Vec3d& direction) const noexcept {
-  if (number == nobody) return 0;
+  if (number == none) return 0;
+  MUROSIMF_ASSERT(static_cast<std::size_t>(number) < parts_.size());
   const Part& part = parts_[number];
   return part.contacts * dot(direction, part.inverse_inertia * direction);
 }

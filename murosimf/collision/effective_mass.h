@@ -19,18 +19,18 @@ namespace murosimf::collision {
 
 class EffectiveMass {
  public:
-  /// Of a part; `nobody` for one that cannot be pushed.
+  /// Of a part; `none` for one that cannot be pushed.
   using Number = int;
-  static constexpr Number nobody = -1;
+  static constexpr Number none = -1;
 
   /// Forgets all parts: poses are new.
   void start() noexcept { parts_.clear(); }
   /// One more contact of a body of the entity with this number; returns its part.
   Number touch(const MovingEntity& moving_entity, int number, int object);
 
-  /// [1/kg] of a point [m] along a unit vector, times the contacts of the part; world frame. 0 for nobody.
+  /// [1/kg] of a point [m] along a unit vector, times the contacts of the part; world frame. 0 for `none`.
   [[nodiscard]] double along(Number part, const Vec3d& point, const Vec3d& direction) const noexcept;
-  /// [1/(kg m^2)] about a unit vector, times the contacts of the part; world axes. 0 for nobody.
+  /// [1/(kg m^2)] about a unit vector, times the contacts of the part; world axes. 0 for `none`.
   [[nodiscard]] double about(Number part, const Vec3d& direction) const noexcept;
 
  private:

@@ -1,6 +1,7 @@
 #include "murosimf/collision/entity_tree.h"
 
 #include "murosimf/geometry/sweep_and_prune.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::collision {
 
@@ -8,7 +9,7 @@ using geometry::BoundingSphere;
 
 namespace {
 
-/// Slightly bigger, so that spheres around several hold each of them after rounding, too.
+/// Enlarged, so that spheres around several of them contain each after rounding, too.
 BoundingSphere with_slack(const BoundingSphere& sphere) {
   return {sphere.center, sphere.radius + 1e-6 + 1e-9 * (norm(sphere.center) + sphere.radius)};
 }
@@ -16,6 +17,7 @@ BoundingSphere with_slack(const BoundingSphere& sphere) {
 }  // namespace
 
 void EntityTree::build(std::span<const BoundingSphere> reach, std::span<const FoundBy> found_by) {
+  MUROSIMF_ASSERT(reach.size() == found_by.size());
   std::vector<BoundingSphere> spheres;
   std::vector<Vec3d> centers;
   entities_.clear();
@@ -32,6 +34,7 @@ void EntityTree::build(std::span<const BoundingSphere> reach, std::span<const Fo
   }
   std::vector<geometry::BoundingTree<BoundingSphere>::Leaf> leaves;
   for (int i = 0; i < static_cast<int>(spheres.size()); ++i) leaves.push_back({i, {{}, spheres[i].radius}});
+  MUROSIMF_ASSERT(leaves.size() == entities_.size() && centers.size() == entities_.size());
   tree_ = {std::move(leaves), geometry::split_top_down(spheres)};
   tree_.refit(centers, std::vector<Mat3d>(centers.size()));
 }

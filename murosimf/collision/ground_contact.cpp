@@ -7,13 +7,14 @@
 #include "murosimf/collision/depenetration.h"
 #include "murosimf/collision/ground_lanes.h"
 #include "murosimf/collision/impulse_response.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::collision {
 namespace {
 
-constexpr double exchange_speed = 0.05;   // [m/s] 0.05 mm in a step of 1 ms is not seen
-constexpr std::size_t usual_points = 12;  // two feet and more; memory for others is taken when they come
+constexpr double exchange_speed = 0.05;   // [m/s] 0.05 mm in a step of 1 ms is invisible
+constexpr std::size_t usual_points = 12;  // two feet and more; memory for more points is allocated when needed
 
 }  // namespace
 
@@ -39,6 +40,7 @@ GroundContact::GroundContact(Setup& setup, const Entity* environment, std::share
       external_damping_(setup.write(properties::external_damping)),
       set_(setup.write(contacts)[0]),
       interface_(setup.write(contact_interface)[0]) {
+  MUROSIMF_ASSERT(law_ && soft_terms_.dt > 0);
   make_terms();
 }
 
@@ -57,6 +59,8 @@ void GroundContact::make_terms() {
     environment_objects_.push_back(meeting.object);
     thicknesses_.push_back(meeting.thickness);
   });
+  MUROSIMF_ASSERT(soft_terms_.parameters.size() == environment_objects_.size() &&
+                  stiff_terms_.parameters.size() == thicknesses_.size());
 }
 
 void GroundContact::initialize() {
@@ -75,7 +79,7 @@ void GroundContact::initialize() {
   std::fill(external_damping_.begin(), external_damping_.end(), Sym6d{});
 }
 
-/// Its points belong to another shape: they begin anew, and what is in the ground now is let out slowly.
+/// Its points belong to other shapes: they are discarded, and present penetrations are resolved slowly.
 void GroundContact::model_exchanged(const Entity& entity) {
   if (&entity != &entity_) return;
   finder_ = GroundFinder(entity_, environment_entity_);
@@ -88,22 +92,24 @@ void GroundContact::model_exchanged(const Entity& entity) {
 }
 
 void GroundContact::exchange_law(std::shared_ptr<const ContactLaw> law) {
+  MUROSIMF_ASSERT(law && law_);
   const bool same_memory = law_->island_use() != IslandUse::never && law->island_use() != IslandUse::never;
   law_ = std::move(law);
   if (interface_.law) interface_.law = law_.get();  // else initialize() is still to come
   if (!same_memory) set_.points.clear();
 }
 
-/// Six coordinates are those of a rigid body.
+/// Whether motion answers contacts itself; six coordinates are those of a rigid body.
 bool GroundContact::wants_stiff_terms() const noexcept {
   return law_->implicit() &&
          (model().joints().empty() || (interface_.response && interface_.response->coordinates() > 6));
 }
 
-/// Points of other constants keep their tangential force, and come to their new depth slowly.
+/// Points keep their tangential force with other constants, and approach their new depth slowly.
 void GroundContact::choose_terms() noexcept {
   const bool stiff = wants_stiff_terms();
   const ContactTerms& wanted = stiff ? stiff_terms_ : soft_terms_;
+  MUROSIMF_ASSERT(soft_terms_.parameters.size() == stiff_terms_.parameters.size());
   if (stiff != set_.stiff) {
     const ContactTerms& before = stiff ? soft_terms_ : stiff_terms_;
     for (ContactPoint& c : set_.points) {
@@ -123,7 +129,7 @@ void GroundContact::clear_loads() noexcept {
   set_.rest_damping.clear();
 }
 
-/// Takes its hands off an entity that another kind of level moves now.
+/// Removes its loads from an entity that a level without dynamics moves now.
 void GroundContact::rest() noexcept {
   if (set_.loaded.empty() && set_.points.empty()) return;
   clear_loads();
@@ -148,8 +154,9 @@ std::unique_ptr<LaneGroup> GroundContact::join(std::span<Algorithm* const> membe
   return std::make_unique<GroundLanes>(members_of<GroundContact>(members));
 }
 
-/// False if there is nothing to be found.
+/// Returns false if the entity needs no contacts.
 bool GroundContact::begin_step(const Instant& instant) noexcept {
+  MUROSIMF_ASSERT(instant.period > Duration{});
   if (dynamic_ == 0) {
     rest();
     return false;
@@ -168,13 +175,14 @@ bool GroundContact::begin_step(const Instant& instant) noexcept {
   return true;
 }
 
-/// After the contacts with planes: the others, and the velocities of all from number `first` on.
+/// Finds the contacts that are not with planes, and the velocities of all points from number `first` on.
 void GroundContact::find_rest(std::size_t first) noexcept {
   finder_.find_on_statics(r_, R_, set_.points, set_.tests);
   set_velocities(first);
 }
 
 void GroundContact::set_velocities(std::size_t first) noexcept {
+  MUROSIMF_ASSERT(first <= set_.points.size());
   for (std::size_t i = first; i < set_.points.size(); ++i) {
     ContactPoint& c = set_.points[i];
     c.velocity = v_[c.object] + cross(w_[c.object], c.point - r_[c.object]);
@@ -187,7 +195,7 @@ void GroundContact::end_step(const Instant& instant) noexcept {
   note_interpenetration(instant.now);
   law_->prepare(set_.points, interface_.terms);
   set_.loaded.clear();
-  int last = -1;  // points of one body follow each other
+  int last = -1;  // points of one body are adjacent
   for (const ContactPoint& c : set_.points) {
     if (c.object == last) continue;
     last = c.object;
@@ -196,7 +204,7 @@ void GroundContact::end_step(const Instant& instant) noexcept {
   write_loads(set_, r_, external_force_, external_damping_);
 }
 
-/// A body that touched the ground already was not put there, whatever point of it a law has kept: that comes out as fast as the others.
+/// A body that has touched the ground already was not placed into it: its new points are resolved as fast as the others.
 void GroundContact::begin_lift(ContactPoint& point) const noexcept {
   const auto same_body = [&](const ContactPoint& other) { return other.object == point.object; };
   const auto other = std::find_if(previous_.begin(), previous_.end(), same_body);
@@ -204,7 +212,7 @@ void GroundContact::begin_lift(ContactPoint& point) const noexcept {
   point.lift = other->lift;
 }
 
-/// True if the same shapes touched from the other side in the step before.
+/// True if the same shapes touched from the other side in the preceding step.
 bool GroundContact::has_crossed(const ContactPoint& c) const noexcept {
   const auto same = [&](const ContactPoint& other) {
     return GroundFinder::are_of_same_shapes(other, c) && other.lift == 0;
@@ -216,6 +224,7 @@ bool GroundContact::has_crossed(const ContactPoint& c) const noexcept {
 void GroundContact::note_interpenetration(Duration now) noexcept {
   if (set_.interpenetration) return;
   for (const ContactPoint& c : set_.points) {
+    MUROSIMF_ASSERT(c.surface < thicknesses_.size());
     const double thinner = std::min(finder_.own_thickness(c.object), thicknesses_[c.surface]);
     const Depth depth = depth_of(c, thinner, interface_.terms.dt, has_crossed(c));
     if (depth == Depth::usual) continue;
@@ -227,6 +236,7 @@ void GroundContact::note_interpenetration(Duration now) noexcept {
 }
 
 void GroundContact::remember() {
+  // both lists are sorted by feature: one pass finds the memory of each point
   auto old = previous_.begin();
   for (ContactPoint& c : set_.points) {
     while (old != previous_.end() && old->feature < c.feature) ++old;

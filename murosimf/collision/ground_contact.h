@@ -11,7 +11,7 @@
 /// such levels slip and fall.
 ///
 /// An entity with longer steps of its own (multirate_stepping.h) has contacts as they fit these, also while it makes those of the scene: what
-/// it stands on does not become stiffer when somebody comes near.
+/// it stands on does not become stiffer when another entity comes near.
 #pragma once
 
 #include <memory>

@@ -5,11 +5,12 @@
 #include "murosimf/geometry/collide.h"
 #include "murosimf/geometry/descent.h"
 #include "murosimf/geometry/ray.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::collision {
 namespace {
 
-constexpr double margin_on_ground = 8e-3;  // [m] of volumes above uneven ground, which has very many shapes
+constexpr double margin_on_ground = 8e-3;  // [m] of volumes above uneven ground: pairs stay valid for several steps
 constexpr std::uint64_t features_of_pair = std::uint64_t{1} << 32;
 
 /// `v` in the plane across the unit vector `normal`, with length 1; zero if it has no direction there.
@@ -61,6 +62,7 @@ void GroundFinder::find(std::span<const Vec3d> r, std::span<const Mat3d> R, std:
 
 void GroundFinder::find_on_planes(std::span<const Vec3d> r, std::span<const Mat3d> R, std::vector<ContactPoint>& found,
                                   TestCounts& tests) const noexcept {
+  MUROSIMF_ASSERT(r.size() == R.size());
   const std::span<const GroundShape> shapes(*shapes_);
   std::uint64_t feature = 0;
   for (std::size_t k = 0; k < planes_.size(); ++k) {
@@ -82,6 +84,7 @@ void GroundFinder::find_on_planes(std::span<const Vec3d> r, std::span<const Mat3
 
 void GroundFinder::find_on_statics(std::span<const Vec3d> r, std::span<const Mat3d> R, std::vector<ContactPoint>& found,
                                    TestCounts& tests) noexcept {
+  MUROSIMF_ASSERT(r.size() == R.size() && !r.empty());
   if (environment_->empty() || !is_near_statics_(*environment_, r[0], own_.reach(), tests.volumes)) return;
   if (!(has_candidates_ && own_.still_fits(r, R))) find_candidates(r, R, tests);
   geometry::Manifold manifold;
@@ -113,7 +116,7 @@ void GroundFinder::find_candidates(std::span<const Vec3d> r, std::span<const Mat
     return true;
   };
   tests.volumes += for_pairs(environment_->compound(), own_, only_touching(environment_->compound(), own_, add));
-  std::sort(candidates_.begin(), candidates_.end());
+  std::sort(candidates_.begin(), candidates_.end());  // the order of contacts must not depend on the trees' shapes
   for (const StaticCompound::Ground& ground : environment_->uneven_grounds()) {
     const auto is_of = [&](const auto& pair) { return ground.has(pair.first); };
     const auto begin = std::find_if(candidates_.begin(), candidates_.end(), is_of);
@@ -123,7 +126,7 @@ void GroundFinder::find_candidates(std::span<const Vec3d> r, std::span<const Mat
   has_candidates_ = !environment_->uneven_grounds().empty();
 }
 
-/// Features go by the points of its own shapes, not by triangles: a foot that slides over edges keeps what friction remembers.
+/// Features are those of the own shape's points, not of triangles: a foot that slides over edges keeps the memory of its friction.
 void GroundFinder::find_on_ground(const StaticCompound::Ground& ground, std::span<const Vec3d> r,
                                   std::span<const Mat3d> R, std::span<const std::pair<int, int>> candidates,
                                   std::vector<ContactPoint>& found, TestCounts& tests) noexcept {
@@ -172,6 +175,7 @@ bool GroundFinder::are_of_same_shapes(const ContactPoint& a, const ContactPoint&
 
 /// By the environment's kinds, each plane being one, then by the entity's: as for_meetings() counts.
 std::uint32_t GroundFinder::surface(std::size_t other_kind, std::size_t own_shape) const noexcept {
+  MUROSIMF_ASSERT(own_shape < own_.shapes().size());
   return static_cast<std::uint32_t>(other_kind * own_kinds_.surfaces().size() + own_kinds_.of(own_shape));
 }
 
@@ -184,7 +188,7 @@ struct Highest {
   double height = 0;  ///< [m] the plane z = 0 where none is found
   Vec3d normal{0, 0, 1};
 
-  void see(double z, const Vec3d& up) noexcept {
+  void update(double z, const Vec3d& up) noexcept {
     if (z > limit || (found && z <= height)) return;
     found = true;
     height = z;
@@ -192,7 +196,7 @@ struct Highest {
   }
 };
 
-/// Where a ray straight down through `point`, from the limit on, enters static shapes.
+/// Entries of a vertical ray downwards through `point`, from the limit on, into static shapes.
 void see_statics(const StaticCompound& statics, const Vec3d& point, Highest& highest) noexcept {
   const geometry::Ray ray{{point.x, point.y, highest.limit}, {0, 0, -1}};
   const auto wanted = [&](const auto& volume) {
@@ -200,7 +204,8 @@ void see_statics(const StaticCompound& statics, const Vec3d& point, Highest& hig
   };
   const auto look = [&](int i) {
     const auto entry = geometry::meet(ray, statics.shape(i).placed.shape, statics.pose(i));
-    if (entry && entry->distance > 0) highest.see(ray.origin.z - entry->distance, entry->normal);  // 0: begins inside
+    if (entry && entry->distance > 0)
+      highest.update(ray.origin.z - entry->distance, entry->normal);  // 0: begins inside
     return true;
   };
   std::visit([&](const auto& tree) { geometry::for_leaves(tree, wanted, look); }, statics.compound().tree());
@@ -218,9 +223,9 @@ GroundBelow GroundSurface::below(const Vec3d& point) noexcept {
   for (const GroundPlane& plane : planes_) {
     const Vec3d& n = plane.normal;
     if (n.z == 1) {
-      highest.see(plane.height, n);
+      highest.update(plane.height, n);
     } else if (n.z > 0) {
-      highest.see((plane.height - n.x * point.x - n.y * point.y) / n.z, n);
+      highest.update((plane.height - n.x * point.x - n.y * point.y) / n.z, n);
     }
   }
   constexpr double reach = 0.2;  // [m] of a foot

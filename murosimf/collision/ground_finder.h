@@ -1,4 +1,4 @@
-/// ground_finder.h - where one entity touches its environment: the ground's planes, and static shapes that stand on it.
+/// ground_finder.h - contacts of one entity with its environment: the ground's planes, and static shapes on it.
 ///
 /// Planes stand outside the trees: a plane's sphere of reach is one dot product per shape (paper 5, and ground_points.h).
 #pragma once
@@ -27,7 +27,7 @@ class GroundFinder {
   /// `environment`: null for none.
   GroundFinder(const Entity& entity, const Entity* environment);
 
-  /// What meets at a value of Contact::surface: one for every pair of kinds, whatever many shapes are of them.
+  /// The two surfaces of a value of Contact::surface: one value for every pair of kinds, whatever number of shapes they have.
   struct Meeting {
     const Surface &own, &other;
     Vec3d friction_direction;  ///< [1] of the environment (GroundPlane)
@@ -50,22 +50,22 @@ class GroundFinder {
   }
   /// [m] of a body of the entity.
   [[nodiscard]] double own_thickness(int object) const noexcept { return own_.thickness_of(object); }
-  /// Both points are of the same two shapes that stand or move.
+  /// Whether both points are of the same two shapes.
   [[nodiscard]] static bool are_of_same_shapes(const ContactPoint& a, const ContactPoint& b) noexcept;
-  /// How many contacts there can be with planes.
+  /// Largest number of contacts with planes.
   [[nodiscard]] std::size_t most_on_planes() const;
 
-  /// The next find() asks anew whether something that stands is near; what it finds is the same.
+  /// Discards the cached test whether static shapes are near; results do not depend on it.
   void forget_nearness() noexcept { is_near_statics_ = {}; }
   /// Appends contacts, sorted by feature; geometry and `surface` only. r [m], R: poses of the entity's objects.
   void find(std::span<const Vec3d> r, std::span<const Mat3d> R, std::vector<ContactPoint>& found,
             TestCounts& tests) noexcept;
-  /// Its parts: those with planes, and then those with what stands there.
+  /// The parts of find(): contacts with planes, and those with static shapes.
   void find_on_planes(std::span<const Vec3d> r, std::span<const Mat3d> R, std::vector<ContactPoint>& found,
                       TestCounts& tests) const noexcept;
   void find_on_statics(std::span<const Vec3d> r, std::span<const Mat3d> R, std::vector<ContactPoint>& found,
                        TestCounts& tests) noexcept;
-  /// Both find the same on planes from the same poses.
+  /// Whether both find the same contacts with planes from the same poses.
   [[nodiscard]] bool finds_like(const GroundFinder& other) const noexcept {
     return shapes_ == other.shapes_ && environment_ == other.environment_ &&
            all_touch_planes_ == other.all_touch_planes_;
@@ -104,18 +104,18 @@ struct GroundBelow {
   double slope_x = 0, slope_y = 0;  ///< [1] dz/dx, dz/dy
 };
 
-/// Where an environment would carry something that steps on it from above: its planes, and what stands on them.
+/// The ground that carries an entity that steps on an environment from above: its planes, and static shapes on them.
 class GroundSurface {
  public:
   /// Surfaces that are higher than this above a point [m] are not below it, but beside.
   static constexpr double highest_step = 0.06;
-  /// [1] cosine of the angle between the vertical and what can be stood on; steeper surfaces count as level.
+  /// [1] cosine of the angle between the vertical and the steepest surface to stand on; steeper surfaces count as level.
   static constexpr double steepest = 0.8660254037844387;  // 30 degrees
 
   /// `environment`: null for none, then the ground is the plane z = 0, as it is where no plane is below a point.
   explicit GroundSurface(const Entity* environment);
 
-  /// Below a point [m] of the world. Remembers whether something stands near it, which changes no answer.
+  /// The ground below a point [m] of the world. Caches whether static shapes are near, which changes no result.
   [[nodiscard]] GroundBelow below(const Vec3d& point) noexcept;
 
  private:

@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "murosimf/geometry/low_points.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::collision {
 namespace {
@@ -13,19 +14,21 @@ constexpr int fewest_in_lanes = Pack8::registers + 1;  // with fewer robots, one
 }  // namespace
 
 GroundLanes::GroundLanes(std::vector<GroundContact*> members) : members_(std::move(members)) {
+  MUROSIMF_ASSERT(members_.size() <= Pack8::lanes);
   for (const GroundShape& shape : *members_.front()->finder_.shapes_) {
     objects_.push_back(static_cast<std::size_t>(shape.object));
   }
   origins_.resize(objects_.size());
-  nobody_.resize(numbers_of<Mat3> * static_cast<std::size_t>(members_.front()->model().size()));
+  padding_.resize(numbers_of<Mat3> * static_cast<std::size_t>(members_.front()->model().size()));
 }
 
 void GroundLanes::step(LaneMask due, const Instant& instant) noexcept {
+  MUROSIMF_ASSERT(due >> members_.size() == 0);
   LaneMask lanes = 0;
   for_lanes(due, [&](int lane) {
     if (member(lane).dynamic_ != 0) lanes |= lane_bit(lane);
   });
-  if (std::popcount(lanes) < fewest_in_lanes) lanes = 0;
+  if (std::popcount(lanes) < fewest_in_lanes) lanes = 0;  // with few robots, packs cost more than they save
   for_lanes(due & ~lanes, [&](int lane) { member(lane).step(instant); });
   if (lanes == 0) return;
   for_lanes(lanes, [&](int lane) { static_cast<void>(member(lane).begin_step(instant)); });
@@ -41,14 +44,14 @@ void GroundLanes::step(LaneMask due, const Instant& instant) noexcept {
 template <class T, class Column>
 void GroundLanes::take(std::span<const std::size_t> objects, LaneMask lanes, T* packs, const Column& column) noexcept {
   LaneRows<const double> from;
-  from.fill(nobody_.data());
+  from.fill(padding_.data());
   for_lanes(lanes, [&](int lane) {
     from[static_cast<std::size_t>(lane)] = reinterpret_cast<const double*>(column(member(lane)));
   });
   gather(from, objects, [&](std::size_t k) -> T& { return packs[k]; });
 }
 
-/// As GroundFinder::find_on_planes does for one.
+/// GroundFinder::find_on_planes of all lanes: planes, shapes and features in the same order, so contacts have the same order.
 void GroundLanes::find_on_planes(LaneMask lanes) noexcept {
   const GroundFinder& finder = members_.front()->finder_;
   const std::span<const GroundShape> shapes(*finder.shapes_);
@@ -60,6 +63,7 @@ void GroundLanes::find_on_planes(LaneMask lanes) noexcept {
     for (std::size_t s = 0; s < shapes.size(); ++s) {
       const GroundShape& shape = shapes[s];
       const Pack8 height = dot(plane.normal, origins_[s]) - plane.height;
+      // written as "not above": NaN counts as near, as for one robot
       const LaneMask near = lanes & ~lanes_of(height > Pack8(shape.object_reach));
       if (near == 0 || !(finder.all_touch_planes_ || may_touch(shape.placed, plane))) continue;
       const Meeting meeting{shape, plane, feature + shape.first_feature, finder.surface(k, s)};
@@ -76,6 +80,7 @@ void GroundLanes::find_on_planes(LaneMask lanes) noexcept {
 
 void GroundLanes::find_one_by_one(const Meeting& meeting, LaneMask lanes) noexcept {
   const GroundShape& shape = meeting.shape;
+  MUROSIMF_ASSERT(lanes >> members_.size() == 0);
   for_lanes(lanes, [&](int lane) {
     GroundContact& robot = member(lane);
     std::vector<ContactPoint>& found = robot.set_.points;
@@ -91,6 +96,7 @@ void GroundLanes::find_one_by_one(const Meeting& meeting, LaneMask lanes) noexce
 }
 
 GroundLanes::Place GroundLanes::place_of(std::size_t object, LaneMask lanes) noexcept {
+  MUROSIMF_ASSERT(lanes != 0);
   Place place;
   const std::span<const std::size_t> one(&object, 1);
   take(one, lanes, &place.R, [](const GroundContact& robot) { return robot.R_.data(); });
@@ -99,7 +105,7 @@ GroundLanes::Place GroundLanes::place_of(std::size_t object, LaneMask lanes) noe
   return place;
 }
 
-/// As find_ground_contacts does for one.
+/// find_ground_contacts of a box, in all lanes.
 void GroundLanes::find_corners(const Meeting& meeting, const Box& box, const Vec3<Pack8>& origin,
                                LaneMask lanes) noexcept {
   const GroundShape& shape = meeting.shape;

@@ -1,7 +1,7 @@
-/// ground_lanes.h - contact of up to eight copies of one robot with the ground: what stands on planes is found in lanes.
+/// ground_lanes.h - contact of up to eight copies of one robot with the ground: contacts with planes are found in lanes.
 ///
-/// A step of ground_contact.h. How far shapes are above each plane, and the corners of boxes near it, are worked out for all robots at
-/// once; other shapes near it, what stands on the ground, memory and forces one robot after the other.
+/// A step of ground_contact.h. Heights of shapes above each plane, and the corners of boxes near it, are computed for all robots at
+/// once; other shapes near it, static shapes, memory and forces one robot after the other.
 #pragma once
 
 #include <cstdint>
@@ -9,18 +9,19 @@
 #include <vector>
 
 #include "murosimf/collision/ground_contact.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/lane_group.h"
 
 namespace murosimf::collision {
 
 class GroundLanes final : public LaneGroup {
  public:
-  /// One to eight, of which each goes with each (GroundContact::goes_with); they outlive this.
+  /// One to eight, of which each goes with each (GroundContact::goes_with); they outlive this object.
   explicit GroundLanes(std::vector<GroundContact*> members);
   void step(LaneMask due, const Instant& instant) noexcept override;
 
  private:
-  /// How a body is turned and how it moves: [m/s] of its origin, [rad/s]; world frame.
+  /// Attitude and motion of a body: [m/s] of its origin, [rad/s]; world frame.
   struct Place {
     Vec3<Pack8> v, w;
     Mat3<Pack8> R;
@@ -32,7 +33,10 @@ class GroundLanes final : public LaneGroup {
     std::uint64_t first_feature;
     std::uint32_t surface;
   };
-  [[nodiscard]] GroundContact& member(int lane) const noexcept { return *members_[static_cast<std::size_t>(lane)]; }
+  [[nodiscard]] GroundContact& member(int lane) const noexcept {
+    MUROSIMF_ASSERT(lane >= 0 && static_cast<std::size_t>(lane) < members_.size());
+    return *members_[static_cast<std::size_t>(lane)];
+  }
   void find_on_planes(LaneMask lanes) noexcept;
   void find_one_by_one(const Meeting& meeting, LaneMask lanes) noexcept;
   void find_corners(const Meeting& meeting, const Box& box, const Vec3<Pack8>& origin, LaneMask lanes) noexcept;
@@ -43,7 +47,7 @@ class GroundLanes final : public LaneGroup {
   std::vector<GroundContact*> members_;
   std::vector<std::size_t> objects_;  // by shape: its object
   std::vector<Vec3<Pack8>> origins_;  // [m] by shape, of its object
-  std::vector<double> nobody_;        // stands for the columns of lanes without robot
+  std::vector<double> padding_;       // takes the place of the columns of lanes that take no part
 };
 
 }  // namespace murosimf::collision

@@ -4,6 +4,7 @@
 
 #include "murosimf/collision/colliding_shapes.h"
 #include "murosimf/geometry/low_points.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::collision {
 
@@ -11,6 +12,7 @@ std::uint32_t features_of(const Shape& shape) { return geometry::low_point_featu
 
 GroundShape ground_shape(int object, const PlacedShape& placed, std::uint32_t first_feature) {
   const double reach = bounding_radius(placed.shape);
+  MUROSIMF_ASSERT(object >= 0 && reach >= 0);
   return {object, placed, reach, norm(placed.position) + reach, first_feature};
 }
 
@@ -34,13 +36,13 @@ const std::vector<GroundShape>& ground_shapes(const Model& model) {
 
 bool find_ground_contacts(const GroundShape& shape, const Vec3d& r, const Mat3d& R, const GroundPlane& plane,
                           std::vector<ContactPoint>& found) {
-  if (is_out_of_reach(shape, r, plane)) return false;
+  if (is_out_of_reach(shape, r, plane)) return false;  // about the object's origin: needs no attitude
   const Vec3d center = r + R * shape.placed.position;
   if (dot(plane.normal, center) - plane.height > shape.reach) return false;
   const geometry::LowPoints points{center, R * shape.placed.orientation, plane.normal, plane.height};
   const auto emit = [&](std::uint32_t feature, const Vec3d& point, double radius) {
     const double depth = plane.height - dot(plane.normal, point);
-    if (depth <= 0) return;
+    if (depth <= 0) return;  // touching without depth has no force
     ContactPoint& c = found.emplace_back();
     c.object = shape.object;
     c.feature = shape.first_feature + feature;

@@ -37,18 +37,18 @@ struct GroundShape {
 /// Numbers that the features of one shape take: eight, more for a polyhedron of more vertices.
 [[nodiscard]] std::uint32_t features_of(const Shape& shape);
 
-/// Of shapes of one model, in their order.
+/// Number of features of all shapes of one model, in their order.
 [[nodiscard]] inline std::uint64_t features_of_all(std::span<const GroundShape> shapes) {
   return shapes.empty() ? 0 : shapes.back().first_feature + features_of(shapes.back().placed.shape);
 }
 
-/// In any attitude, with its object at r [m]: most shapes are, and this takes but one product.
+/// Whether a shape cannot touch the plane in any attitude, with its object at r [m]: true for most shapes, at the cost of one product.
 [[nodiscard]] inline bool is_out_of_reach(const GroundShape& shape, const Vec3d& r, const GroundPlane& plane) {
   return dot(plane.normal, r) - plane.height > shape.object_reach;
 }
 
-/// Appends the contacts of `shape` with `plane`. False if bounding spheres already tell that there are none. r [m], R: pose of its object, world frame. The caller fills in what
-/// depends on the pair: `surface`, velocities and memory.
+/// Appends the contacts of `shape` with `plane`. False if the bounding spheres exclude any. r [m], R: pose of its object, world frame.
+/// The caller fills in the numbers of the pair: `surface`, velocities and memory.
 bool find_ground_contacts(const GroundShape& shape, const Vec3d& r, const Mat3d& R, const GroundPlane& plane,
                           std::vector<ContactPoint>& found);
 

@@ -12,8 +12,9 @@ namespace {
 constexpr double slow = 0.005;             // [m/s] below this the direction of sliding is not trusted
 constexpr double normal_tolerance = 0.05;  // a sliding force is renewed if the normal force moved by more than this
 
-/// Normal force after a step that ends with normal velocity v_n.
+/// Normal force after a step that ends with the normal velocity v_n.
 double normal_force(const ContactPoint& c, const ContactParameters& p, double dt, double v_n) {
+  MUROSIMF_ASSERT(dt > 0);
   return resting_force(c, p, dt) - implicit_damping(c, p, dt) * v_n;
 }
 
@@ -29,13 +30,13 @@ void linearize_stick(ContactPoint& c, const ContactParameters& p, double dt) {
   c.force = normal_force(c, p, dt, v_n) * c.normal + stick_force(c, p, dt, v_t);
 }
 
-/// Friction mu f_n against the sliding velocity; f_n is that of the pass before. Its derivative is zero along the
+/// Friction mu f_n against the sliding velocity; f_n is that of the preceding pass. Its derivative is zero along the
 /// direction of sliding and -mu f_n / |v_t| across it; mu counts as constant.
 void linearize_slip(ContactPoint& c, const ContactParameters& p, double dt) {
   const double v_n = dot(c.velocity, c.normal);
   const Vec3d v_t = c.velocity - v_n * c.normal;
   const double speed = norm(v_t);
-  if (speed > slow) c.slip_direction = (1.0 / speed) * v_t;
+  if (speed > slow) c.slip_direction = (1.0 / speed) * v_t;  // slower, the preceding direction is the better one
   const double limit = friction_limit(p, c.last_normal_force, c.slip_direction);
   c.normal_damping = implicit_damping(c, p, dt);
   c.tangent_damping = limit / std::max(speed, slow);
@@ -53,16 +54,16 @@ void linearize(ContactPoint& c, const ContactParameters& p, double dt) {
   if (!is_bouncing(c)) resist_turning(c, p, p.stiffness * c.depth);
 }
 
-/// Friction that the present linearization gives for the tangential velocity v_t after the step.
+/// Friction of the present linearization for the tangential velocity v_t after the step.
 Vec3d tangential_force(const ContactPoint& c, const Vec3d& v_t) {
   Vec3d change = v_t - tangential(c.velocity, c.normal);
   if (c.state == ContactState::slip) change -= dot(change, c.slip_direction) * c.slip_direction;
   return tangential(c.force, c.normal) - c.tangent_damping * change;
 }
 
-/// A point that closes, with the velocity v: it slides if it moves along the surface, and sticks if not. A trial step
-/// that stops in vain what slides would tell nothing about its neighbors. Its friction begins with the normal force of that trial:
-/// what spring and damper make of v is what a body of infinite mass would feel, and would throw a light foot back.
+/// State of a point that closes with the velocity v: it slides if it moves along the surface, otherwise it sticks. A trial step
+/// that stops a sliding point in vain would give no information about its neighbors. Its friction begins with the normal force of that
+/// trial: the force of spring and damper for v would be that on a body of infinite mass, and would throw a light foot back.
 void close(ContactPoint& c, const Vec3d& v) {
   const double v_n = dot(v, c.normal);
   const Vec3d v_t = v - v_n * c.normal;
@@ -76,7 +77,7 @@ void close(ContactPoint& c, const Vec3d& v) {
   c.last_normal_force = 0;
 }
 
-/// Decides about one point; true if it agrees with the trial step.
+/// Decides about one point; true if the decision agrees with the trial step.
 bool accept_point(ContactPoint& c, const ContactParameters& p, double dt, const Vec3d& next) {
   const double v_n = dot(next, c.normal);
   const Vec3d v_t = next - v_n * c.normal;
@@ -115,10 +116,13 @@ bool accept_point(ContactPoint& c, const ContactParameters& p, double dt, const 
 }  // namespace
 
 void ImplicitStick::prepare(std::vector<ContactPoint>& points, const ContactTerms& terms) const noexcept {
+  MUROSIMF_ASSERT(terms.dt > 0);
   for (ContactPoint& c : points) {
+    MUROSIMF_ASSERT(c.surface < terms.parameters.size());
     const ContactParameters& p = terms.parameters[c.surface];
     c.stretch = tangential(c.stretch, c.normal);
-    if (c.state == ContactState::open && !is_bouncing(c)) close(c, c.velocity);  // what bounced leaves by itself
+    // a bouncing point leaves by its impulse
+    if (c.state == ContactState::open && !is_bouncing(c)) close(c, c.velocity);
     linearize(c, p, terms.dt);
   }
 }
@@ -140,13 +144,15 @@ bool ImplicitStick::accept(std::span<ContactPoint> points, const ContactTerms& t
 void ImplicitStick::commit(std::span<ContactPoint> points, const ContactTerms& terms,
                            std::span<const Vec3d> next_velocity) const noexcept {
   MUROSIMF_ASSERT(next_velocity.size() == points.size());
+  MUROSIMF_ASSERT(terms.dt > 0);
   for (std::size_t i = 0; i < points.size(); ++i) {
     ContactPoint& c = points[i];
+    MUROSIMF_ASSERT(c.surface < terms.parameters.size());
     const ContactParameters& p = terms.parameters[c.surface];
     const double v_n = dot(next_velocity[i], c.normal);
     const Vec3d v_t = next_velocity[i] - v_n * c.normal;
     const double f_n = normal_force(c, p, terms.dt, v_n);
-    // passes may have run out before the law agreed: nothing ever pulls
+    // passes may have been exhausted before the law agreed: a force never pulls
     if (c.state == ContactState::open || f_n < 0) {
       c.state = ContactState::open;
       c.stretch = {};
@@ -158,7 +164,7 @@ void ImplicitStick::commit(std::span<ContactPoint> points, const ContactTerms& t
     if (c.state == ContactState::stick) {
       c.stretch += terms.dt * v_t;
     } else {
-      c.stretch = (-1.0 / p.tangent_stiffness) * (f_t + p.tangent_damping * v_t);
+      c.stretch = (-1.0 / p.tangent_stiffness) * (f_t + p.tangent_damping * v_t);  // back onto the cone
     }
     c.last_normal_force = f_n;
     c.force = f_n * c.normal + f_t;

@@ -4,11 +4,14 @@
 
 #include "murosimf/collision/contact_properties.h"
 #include "murosimf/geometry/collide.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::collision {
 namespace {
 
 bool neighbors(const Tree& tree, int object_a, int object_b) {
+  MUROSIMF_ASSERT(static_cast<std::size_t>(object_a) < tree.link_of.size() &&
+                  static_cast<std::size_t>(object_b) < tree.link_of.size());
   const int a = tree.link_of[object_a], b = tree.link_of[object_b];
   return a == b || tree.links[a].parent == b || tree.links[b].parent == a;
 }
@@ -61,6 +64,7 @@ void InnerPairs::exclude_near(const Model& model, std::span<const CollidingShape
   for (const CollidingShape& shape : shapes) {
     at_rest.push_back(objects[shape.object] * shape.placed.place());
   }
+  MUROSIMF_ASSERT(at_rest.size() == count_);
   const int count = static_cast<int>(count_);
   geometry::Manifold overlap;
   for (int a = 0; a < count; ++a) {

@@ -1,10 +1,11 @@
-/// inner_pairs.h - which shapes of one entity may touch each other (paper 5: inner collisions, off by default).
+/// inner_pairs.h - the shapes of one entity that may touch each other (paper 5: inner collisions, off by default).
 #pragma once
 
 #include <span>
 #include <vector>
 
 #include "murosimf/collision/colliding_shapes.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::collision {
 
@@ -19,11 +20,17 @@ class InnerPairs {
   InnerPairs(const Model& model, std::span<const CollidingShape> shapes, const ExcludedPairs& excluded);
 
   /// Shapes by their numbers in colliding_shapes().
-  [[nodiscard]] bool may_touch(int a, int b) const { return may_touch_[static_cast<std::size_t>(a) * count_ + b]; }
+  [[nodiscard]] bool may_touch(int a, int b) const {
+    MUROSIMF_ASSERT(static_cast<std::size_t>(a) < count_ && static_cast<std::size_t>(b) < count_);
+    return may_touch_[static_cast<std::size_t>(a) * count_ + b];
+  }
   [[nodiscard]] bool off() const { return count_ == 0; }
 
  private:
-  void set(int a, int b, bool may) { may_touch_[a * count_ + b] = may_touch_[b * count_ + a] = may; }
+  void set(int a, int b, bool may) {
+    MUROSIMF_ASSERT(static_cast<std::size_t>(a) < count_ && static_cast<std::size_t>(b) < count_);
+    may_touch_[a * count_ + b] = may_touch_[b * count_ + a] = may;
+  }
   void exclude_near(const Model& model, std::span<const CollidingShape> shapes);
   void exclude(const Model& model, std::span<const CollidingShape> shapes, const ExcludedPairs& pairs);
   void allow(const Model& model, std::span<const CollidingShape> shapes, const AllowedPairs& pairs);

@@ -7,6 +7,7 @@
 #include "murosimf/collision/body_pairs.h"
 #include "murosimf/collision/bounce.h"
 #include "murosimf/collision/moving_entity.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/state_archive.h"
 
 namespace murosimf::collision {
@@ -15,6 +16,7 @@ namespace {
 /// Between each face and the corner that is farthest from it: of a polytope the least distance of parallel planes is taken at a face, or
 /// at two edges, where it is not much less.
 double thickness_of(const ConvexHull& hull) {
+  MUROSIMF_ASSERT(hull.normals.size() == hull.faces.size());
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < hull.faces.size(); ++i) {
     const Vec3d& on_face = hull.vertices[hull.faces[i].front()];
@@ -42,7 +44,7 @@ bool is_known(const PairSet& set, int a, int b) {
   return std::ranges::any_of(set.interpenetrations, same);
 }
 
-/// True if the same shapes touched from the other side in the step before.
+/// True if the same shapes touched from the other side in the preceding step.
 bool has_crossed(const PairContact& c, const std::vector<PairContact>& previous) {
   const auto before = std::ranges::lower_bound(previous, c.shapes, {}, &PairContact::shapes);
   return before != previous.end() && before->shapes == c.shapes && before->lift == 0 &&
@@ -61,6 +63,7 @@ static_assert(std::is_trivially_copyable_v<Interpenetration>);
 double thickness(const Shape& shape) { return std::visit(Thickness{}, shape); }
 
 Depth depth_of(const ContactPoint& point, double thickness, double dt, bool turned) noexcept {
+  MUROSIMF_ASSERT(dt > 0 && thickness >= 0);
   const double most = 0.5 * thickness;
   if (point.lift > 0) return norm(point.velocity) * dt > most ? Depth::through : Depth::usual;
   if (turned) return Depth::through;

@@ -5,31 +5,35 @@
 
 #include "murosimf/collision/contact_law_parts.h"
 #include "murosimf/collision/depenetration.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/math/inline.h"
 
 namespace murosimf::collision {
 namespace {
 
-constexpr double least_damping = 1e-6;  // [N s/m] a contact without any would have no end of compliance
+constexpr double least_damping = 1e-6;  // [N s/m] a contact without damping would have an infinite compliance
 
-/// Its first axis is the unit vector n, the others lie across; the same for the same n.
+/// A frame whose first axis is the unit vector n; deterministic.
 Mat3d frame_about(const Vec3d& n) {
+  // a direction that is not nearly parallel to n: the larger angle keeps the cross product accurate
   const Vec3d away = std::abs(n.x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
   const Vec3d across = tangential(away, n);
   const Vec3d t = (1 / norm(across)) * across;
   return {n, t, cross(n, t)};
 }
 
-/// After `sweeps`, with changes [m/s] that have fallen geometrically.
+/// Extrapolates the rest after `sweeps` whose changes [m/s] have decreased geometrically.
 IslandSolver::Rest rest_of(int sweeps, double at_half, double at_end) {
-  constexpr double most = 100;  // [1] times the sweeps that there were
+  MUROSIMF_ASSERT(sweeps >= 0);
+  constexpr double most = 100;  // [1] times the number of sweeps
   const double fall = 2 * std::log(at_half / at_end), missing = std::log(at_end / IslandSolver::nearly_settled);
   const bool falls = missing < most * fall;
   return {falls ? std::max(0.0, missing / fall) : most, at_end * sweeps * (falls ? std::min(most, 1 / fall) : most)};
 }
 
-/// Both sides of a contact may be bodies of one entity: numbers that belong together are added up. The second side's begin at `middle`.
+/// Merges rows with equal indices if both sides of a contact are bodies of one entity. The second side's rows begin at `middle`.
 void merge_equal(ResponseRows& rows, std::size_t middle) {
+  MUROSIMF_ASSERT(middle <= rows.index.size() && rows.index.size() == rows.value.size());
   std::size_t end = middle;
   for (std::size_t k = middle; k < rows.index.size(); ++k) {
     const auto same =
@@ -49,9 +53,10 @@ void merge_equal(ResponseRows& rows, std::size_t middle) {
 }  // namespace
 
 void IslandSolver::start(double dt) {
+  MUROSIMF_ASSERT(dt > 0);
   dt_ = dt;
   members_.clear();
-  z_.assign(1, 0.0);
+  z_.assign(1, 0.0);  // number 0 belongs to no entity: padding of rows to fours points to it
   contacts_.clear();
   index_.clear();
   rows_.clear();
@@ -65,6 +70,7 @@ int IslandSolver::add(ImpulseResponse& response) {
 }
 
 void IslandSolver::add_side(Contact& contact, double sign, const Side& side) {
+  MUROSIMF_ASSERT(side.member < static_cast<int>(members_.size()));
   const Vec3d& point = contact.point->point;
   if (side.member < 0) {
     contact.free += sign * transposed_times(contact.frame, side.velocity);
@@ -79,17 +85,19 @@ void IslandSolver::add_side(Contact& contact, double sign, const Side& side) {
   for (std::size_t k = first; k < response_.index.size(); ++k) response_.index[k] += static_cast<int>(member.offset);
 }
 
-/// So that sweeps find it as they need it.
+/// Stores the response in the layout that sweeps read: rows for velocities, columns by fours for impulses.
 void IslandSolver::keep_response(Contact& c) {
   const std::size_t count = response_.index.size();
   c.first = index_.size();
   c.last = c.first + count;
+  MUROSIMF_ASSERT(response_.value.size() == count && c.first % 4 == 0);
   const std::size_t end = c.first + (count + 3) / 4 * 4;
   index_.resize(end);
   rows_.resize(end);
   columns_.resize(end / 4);
   for (std::size_t k = 0; k < count; ++k) {
     const Vec3d& row = response_.value[k];
+    MUROSIMF_ASSERT(static_cast<std::size_t>(response_.index[k]) < z_.size());
     index_[c.first + k] = static_cast<std::size_t>(response_.index[k]);
     rows_[c.first + k] = Four(row.x, row.y, row.z, 0.0);
   }
@@ -100,6 +108,7 @@ void IslandSolver::keep_response(Contact& c) {
 }
 
 void IslandSolver::add(ContactPoint& point, const ContactParameters& p, const Side& a, const Side& b) {
+  MUROSIMF_ASSERT(dt_ > 0 && p.friction >= 0);
   Contact& c = contacts_.emplace_back();
   c.point = &point;
   c.parameters = &p;
@@ -121,12 +130,13 @@ void IslandSolver::add(ContactPoint& point, const ContactParameters& p, const Si
   c.request_n = resting_force(point, p, dt_) / b_n;
   c.request_1 = dot(spring, c.frame.y);
   c.request_2 = dot(spring, c.frame.z);
-  // start from the memory of the step before: its normal force, and what the spring holds
+  // warm start: the normal force of the preceding step, and the force of the spring
   const double held = -dt_ * p.tangent_stiffness;
   push(c, {dt_ * point.last_normal_force, held * dot(point.stretch, c.frame.y), held * dot(point.stretch, c.frame.z)});
 }
 
 void IslandSolver::invert(Contact& c) noexcept {
+  // with R > 0 these are regular, also for contacts that move no mass
   c.mass_n = 1 / (c.W.xx + c.R_n);
   const double a = c.W.yy + c.R_t, b = c.W.yz, d = c.W.zz + c.R_t;
   const double scale = 1 / (a * d - b * b);
@@ -155,20 +165,21 @@ MUROSIMF_INLINE void IslandSolver::push(Contact& c, const Vec3d& impulse) noexce
   }
 }
 
-/// Returns by how much [m/s] the contact's velocity changes.
+/// Solves one contact; returns the change [m/s] of its velocity.
 double IslandSolver::solve(Contact& c) noexcept {
   const Vec3d v = velocity(c);
   const double rest = v.x + c.R_n * c.lambda.x - c.request_n;
   const double normal = std::max(0.0, c.lambda.x - c.mass_n * rest);
   const double pushed = normal - c.lambda.x;
+  // friction sees the velocity after the new normal impulse: one contact is solved exactly in one step
   const Vec3d friction = solve_friction(c, normal, v + pushed * Vec3d{c.W.xx, c.W.xy, c.W.xz});
   const Vec3d change = Vec3d{normal, friction.y, friction.z} - c.lambda;
-  if (is_zero(change)) return 0;  // open as before, most often
+  if (is_zero(change)) return 0;  // still open: the most frequent case
   push(c, change);
   return std::abs(c.W.xx * change.x) + std::abs(c.W.yy * change.y) + std::abs(c.W.zz * change.z);
 }
 
-/// Impulses along the tangents (y, z) for the velocity that the normal impulse leaves.
+/// Impulses along the tangents (y, z) for the velocity after the normal impulse.
 Vec3d IslandSolver::solve_friction(const Contact& c, double normal, const Vec3d& v) const noexcept {
   if (normal <= 0) {
     c.point->state = ContactState::open;
@@ -179,17 +190,17 @@ Vec3d IslandSolver::solve_friction(const Contact& c, double normal, const Vec3d&
   const Vec3d held{0, c.lambda.y - (c.mass_1 * r1 + c.mass_12 * r2), c.lambda.z - (c.mass_12 * r1 + c.mass_2 * r2)};
   c.point->state = ContactState::stick;
   if (within_cone(c, normal, held) >= 1) return held;
-  // what stops the point is not along its motion, since pushing it also turns the body; sliding friction is
+  // the impulse that stops the point is not along its motion, since it also turns the body; sliding friction is
   c.point->state = ContactState::slip;
   const Vec3d sliding{0, c.lambda.y - c.slide_mass * r1, c.lambda.z - c.slide_mass * r2};
   return within_cone(c, normal, sliding) * sliding;
 }
 
-/// Part of the friction that the cone allows: 1 inside.
+/// Factor of the friction that the cone allows: 1 inside.
 double IslandSolver::within_cone(const Contact& c, double normal, const Vec3d& friction) noexcept {
   const double square = friction.y * friction.y + friction.z * friction.z;
   const ContactParameters& p = *c.parameters;
-  if (is_zero(p.friction_direction)) {
+  if (is_zero(p.friction_direction)) {  // isotropic: a square root only outside the cone
     const double most = p.friction * normal;
     return square <= most * most ? 1 : most / std::sqrt(square);
   }
@@ -199,11 +210,13 @@ double IslandSolver::within_cone(const Contact& c, double normal, const Vec3d& f
 }
 
 int IslandSolver::sweep(int sweeps) noexcept {
+  MUROSIMF_ASSERT(sweeps >= 0);
   double change = 0, at_half = 0;  // [m/s]
   for (int i = 0; i < sweeps; ++i) {
     change = 0;
     const std::size_t count = contacts_.size();
     for (std::size_t k = 0; k < count; ++k) {
+      // alternating direction: information travels both ways through a stack
       change = std::max(change, solve(contacts_[i % 2 == 0 ? k : count - 1 - k]));
     }
     if (change < (i < usual_sweeps ? settled : nearly_settled)) {
@@ -219,6 +232,7 @@ int IslandSolver::sweep(int sweeps) noexcept {
 void IslandSolver::finish(Contact& c) noexcept {
   ContactPoint& point = *c.point;
   const ContactParameters& p = *c.parameters;
+  MUROSIMF_ASSERT(dt_ > 0);
   const Vec3d v = velocity(c);
   const Vec3d v_t = v.y * c.frame.y + v.z * c.frame.z;
   const Vec3d f_t = (1 / dt_) * (c.lambda.y * c.frame.y + c.lambda.z * c.frame.z);
@@ -242,6 +256,7 @@ void IslandSolver::finish_points() noexcept {
 }
 
 void IslandSolver::apply(int member) const noexcept {
+  MUROSIMF_ASSERT(member >= 0 && static_cast<std::size_t>(member) < members_.size());
   const Member& m = members_[member];
   m.response->apply({z_.data() + m.offset, m.size});
 }

@@ -1,4 +1,4 @@
-/// island_solver.h - all contacts of a few entities at once: projected Gauss-Seidel on velocities after the step.
+/// island_solver.h - solves all contacts of a few entities at once: projected Gauss-Seidel on velocities after the step.
 ///
 /// Unknown are the impulses lambda = h f of the contact points. With v the velocity after the step, linear in the
 /// impulses (impulse_response.h: v = v_free + y . z, z = sum y lambda), a compliant contact as in implicit_stick_law.h demands
@@ -27,32 +27,32 @@ namespace murosimf::collision {
 
 class IslandSolver {
  public:
-  /// One end of a contact: a body of an entity that answers, or something that does not give way (`member` -1).
+  /// One end of a contact: a body of an entity that answers impulses, or an immovable one (`member` -1).
   struct Side {
     int member = -1;
     int object = 0;
     Vec3d velocity;  ///< [m/s] of the point now, world frame
   };
 
-  /// Forgets all members and contacts; dt [s].
+  /// Removes all members and contacts; dt [s] > 0.
   void start(double dt);
-  /// An entity whose free pass is done; what is returned is its number.
+  /// Adds an entity whose free pass is done; returns its number.
   int add(ImpulseResponse& response);
-  /// A feels +force. The point is kept by reference, and gets its new memory and force from `finish`.
+  /// Adds a contact; +force acts on A. The point is kept by reference, and receives its new memory and force by `finish`.
   void add(ContactPoint& point, const ContactParameters& parameters, const Side& a, const Side& b);
 
-  /// At most `sweeps`; returns how many it took.
+  /// Executes at most `sweeps`; returns their number.
   int sweep(int sweeps) noexcept;
-  /// What the last sweep() has left undone, if velocities go on to change as from half of its sweeps on.
+  /// The rest after the last sweep(), if velocities continue to change as in the second half of its sweeps.
   struct Rest {
     double sweeps = 0;  ///< [1] to be settled, over those that it had
     double change = 0;  ///< [m/s] of the contact that changed the most
   };
   /// Zero if it has settled.
   [[nodiscard]] const Rest& rest() const noexcept { return rest_; }
-  /// Memory and forces of all points, and the impulses to the entities.
+  /// Sets memory and forces of all points, and applies the impulses to the entities.
   void finish() noexcept;
-  /// The parts of that: all points, and the entity with this number.
+  /// The parts of finish(): all points, and the entity with this number.
   void finish_points() noexcept;
   void apply(int member) const noexcept;
 
@@ -73,7 +73,7 @@ class IslandSolver {
     Mat3d frame;                             // n, t1, t2
     Vec3d free;                              // [m/s] velocity along the frame's axes without contacts
     Vec3d lambda;                            // [N s] along the frame's axes
-    SymMat3d W;                              // [1/kg] what lambda does to the velocity
+    SymMat3d W;                              // [1/kg] velocity per lambda
     double R_n, R_t;                         // [1/kg] compliance
     double mass_n;                           // [kg] 1 / (W_n + R_n)
     double mass_1, mass_12, mass_2;          // [kg] inverse of the tangents' W + R_t
@@ -99,13 +99,12 @@ class IslandSolver {
   double dt_ = 0;
   Rest rest_;
   std::vector<Member> members_;
-  std::vector<double> z_;  // the first number is nobody's
+  std::vector<double> z_;  // number 0 belongs to no entity
   std::vector<Contact> contacts_;
-  ResponseRows response_;  // of one contact; working memory
-  std::vector<std::size_t>
-      index_;               // of all contacts: which number of z_; each contact's filled up to fours with nobody's
-  std::vector<Four> rows_;  // with these, along the contact's frame
-  std::vector<Columns> columns_;  // the same, four at a time
+  ResponseRows response_;           // of one contact; working memory
+  std::vector<std::size_t> index_;  // of all contacts: numbers of z_; each contact's padded to fours with number 0
+  std::vector<Four> rows_;          // with these, along the contact's frame
+  std::vector<Columns> columns_;    // the same, four at a time
 };
 
 }  // namespace murosimf::collision

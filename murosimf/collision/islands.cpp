@@ -4,13 +4,15 @@
 #include <numeric>
 
 #include "murosimf/collision/contact_law.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::collision {
 
 template <class IslandOf>
 void Islands::Rows::sort(int things, int islands, const IslandOf& island_of) {
-  if (islands == 0) return;  // nobody asks for a row
+  if (islands == 0) return;  // no row can be requested
   end_.assign(static_cast<std::size_t>(islands) + 2, 0);
+  // counting sort: stable, so members and contacts rise within an island
   for (int i = 0; i < things; ++i) {
     if (island_of(i) >= 0) ++end_[island_of(i) + 2];
   }
@@ -22,6 +24,7 @@ void Islands::Rows::sort(int things, int islands, const IslandOf& island_of) {
 }
 
 int Islands::root(int moving_entity) {
+  MUROSIMF_ASSERT(static_cast<std::size_t>(moving_entity) < parent_.size());
   while (parent_[moving_entity] != moving_entity)
     moving_entity = parent_[moving_entity] = parent_[parent_[moving_entity]];
   return moving_entity;
@@ -36,6 +39,7 @@ void Islands::find(const std::vector<MovingEntity>& moving_entities, const PairS
     return moving_entities[i].can_be_pushed() && moving_entities[i].interface.response != nullptr;
   };
   for (const PairContact& c : set.points) {
+    MUROSIMF_ASSERT(static_cast<std::size_t>(c.a) < size && static_cast<std::size_t>(c.b) < size);
     for (const int side : {c.a, c.b}) wanted_[side] = wanted_[side] || solvable(side);
     // the smaller number becomes the root, so the order of contacts does not matter
     if (solvable(c.a) && solvable(c.b)) {

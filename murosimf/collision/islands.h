@@ -1,15 +1,16 @@
-/// islands.h - which entities touch each other, directly or through others, and so must be solved together.
+/// islands.h - groups of entities that touch each other, directly or through others, and so must be solved together.
 #pragma once
 
 #include <span>
 #include <vector>
 
 #include "murosimf/collision/moving_entity.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::collision {
 
 /// Numbers the islands: entities that can be pushed and are joined by contacts have the same number; those that are not
-/// solved by an island have -1. A law may want an island even for an entity that touches no other.
+/// solved by an island have -1. A law may request an island even for an entity that touches no other.
 class Islands {
  public:
   void find(const std::vector<MovingEntity>& moving_entities, const PairSet& set);
@@ -24,13 +25,14 @@ class Islands {
   [[nodiscard]] std::span<const int> contacts(int island) const { return contacts_.row(island); }
 
  private:
-  /// Things that belong to islands, one row for each island.
+  /// Elements of the islands, one row for each island.
   class Rows {
    public:
-    /// Thing i belongs to island island_of(i) of `islands`; to none, if that is below 0.
+    /// Element i belongs to island island_of(i) of `islands`; to none, if that is below 0.
     template <class IslandOf>
     void sort(int things, int islands, const IslandOf& island_of);
     [[nodiscard]] std::span<const int> row(int island) const {
+      MUROSIMF_ASSERT(island >= 0 && static_cast<std::size_t>(island) + 1 < end_.size());
       return {things_.data() + end_[island], things_.data() + end_[island + 1]};
     }
 

@@ -31,13 +31,17 @@ void find_force(ContactPoint& c, const ContactParameters& p, double dt) {
   }
   c.force = f_n * c.normal + friction(c, p, f_n, c.velocity - v_n * c.normal);
   resist_turning(c, p, f_n);
-  c.angular_damping = c.spin_damping = 0;  // it is explicit
+  c.angular_damping = c.spin_damping = 0;  // this law is explicit
 }
 
 }  // namespace
 
 void KelvinVoigt::prepare(std::vector<ContactPoint>& points, const ContactTerms& terms) const noexcept {
-  for (ContactPoint& c : points) find_force(c, terms.parameters[c.surface], terms.dt);
+  MUROSIMF_ASSERT(terms.dt > 0);
+  for (ContactPoint& c : points) {
+    MUROSIMF_ASSERT(c.surface < terms.parameters.size());
+    find_force(c, terms.parameters[c.surface], terms.dt);
+  }
 }
 
 void KelvinVoigt::commit(std::span<ContactPoint> points, const ContactTerms& terms,
@@ -45,11 +49,13 @@ void KelvinVoigt::commit(std::span<ContactPoint> points, const ContactTerms& ter
   MUROSIMF_ASSERT(next_velocity.size() == points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     ContactPoint& c = points[i];
+    MUROSIMF_ASSERT(c.surface < terms.parameters.size());
     const ContactParameters& p = terms.parameters[c.surface];
     if (c.state == ContactState::open) {
       c.stretch = {};
       continue;
     }
+    // back onto the cone: the spring holds what the present friction force needs
     if (c.state == ContactState::slip) {
       const Vec3d f_t = tangential(c.force, c.normal), v_t = tangential(c.velocity, c.normal);
       c.stretch = (-1.0 / p.tangent_stiffness) * (f_t + p.tangent_damping * v_t);

@@ -6,14 +6,16 @@
 
 #include "murosimf/collision/ground_finder.h"
 #include "murosimf/geometry/collide.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::collision {
 namespace {
 
-constexpr double fastest = 1;      // [m/s]
-constexpr double bearable = 0.15;  // [1] of the thinner one's thickness: an overlap with what can be pushed
+constexpr double fastest = 1;  // [m/s] of a separation: robots do not jump apart
+constexpr double bearable =
+    0.15;  // [1] of the thinner one's thickness: tolerated overlap with an entity that can be pushed
 
-/// The deepest overlap that has been seen, less what is `bearable` [m] of each.
+/// The deepest overlap so far, reduced by the `bearable` part [m] of each.
 class Deepest {
  public:
   void see(const Vec3d& normal, double depth) noexcept {
@@ -30,9 +32,10 @@ class Deepest {
     for (int k = 0; k < found.count; ++k) see(found.normal, found.points[k].depth - allowed);
   }
 
-  /// `share` of the way [m] along the ground that takes A out of B, in a step of dt [s]; one on top of the other is not helped.
+  /// `share` of the horizontal shift [m] that separates A from B, in a step of dt [s]; none if one is on top of the other.
   [[nodiscard]] Vec3d way_out(double share, double dt) const noexcept {
     const double across = std::sqrt(normal_.x * normal_.x + normal_.y * normal_.y);
+    MUROSIMF_ASSERT(share >= 0 && dt > 0);
     if (across < 1e-3) return {};
     const double length = std::min(share * depth_ / across, fastest * dt);
     return (length / across) * Vec3d{normal_.x, normal_.y, 0};
@@ -43,7 +46,7 @@ class Deepest {
   Vec3d normal_;
 };
 
-/// Feet are held apart as seen from above, whatever their height: else one would come down on another.
+/// Feet are kept apart in the horizontal projection, whatever their height: otherwise one would land on another.
 /// `share` of the thinner foot's thickness may overlap.
 void see_feet(MovingEntity& a, MovingEntity& b, double share, Deepest& deepest, TestCounts& tests) noexcept {
   for (const int i : a.feet) {
@@ -58,13 +61,13 @@ void see_feet(MovingEntity& a, MovingEntity& b, double share, Deepest& deepest, 
   }
 }
 
-/// [m] by which a contact is deeper than one who cannot be pushed should press.
+/// Depth [m] of a contact beyond the tolerated pressure of an entity that cannot be pushed.
 double excess_of(const PairContact& c, const std::vector<MovingEntity>& moving_entities) noexcept {
   const double a = moving_entities[c.a].thickness(shape_of_a(c)), b = moving_entities[c.b].thickness(shape_of_b(c));
   return c.depth - bearable * std::min(a, b);
 }
 
-/// [m] of the thinnest shape of a body.
+/// Thickness [m] of the thinnest shape of a body.
 double thinnest(const MovingEntity& entity, int object) noexcept {
   double thickness = std::numeric_limits<double>::infinity();
   for (int i = 0; i < static_cast<int>(entity.compound.shapes().size()); ++i) {
@@ -73,8 +76,9 @@ double thinnest(const MovingEntity& entity, int object) noexcept {
   return thickness;
 }
 
-/// Of all contacts of one that can be pushed, with the ground, too: what presses it may press it into something behind.
+/// Largest excess of all contacts of an entity that can be pushed, also with the ground: pressure may press it into a third body.
 double strain_of(int pushed, const std::vector<MovingEntity>& moving_entities, const PairSet& set) noexcept {
+  MUROSIMF_ASSERT(pushed >= 0 && static_cast<std::size_t>(pushed) < moving_entities.size());
   double most = 0;
   for (const PairContact& c : set.points) {
     if ((c.a == pushed) != (c.b == pushed)) most = std::max(most, excess_of(c, moving_entities));
@@ -86,7 +90,7 @@ double strain_of(int pushed, const std::vector<MovingEntity>& moving_entities, c
   return most;
 }
 
-/// Of those two; contacts are sorted by them.
+/// The contacts of two entities; contacts are sorted by them.
 std::span<const PairContact> contacts_of(int a, int b, const std::vector<PairContact>& points) noexcept {
   const auto pair = std::ranges::equal_range(points, std::pair{a, b}, {}, [](const PairContact& c) {
     return std::pair{c.a, c.b};
@@ -94,7 +98,7 @@ std::span<const PairContact> contacts_of(int a, int b, const std::vector<PairCon
   return {pair.begin(), pair.end()};
 }
 
-/// A part of uneven ground on which one stands, and that is no wall.
+/// Whether a shape is a part of uneven ground that can be stood on: no wall.
 bool is_slope(const StaticCompound& environment, int shape) noexcept {
   const StaticCompound::Ground* ground = environment.ground_of(shape);
   return ground && (ground->at.orientation * ground->relief->triangles()[shape - ground->first].normal).z >
@@ -124,6 +128,7 @@ void leave(MovingEntity& moving_entity, const StaticCompound& environment, doubl
 
 void kinematic_separation(std::vector<MovingEntity>& moving_entities, const StaticCompound& environment,
                           std::span<const std::pair<int, int>> within_reach, double dt, PairSet& set) noexcept {
+  MUROSIMF_ASSERT(dt > 0);
   const auto stands_fast = [&](int i) {
     return !moving_entities[i].can_be_pushed() && !moving_entities[i].entity->idle();
   };

@@ -4,6 +4,7 @@
 
 #include "murosimf/collision/contact_properties.h"
 #include "murosimf/collision/impulse_response.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/feet.h"
 #include "murosimf/model/properties.h"
 
@@ -11,7 +12,7 @@ namespace murosimf::collision {
 
 namespace {
 
-// [m] A tree then lasts for some steps, and so do the pairs of shapes that it found near each other.
+// [m] A tree is then valid for several steps, and so are the pairs of shapes that it found near each other.
 constexpr double margin = 0.008;
 
 std::vector<int> find_feet(const Model& model, const Compound& compound) {
@@ -55,6 +56,7 @@ MovingEntity::MovingEntity(Setup setup)
       separation(setup.write(properties::separation)),
       contacts(setup.write(collision::contacts)[0]),
       interface(setup.write(contact_interface)[0]) {
+  MUROSIMF_ASSERT(r.size() == R.size() && v.size() == r.size() && w.size() == r.size());
   take_sizes();
   pushed_.reserve(static_cast<std::size_t>(setup.model().size()));
   setup.claim();  // levels make their free pass for the island solver
@@ -94,13 +96,15 @@ void MovingEntity::refit() noexcept {
 }
 
 geometry::BoundingSphere MovingEntity::sphere(int shape) const noexcept {
+  MUROSIMF_ASSERT(shape >= 0 && static_cast<std::size_t>(shape) < radii_.size());
   const CollidingShape& s = compound.shapes()[shape];
   return {r[s.object] + R[s.object] * s.placed.position, radii_[shape]};
 }
 
 const Transformd& MovingEntity::pose(int shape) noexcept {
+  MUROSIMF_ASSERT(shape >= 0 && static_cast<std::size_t>(shape) < poses_.size());
   auto& [step, pose] = poses_[shape];
-  if (step != step_) pose = compound.pose(shape, r, R);
+  if (step != step_) pose = compound.pose(shape, r, R);  // computed at the first request of a step
   step = step_;
   return pose;
 }
@@ -111,7 +115,7 @@ void MovingEntity::start_step() noexcept {
   for (const int object : pushed_) {
     interaction_force[object] = Wrenchd{};
     if (interface.law) continue;
-    // no contact with the ground starts these anew in every step
+    // no ground contact resets these in every step
     external_force[object] = Wrenchd{};
     external_damping[object] = Sym6d{};
   }
@@ -119,6 +123,7 @@ void MovingEntity::start_step() noexcept {
 }
 
 void MovingEntity::push(int object, const Vec3d& point, const Vec3d& force, double dt) noexcept {
+  MUROSIMF_ASSERT(dt > 0);
   if (!can_be_pushed()) {
     ledger[0] += Wrenchd{cross(point, dt * force), dt * force};
     return;
@@ -132,6 +137,7 @@ void MovingEntity::turn(int object, const Vec3d& moment, double dt) noexcept {
 }
 
 void MovingEntity::add(int object, const Wrenchd& at_origin) noexcept {
+  MUROSIMF_ASSERT(object >= 0 && static_cast<std::size_t>(object) < interaction_force.size());
   interaction_force[object] += at_origin;
   external_force[object] += at_origin;
   if (interface.law) contacts.rest_force[object] += at_origin;
@@ -139,6 +145,7 @@ void MovingEntity::add(int object, const Wrenchd& at_origin) noexcept {
 }
 
 void MovingEntity::damp(int object, const Vec3d& point, const SymMat3d& damping) noexcept {
+  MUROSIMF_ASSERT(object >= 0 && static_cast<std::size_t>(object) < external_damping.size());
   const Sym6d at_origin = at_point(damping, point - r[object]);
   external_damping[object] += at_origin;
   if (interface.law) contacts.rest_damping.push_back({object, at_origin});

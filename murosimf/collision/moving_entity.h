@@ -18,7 +18,7 @@ struct MovingEntity {
 
   [[nodiscard]] const Model& model() const { return entity->model(); }
   [[nodiscard]] bool can_be_pushed() const { return dynamic[0] != 0; }
-  /// It touches nobody: not there, frozen, or alone with steps of its own (multirate_stepping.h).
+  /// It touches none: absent, frozen, or alone with steps of its own (multirate_stepping.h).
   [[nodiscard]] bool apart() const { return entity->idle() || (!step_ratio.empty() && step_ratio[0] > 1); }
   /// Self-collision is wanted and can move something: where joints are given, it could not.
   [[nodiscard]] bool limbs_can_touch() const;
@@ -32,7 +32,7 @@ struct MovingEntity {
   [[nodiscard]] geometry::BoundingSphere sphere(int shape) const noexcept;
   /// [m] of a shape (interpenetration.h).
   [[nodiscard]] double thickness(int shape) const { return thicknesses_[shape]; }
-  /// Of a shape in the world; worked out when somebody asks, once in a step.
+  /// Pose of a shape in the world; computed at the first request of a step.
   [[nodiscard]] const Transformd& pose(int shape) noexcept;
   /// Velocity [m/s] of the point of a body at `arm` [m] from its origin; world axes.
   [[nodiscard]] Vec3d velocity_at(int object, const Vec3d& arm) const { return v[object] + cross(w[object], arm); }

@@ -3,14 +3,16 @@
 #include <algorithm>
 
 #include "murosimf/collision/compound.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::collision {
 namespace {
 
-constexpr double nearness = 0.05;  // [m] the margin
+constexpr double nearness = 0.05;  // [m] margin of the test whether entities are near each other
 
 bool is_due(const Entity& entity, const Instant& instant) {
+  MUROSIMF_ASSERT(instant.period > Duration{} && entity.options().step_multiple >= 1);
   return instant.now % (entity.options().step_multiple * instant.period) == Duration{};
 }
 
@@ -46,10 +48,10 @@ void MultirateStepping::entity_taken_back(const Entity& entity) noexcept {
 }
 
 void MultirateStepping::step(const Instant& instant) noexcept {
-  if (somebody_decides(instant)) decide(instant);
+  if (any_decides(instant)) decide(instant);
 }
 
-bool MultirateStepping::somebody_decides(const Instant& instant) const noexcept {
+bool MultirateStepping::any_decides(const Instant& instant) const noexcept {
   return std::any_of(movers_.begin(), movers_.end(),
                      [&](const Mover& mover) { return !mover.step_ratio.empty() && is_due(*mover.entity, instant); });
 }
@@ -58,12 +60,14 @@ void MultirateStepping::decide(const Instant& instant) noexcept {
   int most_steps = 1;
   for (const Mover& mover : movers_) most_steps = std::max(most_steps, mover.entity->options().step_multiple);
   const double longest = most_steps * seconds(instant.period);
+  // reach over the longest step: an entity must not arrive while another one makes a long step
   near_.clear();
   for (const Mover& mover : movers_) {
     near_.push_back({mover.r[0], mover.reach + 0.5 * nearness + norm(mover.v[0]) * longest});
   }
   has_company_.assign(movers_.size(), false);
   for (const auto& [a, b] : sweep_.find(near_)) {
+    MUROSIMF_ASSERT(static_cast<std::size_t>(a) < movers_.size() && static_cast<std::size_t>(b) < movers_.size());
     if (movers_[a].entity->idle() || movers_[b].entity->idle()) continue;
     has_company_[a] = has_company_[b] = true;
   }

@@ -2,15 +2,15 @@
 ///
 /// Paper 3.3 gives every algorithm a rate of its own. Contact with the ground and motion of one entity solve one system (contact.h), so
 /// these have one; between entities a contact needs both sides at every instant, or momentum is lost. Therefore an entity with
-/// EntityOptions::step_multiple = m makes steps of m times the scene's length while nobody is near, and those of the scene else. That is
-/// decided whenever a long step is due: near is who might touch it before the next one,
+/// EntityOptions::step_multiple = m makes steps of m times the scene's length while no entity is near, and otherwise those of the scene. That is
+/// decided whenever a long step is due: near are entities that might touch it before the next one,
 ///
 ///     |r_i - r_j| < R_i + R_j + margin + (|v_i| + |v_j|) m T
 ///
 /// with R the reach of an entity in any posture and T the length of the scene's steps. Its state is then ahead of the time by up to
-/// m T, as everybody's is by T.
+/// m T, as that of every entity is by T.
 ///
-/// Assumes: nobody gains more than margin / (m T), 10 m/s with 5 ms, within one long step; what comes faster is noticed at its end.
+/// Assumes: no entity gains more than margin / (m T), 10 m/s with 5 ms, within one long step; what comes faster is noticed at its end.
 #pragma once
 
 #include <span>
@@ -44,7 +44,7 @@ class MultirateStepping final : public Algorithm {
   [[nodiscard]] static Mover mover(Setup setup);
   /// With steps of the scene, until it is decided.
   static void start(const Mover& mover);
-  [[nodiscard]] bool somebody_decides(const Instant& instant) const noexcept;
+  [[nodiscard]] bool any_decides(const Instant& instant) const noexcept;
   void decide(const Instant& instant) noexcept;
 
   std::vector<Mover> movers_;

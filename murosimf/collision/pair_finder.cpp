@@ -5,24 +5,25 @@
 #include "murosimf/collision/depenetration.h"
 #include "murosimf/collision/surface_kinds.h"
 #include "murosimf/geometry/four_points.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::collision {
 namespace {
 
-constexpr double fastest_walker = 3.0;  // [m/s] speed of an not_dynamic body's point that counts
+constexpr double fastest_walker = 3.0;  // [m/s] limit of the velocity of a kinematic entity's points
 
 bool comes_before(const PairContact& a, const PairContact& b) {
   return a.shapes != b.shapes ? a.shapes < b.shapes : a.feature < b.feature;
 }
 
-/// A kinematic robot may change its standing foot within a step: that must not shoot the ball.
+/// A kinematic robot may change its standing foot within a step: the jump of velocity must not accelerate the ball.
 Vec3d velocity_that_counts(const MovingEntity& moving_entity, int object, const Vec3d& arm) {
   const Vec3d v = moving_entity.velocity_at(object, arm);
   const double speed = norm(v);
   return moving_entity.can_be_pushed() || speed <= fastest_walker ? v : (fastest_walker / speed) * v;
 }
 
-/// Bodies that touched already were not put there, whatever points of them are kept: this one comes out as fast as the others.
+/// Bodies that have touched already were not placed into each other: this new point is resolved as fast as the others.
 void begin_lift(PairContact& point, const std::vector<PairContact>& previous, double dt) {
   const auto same_bodies = [&](const PairContact& other) {
     return other.a == point.a && other.b == point.b && other.object == point.object && other.object_b == point.object_b;
@@ -32,7 +33,7 @@ void begin_lift(PairContact& point, const std::vector<PairContact>& previous, do
   point.lift = other->lift;
 }
 
-/// [m/s^2] Of A against B: who stands on something does not fall.
+/// Relative acceleration [m/s^2] of A against B due to gravity: an entity that stands on something does not fall.
 Vec3d falls_with(const MovingEntity& a, const MovingEntity& b, const Vec3d& gravity) {
   const double stands_a = a.contacts.points.empty() ? 0 : 1, stands_b = b.contacts.points.empty() ? 0 : 1;
   return (stands_b - stands_a) * gravity;
@@ -40,6 +41,7 @@ Vec3d falls_with(const MovingEntity& a, const MovingEntity& b, const Vec3d& grav
 
 void remember(const std::vector<MovingEntity>& moving_entities, PairSet& set, const Vec3d& gravity, double dt) {
   auto old = set.previous.begin();
+  // both lists are sorted: one pass finds the memory of each point
   for (PairContact& c : set.points) {
     while (old != set.previous.end() && comes_before(*old, c)) ++old;
     if (old == set.previous.end() || comes_before(c, *old)) {
@@ -69,6 +71,7 @@ void PairFinder::add_kinds(const MovingEntity& moving_entity) {
 }
 
 void PairFinder::take_back() noexcept {
+  MUROSIMF_ASSERT(!limbs_.empty() && limbs_.size() == kinds_of_shapes_.size());
   limbs_.pop_back();
   kinds_of_shapes_.pop_back();
   std::size_t used = 0;
@@ -97,6 +100,8 @@ void PairFinder::number_surfaces(PairSet& set) const noexcept {
 }
 
 std::uint32_t PairFinder::surface_of(int a, int b, int shape_a, int shape_b) const noexcept {
+  MUROSIMF_ASSERT(static_cast<std::size_t>(a) < kinds_of_shapes_.size() &&
+                  static_cast<std::size_t>(b) < kinds_of_shapes_.size());
   return static_cast<std::uint32_t>(kinds_of_shapes_[a][shape_a] * kinds_.size() + kinds_of_shapes_[b][shape_b]);
 }
 
@@ -119,6 +124,7 @@ std::size_t PairFinder::kind_of(const Model& model, const Surface& surface) {
 }
 
 void PairFinder::find(std::vector<MovingEntity>& moving_entities, PairSet& set) noexcept {
+  MUROSIMF_ASSERT(limbs_.size() == moving_entities.size());
   set.previous.swap(set.points);
   set.points.clear();
   set.blocked.clear();
@@ -129,6 +135,7 @@ void PairFinder::find(std::vector<MovingEntity>& moving_entities, PairSet& set) 
   set.tests.volumes += sweep_.tests();
   renew_neighbors();
   std::size_t pair = 0;
+  // entities and pairs in order: the order of contacts, and so the sums of forces, are the same in every run
   for (int a = 0; a < static_cast<int>(moving_entities.size()); ++a) {
     const bool out = moving_entities[a].apart();
     if (!out && moving_entities[a].limbs_can_touch()) find_between(moving_entities, a, a, limbs_[a], set);
@@ -146,7 +153,7 @@ void PairFinder::forget_neighbors() noexcept {
   }
 }
 
-/// What was known of pairs that are still within reach goes on; most times these are the pairs of the step before.
+/// Keeps the cached shapes of pairs that are still within reach; these are usually the pairs of the preceding step.
 void PairFinder::renew_neighbors() {
   const auto& next = sweep_.pairs();
   if (next == pairs_) return;
@@ -158,6 +165,7 @@ void PairFinder::renew_neighbors() {
     const bool known = before < pairs_.size() && pairs_[before] == pair;
     neighbors_.push_back(known ? std::move(old_[before]) : Neighbors{});
   }
+  MUROSIMF_ASSERT(before <= pairs_.size());
   pairs_ = next;
 }
 
@@ -178,6 +186,7 @@ void PairFinder::find_between(std::vector<MovingEntity>& moving_entities, int a,
         a == b ? for_inner_pairs(first.compound, add) : for_pairs(first.compound, second.compound, add);
     std::sort(near.shapes.begin(), near.shapes.end());
   }
+  MUROSIMF_ASSERT(near.fits_a == first.fits() && near.fits_b == second.fits());
   test(moving_entities, a, b, near.shapes, set);
 }
 
@@ -188,7 +197,7 @@ void PairFinder::test(std::vector<MovingEntity>& moving_entities, int a, int b,
   pair.a = a;
   pair.b = b;
   geometry::Manifold manifold;
-  int of = -1;  // shape of the first that has `sphere`
+  int of = -1;  // the shape of the first entity that `sphere` belongs to
   geometry::BoundingSphere sphere;
   for (const auto& [i, j] : shapes) {
     ++set.tests.volumes;
@@ -214,7 +223,7 @@ void PairFinder::add_contacts(const std::vector<MovingEntity>& moving_entities, 
   const bool pushes = first.can_be_pushed() || second.can_be_pushed();
   std::vector<PairContact>& points = pushes ? set.points : set.blocked;
   sort_by_feature(manifold);
-  keep_four(manifold);  // more only cost
+  keep_four(manifold);  // four corners hold a body: more points only cost time
   for (int k = 0; k < manifold.count; ++k) {
     const geometry::ManifoldPoint& found = manifold.points[k];
     PairContact& c = points.emplace_back(pair);

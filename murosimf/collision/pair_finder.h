@@ -3,7 +3,7 @@
 /// Whose spheres of reach meet is found by sorting (geometry/sweep_and_prune.h). These have their trees refitted and
 /// descended (compound.h), unless both have moved by less than the trees' margin since the last time; shapes whose volumes
 /// overlap get the exact test (geometry/collide.h).
-/// Kinds of shapes (model/shape.h) are compared within one entity only: a robot's file knows nothing of other robots.
+/// Kinds of shapes (model/shape.h) are compared within one entity only: a robot's file does not refer to other robots.
 /// Contacts take the constants of the lighter entity.
 #pragma once
 

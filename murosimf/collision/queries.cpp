@@ -69,7 +69,7 @@ void QueryScene::model_exchanged(const Entity& entity) {
   refresh();
 }
 
-/// The first who asks after a refresh looks where everybody is.
+/// The first query after a refresh collects the places of all entities.
 void QueryScene::update() noexcept {
   if (!stale_.load(std::memory_order_acquire)) return;
   const std::scoped_lock lock(updating_);

@@ -1,7 +1,7 @@
 /// queries.h - questions about where bodies are: rays, distances and overlaps, for users and sensors.
 ///
 /// Entities are found by a tree of their spheres of reach (entity_tree.h), then the trees of those that a question comes
-/// near are worked out, once after each refresh, whoever asks first. Several threads may ask at the same time.
+/// near are worked out, once after each refresh, at the first query. Several threads may query at the same time.
 ///
 ///     QueryScene scene(world);
 ///     scene.refresh();  // after every step
@@ -61,7 +61,7 @@ class QueryScene {
   /// Of the entities that the world has now; it must outlive the scene. Throws SetupError if there is no such volume.
   explicit QueryScene(const World& world, const std::string& volume = "sphere");
 
-  /// One that the world got later; nothing, if it is there already. Nobody asks meanwhile. Throws SetupError as the constructor.
+  /// One that the world got later; nothing, if it is there already. No queries meanwhile. Throws SetupError as the constructor.
   void add(const Entity& entity);
   /// Forgets one again that is the last of all; nothing, if it is not.
   void take_back(const Entity& entity) noexcept;
@@ -69,7 +69,7 @@ class QueryScene {
   /// One has another model of the same objects; spans of its shapes end. Throws SetupError if it is not in the scene.
   void model_exchanged(const Entity& entity);
 
-  /// To be called after something has moved, while nobody asks; the work is done when a question comes near an entity.
+  /// To be called after something has moved, while no query runs; the work is done when a query comes near an entity.
   void refresh() noexcept { stale_.store(true, std::memory_order_release); }
 
   /// Shapes of an entity that collide, without planes; in the order of colliding_shapes(). Throws SetupError if it is not
@@ -95,7 +95,7 @@ class QueryScene {
   struct Member {
     Member(const Entity& of, const std::string& volume);
     void refresh() noexcept;
-    /// The compound, refitted by the first who asks.
+    /// The compound, refitted at the first query.
     const Compound& fresh();
     [[nodiscard]] geometry::BoundingSphere reach() const { return {r[0], compound.reach()}; }
     [[nodiscard]] FoundBy found_by() const;

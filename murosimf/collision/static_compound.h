@@ -49,7 +49,7 @@ class StaticCompound {
   std::vector<Ground> grounds_;
 };
 
-/// The one that all who move in this environment share.
+/// The compound that all entities in this environment share.
 [[nodiscard]] std::shared_ptr<const StaticCompound> static_compound_of(const Entity* environment);
 
 /// Whether an entity may touch something static. An answer holds while the base has not moved far: it is asked for a sphere that is

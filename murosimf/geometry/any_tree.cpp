@@ -21,6 +21,7 @@ const std::vector<std::string_view>& volume_names() {
 }
 
 AnyTree make_tree(std::string_view volume, std::span<const TreePart> parts, const TreeLayout& layout, double margin) {
+  MUROSIMF_ASSERT(margin >= 0);
   MUROSIMF_ASSERT(layout.depth() <= TreeLayout::most_depth);
   if (volume == "sphere") return tree_of<BoundingSphere>(parts, layout, margin);
   if (volume == "aabb") return tree_of<Aabb>(parts, layout, margin);

@@ -8,6 +8,7 @@
 #include "murosimf/geometry/box_parts.h"
 #include "murosimf/geometry/build_manifold.h"
 #include "murosimf/geometry/pair_tests.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::geometry {
 namespace {
@@ -64,6 +65,7 @@ bool see_faces(const TwoBoxes& p, Least& least) {
 }
 
 bool see_edges(const TwoBoxes& p, Least& least) {
+  MUROSIMF_ASSERT(least.overlap > 0);
   for (int i = 0; i < 3; ++i) {
     const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
     for (int j = 0; j < 3; ++j) {
@@ -91,6 +93,7 @@ void meet_at_edges(const BoxParts& a, const BoxParts& b, const Least& least, con
                    Manifold& found) {
   const Vec3d& n = least.from_a;
   const Segment edge_a = a.edge(least.edge_a, n), edge_b = b.edge(least.edge_b, -n);
+  MUROSIMF_ASSERT(least.edge_a >= 0 && least.edge_a < 3 && least.edge_b >= 0 && least.edge_b < 3);
   const auto [s, t] = closest_places(edge_a, edge_b);
   const std::uint32_t name = joined(a.edge_name(least.edge_a, n), 64 + b.edge_name(least.edge_b, -n));
   only_point(penetration, 0.5 * (edge_a.at(s) + edge_b.at(t)), name, found);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::geometry {
 
 void begin(const Penetration& penetration, Manifold& found) {
@@ -12,6 +14,7 @@ void begin(const Penetration& penetration, Manifold& found) {
 
 void only_point(const Penetration& penetration, const Vec3d& middle, std::uint32_t name, Manifold& found) {
   found.normal = penetration.normal;
+  MUROSIMF_ASSERT(!found.points.empty());
   found.count = 1;
   found.points[0] = {middle, penetration.depth, name};
 }
@@ -31,6 +34,7 @@ bool add_side_by_side(const Penetration& penetration, const Segment& a, double r
   const Vec3d& n = penetration.normal;
   const double most_aside = 4 * side_by_side * side_by_side * std::min(aa, bb);
   for (const double s : {low, high}) {
+    MUROSIMF_ASSERT(static_cast<std::size_t>(found.count) < found.points.size());
     const Vec3d on_a = a.at(s);
     const Vec3d on_b = b.at(std::clamp(dot(on_a - b.middle, b.half) / bb, -1.0, 1.0));
     const double depth = radius_a + radius_b - dot(on_a - on_b, n);
@@ -43,6 +47,7 @@ bool add_side_by_side(const Penetration& penetration, const Segment& a, double r
 }
 
 void finish(const Penetration& penetration, Manifold& found) {
+  MUROSIMF_ASSERT(found.count >= 0 && static_cast<std::size_t>(found.count) <= found.points.size());
   for (int i = 1; i < found.count; ++i) {
     for (int k = 0; k < i; ++k) {
       if (found.points[k].feature == found.points[i].feature) {

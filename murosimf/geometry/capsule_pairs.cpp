@@ -148,6 +148,7 @@ Vec3d middle_point(const SegmentAtBox& s, const BoxParts& box, const Segment& ax
 }  // namespace
 
 bool collide_capsules(const Capsule& a, const Transformd& at_a, const Capsule& b, const Transformd& at_b,
+                      // margins and segments: exact, and much cheaper than the general test
                       Manifold& found) {
   const Segment u = axis_of(a, at_a), v = axis_of(b, at_b);
   const auto [s, t] = closest_places(u, v);

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "murosimf/geometry/pair_tests.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::geometry {
 namespace {
@@ -12,6 +13,7 @@ namespace {
 /// Each pair of kinds has its test for one order only: the one of lower rank comes first.
 int rank(const Shape& shape) {
   constexpr std::array ranks{0, 1, 2, 3, 4, 6, 5};  // by index in Shape: the plane comes last
+  MUROSIMF_ASSERT(shape.index() < ranks.size());
   return ranks[shape.index()];
 }
 
@@ -24,6 +26,7 @@ struct Sizes {
   std::tuple<double, double, double> operator()(const Ellipsoid& s) const { return of(s.semi_axes); }
   std::tuple<double, double, double> operator()(const Plane&) const { return {}; }
   std::tuple<double, double, double> operator()(const Convex& s) const {
+    MUROSIMF_ASSERT(s.hull && !s.hull->vertices.empty());
     const double count = static_cast<double>(s.hull->vertices.size());
     return {count, static_cast<double>(s.hull->faces.size()), s.hull->vertices[0].x};
   }

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::geometry {
@@ -30,6 +31,7 @@ Line turned_half(Line line) {
 
 /// Middle lines of the strokes.
 std::vector<Line> strokes_of(int digit) {
+  MUROSIMF_ASSERT(digit >= 0 && digit <= 9);
   const Line six{{w, 0.22, 0},    {w, h - c, 0},  {w - c, h, 0},  {-w + c, h, 0},   {-w, h - c, 0},   {-w, -h + c, 0},
                  {-w + c, -h, 0}, {w - c, -h, 0}, {w, -h + c, 0}, {w, 0.04 - c, 0}, {w - c, 0.04, 0}, {-w, 0.04, 0}};
   const Line half_three{{-w, 0.24, 0}, {-w, h - c, 0}, {-w + c, h, 0}, {w - c, h, 0},
@@ -75,6 +77,7 @@ Vec3d miter(const Vec3d& before, const Vec3d& after) {
 }
 
 void add_stroke(const Line& line, const Vec3d& middle, TriangleMesh& mesh) {
+  MUROSIMF_ASSERT(line.size() >= 2);
   const std::size_t last = line.size() - 1;
   for (std::size_t i = 0; i <= last; ++i) {
     const Vec3d before = i > 0 ? left_of(line[i - 1], line[i]) : left_of(line[0], line[1]);

@@ -7,6 +7,7 @@
 #include "murosimf/geometry/gjk.h"
 #include "murosimf/geometry/segments.h"
 #include "murosimf/geometry/sphere_contact.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::geometry {
 namespace {
@@ -22,17 +23,19 @@ Gap above_plane(const Shape& a, const Transformd& at_a, const Transformd& at_b) 
 }
 
 Gap overlap(const Manifold& found) {
+  MUROSIMF_ASSERT(found.count > 0);
   const auto deepest = std::max_element(found.points.begin(), found.points.begin() + found.count,
                                         [](const auto& p, const auto& q) { return p.depth < q.depth; });
   const Vec3d half = 0.5 * deepest->depth * found.normal;
   return {-deepest->depth, deepest->point - half, deepest->point + half};
 }
 
-/// A sphere that is apart from B: one about the same center that is large enough to touch B knows the way.
+/// A sphere that is apart from B: a sphere about the same center that is large enough to touch B gives the direction.
 Gap beside_sphere(const Sphere& a, const Transformd& at_a, const Shape& b, const Transformd& at_b) {
   const Vec3d center = transposed_times(at_b.orientation, at_a.position - at_b.position);
   const double far = 2 * (norm(center) + bounding_radius(b));
   const auto contact = sphere_contact(center, far, b);
+  MUROSIMF_ASSERT(contact);
   const double distance = far - contact->depth - a.radius;
   const Vec3d on_b = at_b.position + at_b.orientation * contact->point;
   return {distance, on_b + distance * (at_b.orientation * contact->normal), on_b};

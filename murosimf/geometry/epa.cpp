@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "murosimf/geometry/descent.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::geometry {
 namespace {
@@ -48,7 +49,10 @@ class Polyhedron {
     }
     return best;
   }
-  [[nodiscard]] const Face& face(int i) const { return faces_[i]; }
+  [[nodiscard]] const Face& face(int i) const {
+    MUROSIMF_ASSERT(i >= 0 && i < face_count_);
+    return faces_[i];
+  }
   /// Replaces all faces below the new vertex. False if there is no room, or none is below it.
   [[nodiscard]] bool grow(const Vec3d& vertex) {
     if (vertex_count_ == most_vertices) return false;
@@ -86,6 +90,7 @@ class Polyhedron {
   void add_face(int i, int j, int k) {
     const Vec3d n = cross(vertices_[j] - vertices_[i], vertices_[k] - vertices_[i]);
     const double size = norm(n);
+    MUROSIMF_ASSERT(face_count_ < most_faces);
     Face& face = faces_[face_count_++];
     face.corner = {i, j, k};
     if (size > tiny_ * tiny_) {

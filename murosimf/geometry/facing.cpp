@@ -6,6 +6,7 @@
 
 #include "murosimf/geometry/box_parts.h"
 #include "murosimf/geometry/support.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::geometry {
 namespace {
@@ -74,6 +75,7 @@ struct FindFacing {
 
 void find_facing(const Shape& shape, const Transformd& at, const Vec3d& d, Side& side) {
   side.count = 0;
+  MUROSIMF_ASSERT(side.count == 0);
   std::visit(FindFacing{shape, at, d, side}, shape);
   side.name_sides();
 }

@@ -8,6 +8,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "murosimf/geometry/mesh_mass.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::geometry {
 namespace {
@@ -46,6 +47,7 @@ double turn(const Point& a, const Point& b, const Point& c) {
 /// Adds the points of one side of the outline, from the first to the last but one.
 template <class Points>
 void add_side(const Points& points, std::vector<Point>& outline) {
+  // the lower side and, on the reversed points, the upper one: points to the right of the line so far are inside
   const std::size_t begin = outline.size();
   for (const Point& p : points) {
     while (outline.size() >= begin + 2 && turn(outline[outline.size() - 2], outline.back(), p) <= 0) outline.pop_back();
@@ -58,6 +60,7 @@ void add_side(const Points& points, std::vector<Point>& outline) {
 /// Source: Andrew, "Another efficient algorithm for convex hulls in two dimensions", IPL 9 (1979).
 std::vector<Point> outline_of(const ConvexHull& hull, const Mat3d& frame) {
   std::vector<Point> points, outline;
+  MUROSIMF_ASSERT(!hull.vertices.empty());
   for (const Vec3d& v : hull.vertices) points.push_back({dot(frame.x, v), dot(frame.y, v)});
   std::ranges::sort(points, [](const Point& a, const Point& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
   add_side(points, outline);
@@ -67,6 +70,7 @@ std::vector<Point> outline_of(const ConvexHull& hull, const Mat3d& frame) {
 
 /// Area of the rectangle around the outline with a side along the unit vector `u`.
 double area_along(const std::vector<Point>& outline, const Point& u) {
+  MUROSIMF_ASSERT(!outline.empty());
   double low_x = 1e300, high_x = -1e300, low_y = 1e300, high_y = -1e300;
   for (const Point& p : outline) {
     const double x = u.x * p.x + u.y * p.y, y = u.x * p.y - u.y * p.x;
@@ -89,6 +93,7 @@ double volume_in(const ConvexHull& hull, const Mat3d& frame) {
 /// (1975).
 Mat3d frame_about(const ConvexHull& hull, const Vec3d& z) {
   const Vec3d some = std::fabs(z.x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
+  // a direction that is not nearly parallel to z
   const Vec3d across = cross(z, some);
   const Vec3d first = (1 / norm(across)) * across;
   const Mat3d start{first, cross(z, first), z};
@@ -150,6 +155,7 @@ Mat3d tightest_of(const ConvexHull& hull, const Principal& principal) {
 }  // namespace
 
 Bounds bounds_in(const ConvexHull& hull, const Mat3d& frame) {
+  MUROSIMF_ASSERT(!hull.vertices.empty());
   const Vec3d first = transposed_times(frame, hull.vertices.at(0));
   Bounds bounds{first, first};
   for (const Vec3d& vertex : hull.vertices) {
@@ -161,8 +167,10 @@ Bounds bounds_in(const ConvexHull& hull, const Mat3d& frame) {
 }
 
 SolidShape solid_shape(const ConvexHull& hull) {
+  MUROSIMF_ASSERT(hull.normals.size() == hull.faces.size());
   const SolidMass solid = solid_mass(hull);
   const SymMat3d I = (1 / solid.volume) * solid.inertia;
+  // second moments of the volume, from moments of inertia: int x^2 = (Iyy + Izz - Ixx) / 2
   const SymMat3d spread = diagonal(0.5 * (I.xx + I.yy + I.zz)) - I;
   const Principal principal = principal_of(spread);
   return {solid.volume, solid.center, spread, principal.axes, tightest_of(hull, principal)};

@@ -1,6 +1,7 @@
 #include "murosimf/geometry/four_points.h"
 
 #include "murosimf/geometry/spread.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::geometry {
 namespace {
@@ -24,6 +25,7 @@ double square(double x) { return x * x; }
 
 int deepest_of(const Manifold& manifold, const Chosen& among) {
   int best = among.index[0];
+  MUROSIMF_ASSERT(among.count > 0);
   for (int k = 1; k < among.count; ++k) {
     if (manifold.points[among.index[k]].depth > manifold.points[best].depth) best = among.index[k];
   }
@@ -36,6 +38,7 @@ void take_deepest(const Manifold& manifold, const Chosen& all, double width, Cho
   const double missing = wanted.depth - manifold.points[deepest_of(manifold, chosen)].depth;
   if (!(missing > std::min(detail::clearly_deeper * wanted.depth, detail::clearly_leaning * width))) return;
   int nearest = 0;
+  MUROSIMF_ASSERT(chosen.count > 0);
   double least = std::numeric_limits<double>::infinity();
   for (int k = 0; k < chosen.count; ++k) {
     const Vec3d way = manifold.points[chosen.index[k]].point - wanted.point;
@@ -55,6 +58,7 @@ void keep_four(Manifold& manifold) noexcept {
   for (; all.count < manifold.count; ++all.count) all.index[all.count] = all.count;
   const auto choose = [&](int i) {
     if (i >= 0) chosen.index[chosen.count++] = i;
+    MUROSIMF_ASSERT(i < manifold.count && chosen.count < 4);
   };
   const Vec3d first = manifold.points[0].point;
   choose(0);
@@ -68,6 +72,7 @@ void keep_four(Manifold& manifold) noexcept {
   insertion_sort(chosen.index.begin(), chosen.index.begin() + chosen.count);
   for (int k = 0; k < chosen.count; ++k) manifold.points[k] = manifold.points[chosen.index[k]];
   manifold.count = chosen.count;
+  MUROSIMF_ASSERT(manifold.count > 0 && manifold.count <= 4);
 }
 
 }  // namespace murosimf::geometry

@@ -3,6 +3,7 @@
 #include "murosimf/geometry/facing.h"
 #include "murosimf/geometry/pair_tests.h"
 #include "murosimf/geometry/penetration.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::geometry {
 namespace {
@@ -22,6 +23,7 @@ bool meet_at_face(Side& side_a, Side& side_b, const Vec3d& n, Manifold& found) {
 
 /// Where the polygon in a rim is not deep enough, or a smooth body has a deeper place than its face: the exact point.
 void put_exact_point(const Deepest& deepest, double size, Manifold& found) {
+  MUROSIMF_ASSERT(found.count > 0);
   int best = 0;
   for (int i = 1; i < found.count; ++i) {
     if (found.points[i].depth > found.points[best].depth) best = i;

@@ -1,8 +1,11 @@
 #include "murosimf/geometry/gjk_simplex.h"
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::geometry {
 
 bool GjkSimplex::add(const DifferencePoint& point) {
+  MUROSIMF_ASSERT(count_ >= 0 && count_ < 4);
   points_[count_++] = point;
   bool inside = false;
   switch (count_) {

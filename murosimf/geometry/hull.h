@@ -18,7 +18,7 @@ constexpr double plane_tolerance = 1e-7;     ///< [1] of the largest half size; 
 constexpr double least_thickness = 1e-6;     ///< [1] of the largest half size; what is thinner counts as flat
 constexpr std::size_t many_points = 20'000;  ///< of which a hull is thinned out
 constexpr double thinning = 5e-4;            ///< [1] of the largest half size: 0.05 mm on a body that is 20 cm wide
-/// A hull of more vertices makes contact tests slow; who reads files warns about it.
+/// A hull of more vertices makes contact tests slow; readers of files warn about it.
 constexpr std::size_t many_vertices = 256;
 
 struct Hull {

@@ -1,7 +1,7 @@
 /// sweep_and_prune.h - which of many spheres overlap, without testing each pair.
 ///
 /// Spheres become intervals on one axis, sorted by where they begin; only those whose intervals overlap are tested. The axis
-/// is the one on which the middle half of the centers is spread most, so that a few who are far away do not decide. Since
+/// is the one on which the middle half of the centers is spread most, so that a few distant ones have no influence. Since
 /// bodies move little from step to step, the order of the step before needs few changes: n bodies on a field cost little
 /// more than n times one.
 /// Source: Cohen, Lin, Manocha and Ponamgi, "I-COLLIDE", Symposium on Interactive 3D Graphics 1995; one axis here.
@@ -26,7 +26,7 @@ class SweepAndPrune {
 
   /// All pairs that overlap (volume_overlap.h), exactly those that testing each pair would find, sorted. They do not depend
   /// on earlier calls, nor does the number of pairs that were tested. Spheres of infinite or enormous size or place are
-  /// tested with all others; one whose place is not a number overlaps nobody.
+  /// tested with all others; one whose place is not a number overlaps none.
   const std::vector<Pair>& find(std::span<const BoundingSphere> spheres);
   /// What was found last.
   [[nodiscard]] const std::vector<Pair>& pairs() const { return pairs_; }

@@ -30,7 +30,7 @@ class PairStack {
   std::size_t count_ = 0;
 };
 
-/// Goes down from the pairs on the stack. False if `visit` wants no more.
+/// Goes down from the pairs on the stack. False if `visit` has ended it.
 template <class V, class W, class Visit>
 bool descend(const BoundingTree<V>& a, const BoundingTree<W>& b, int i, int j, int& tests, Visit&& visit) {
   PairStack stack;  // of pairs that overlap

@@ -22,7 +22,7 @@ AnglePolynomial AnglePolynomial::powers(std::span<const double> a) {
 }
 
 Slope AnglePolynomial::at(double angle) const noexcept {
-  double value = 0, slope = 0;
+  double value = 0, slope = 0;  // Horner's scheme for the value and its derivative
   for (std::size_t i = a_.size(); i-- > 0;) {
     slope = slope * angle + value;
     value = value * angle + a_[i];
@@ -31,7 +31,7 @@ Slope AnglePolynomial::at(double angle) const noexcept {
 }
 
 void AnglePolynomial::find_widest() {
-  constexpr int steps = 3600;
+  constexpr int steps = 3600;  // fine enough not to miss a fold; bisection then makes it exact
   int step = 0;
   while (step <= steps && at(pi * step / steps).slope > 0) ++step;
   if (step > steps) {

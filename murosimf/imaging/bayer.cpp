@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::imaging {
@@ -36,7 +37,9 @@ BayerPattern bayer_pattern(std::string_view name) {
 }
 
 void make_mosaic(const ColorImage& picture, BayerPattern pattern, GrayImage& mosaic) noexcept {
+  MUROSIMF_ASSERT(mosaic.width() == picture.width() && mosaic.height() == picture.height());
   for (int v = 0; v < picture.height(); ++v) {
+    // per row: the inner loop has no branches
     const auto [even, odd] = colors(pattern, v % 2 == 1);
     const auto from = picture.row(v);
     const auto to = mosaic.row(v);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/imaging/srgb.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::imaging {
@@ -25,7 +26,8 @@ void Exposure::apply(ColorImage& picture) const noexcept {
 }
 
 LightMean::LightMean(int width, int height) : sums_(3 * static_cast<std::size_t>(width) * height) {
-  static_cast<void>(value_table());  // tables are made now, not while stepping
+  MUROSIMF_ASSERT(width >= 0 && height >= 0);
+  static_cast<void>(value_table());  // tables are computed here: step() must not wait for them
   static_cast<void>(light_table());
 }
 
@@ -36,6 +38,7 @@ void LightMean::clear() noexcept {
 
 void LightMean::add(const ColorImage& picture) noexcept {
   const auto& light = light_table();
+  MUROSIMF_ASSERT(sums_.size() == 3 * picture.pixels().size());
   std::uint32_t* sum = sums_.data();
   for (const Rgb& color : picture.pixels()) {
     sum[0] += light[color.red];
@@ -48,8 +51,9 @@ void LightMean::add(const ColorImage& picture) noexcept {
 
 void LightMean::write(ColorImage& picture) const noexcept {
   const std::vector<std::uint8_t>& values = value_table();
+  MUROSIMF_ASSERT(sums_.size() == 3 * picture.pixels().size());
   const double share = count_ > 0 ? 1.0 / count_ : 0;
-  constexpr double half = 0.5;  // conversion to whole numbers cuts off
+  constexpr double half = 0.5;  // conversion to whole numbers truncates
   const auto value = [&](std::uint32_t sum) { return values[static_cast<std::size_t>(half + sum * share)]; };
   const std::uint32_t* sum = sums_.data();
   for (Rgb& color : picture.pixels()) {

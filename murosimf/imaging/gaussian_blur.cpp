@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::imaging {
@@ -21,13 +22,14 @@ int checked_radius(double sigma) {
 /// Of the center and its neighbors to one side. Their sum, neighbors twice, is 65536, or one less if the center is all.
 std::vector<std::uint16_t> gaussian(double sigma, int radius) {
   std::vector<double> exact;
+  MUROSIMF_ASSERT(sigma > 0 && radius >= 0);
   double sum = 0;
   for (int i = 0; i <= radius; ++i) {
     exact.push_back(std::exp(-0.5 * i * i / (sigma * sigma)));
     sum += (i == 0 ? 1 : 2) * exact.back();
   }
   std::vector<std::uint16_t> weights;
-  long rest = 65536;
+  long rest = 65536;  // the center takes the rounding of the others: a uniform picture stays as it is
   for (int i = 1; i <= radius; ++i) {
     weights.push_back(static_cast<std::uint16_t>(std::lround(65536 * exact[static_cast<std::size_t>(i)] / sum)));
     rest -= 2L * weights.back();
@@ -40,6 +42,7 @@ std::vector<std::uint16_t> gaussian(double sigma, int radius) {
 
 GaussianBlur::GaussianBlur(double sigma, int width, int height)
     : radius_(checked_radius(sigma)), width_(width), height_(height), weights_(gaussian(sigma, radius_)) {
+  MUROSIMF_ASSERT(width >= 0 && height >= 0);
   const std::size_t numbers = 3 * static_cast<std::size_t>(width);
   wide_row_.resize(numbers + 6 * static_cast<std::size_t>(radius_));
   sum_.resize(numbers);
@@ -47,14 +50,16 @@ GaussianBlur::GaussianBlur(double sigma, int width, int height)
 }
 
 void GaussianBlur::apply(ColorImage& picture) noexcept {
+  MUROSIMF_ASSERT(picture.width() == width_ && picture.height() == height_);
   const std::size_t numbers = 3 * static_cast<std::size_t>(width_);
   for (int v = 0; v < height_; ++v) {
     blur_row(picture.row(v), std::span(rows_).subspan(static_cast<std::size_t>(v) * numbers, numbers));
   }
+  // two passes of one dimension each: the Gaussian is separable
   for (int v = 0; v < height_; ++v) blur_column(v, picture.row(v));
 }
 
-/// Adds a pair of neighbors to sum_. Every product is cut off; what that loses on average, sum_ has from its start.
+/// Adds a pair of neighbors to sum_. Every product is truncated; sum_ starts with the average loss.
 void GaussianBlur::add(const std::uint16_t* before, const std::uint16_t* after, std::uint16_t weight) noexcept {
   std::uint16_t* sum = sum_.data();
   const std::size_t count = sum_.size();
@@ -65,6 +70,7 @@ void GaussianBlur::add(const std::uint16_t* before, const std::uint16_t* after, 
 }
 
 void GaussianBlur::blur_row(std::span<const Rgb> row, std::span<std::uint16_t> to) noexcept {
+  MUROSIMF_ASSERT(row.size() == static_cast<std::size_t>(width_) && to.size() == sum_.size());
   auto* wide = wide_row_.data();
   for (int u = -radius_; u < width_ + radius_; ++u) {
     const Rgb& color = row[static_cast<std::size_t>(std::clamp(u, 0, width_ - 1))];
@@ -81,6 +87,7 @@ void GaussianBlur::blur_row(std::span<const Rgb> row, std::span<std::uint16_t> t
 }
 
 void GaussianBlur::blur_column(int v, std::span<Rgb> to) noexcept {
+  MUROSIMF_ASSERT(v >= 0 && v < height_);
   const auto row = [&](int at) {
     return rows_.data() + static_cast<std::size_t>(std::clamp(at, 0, height_ - 1)) * sum_.size();
   };

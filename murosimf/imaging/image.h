@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/state_archive.h"
 
 namespace murosimf::imaging {
@@ -18,7 +19,9 @@ class Image {
  public:
   Image() = default;
   Image(int width, int height, const Pixel& fill = {})
-      : width_(width), height_(height), pixels_(static_cast<std::size_t>(width) * height, fill) {}
+      : width_(width), height_(height), pixels_(static_cast<std::size_t>(width) * height, fill) {
+    MUROSIMF_ASSERT(width >= 0 && height >= 0);
+  }
 
   [[nodiscard]] int width() const { return width_; }    ///< [px]
   [[nodiscard]] int height() const { return height_; }  ///< [px]
@@ -36,7 +39,10 @@ class Image {
   void state(StateArchive& archive) { archive(width_, height_, pixels_); }
 
  private:
-  [[nodiscard]] std::size_t index(int u, int v) const { return static_cast<std::size_t>(v) * width_ + u; }
+  [[nodiscard]] std::size_t index(int u, int v) const {
+    MUROSIMF_ASSERT(u >= 0 && v >= 0 && v < height_);
+    return static_cast<std::size_t>(v) * width_ + u;
+  }
 
   int width_ = 0, height_ = 0;
   std::vector<Pixel> pixels_;

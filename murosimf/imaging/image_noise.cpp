@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/imaging/srgb.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::imaging {
@@ -17,6 +18,7 @@ constexpr int bin_bits = 12;
 
 /// z so that a standard normal number is below it with probability p: by bisection of the distribution.
 double normal_quantile(double p) {
+  MUROSIMF_ASSERT(p > 0 && p < 1);
   double low = -10, high = 10;
   for (int i = 0; i < 60; ++i) {
     const double middle = 0.5 * (low + high);
@@ -77,7 +79,7 @@ void ImageNoise::make_tables() {
 
 void ImageNoise::apply(ColorImage& picture, std::uint64_t number) const noexcept {
   constexpr double two_to_53 = 9007199254740992.0;
-  constexpr float half = 0.5F;  // conversion to whole numbers cuts off
+  constexpr float half = 0.5F;  // conversion to whole numbers truncates
   const auto start = static_cast<std::uint64_t>(stream_.uniform(number) * two_to_53) << 11;
   const float* normal = normals().data();
   const std::uint16_t* light = light_table().data();
@@ -88,6 +90,7 @@ void ImageNoise::apply(ColorImage& picture, std::uint64_t number) const noexcept
   };
   std::uint64_t n = 0;
   for (Rgb& color : picture.pixels()) {
+    // one random number for all three channels: 12 bits each select from the table
     const std::uint64_t bits = random_bits(start, n++);
     color = {noisy(color.red, bits), noisy(color.green, bits >> bin_bits), noisy(color.blue, bits >> 2 * bin_bits)};
   }

@@ -24,7 +24,7 @@ struct ImageNoiseSpec {
 /// the pixel. Values are normal to 3.7 standard deviations, and rounded; light below 0 is black.
 class ImageNoise {
  public:
-  /// `stream` tells cameras apart. Throws SetupError if a number is not 0 to 1.
+  /// `stream` distinguishes cameras. Throws SetupError if a number is not 0 to 1.
   ImageNoise(const ImageNoiseSpec& spec, const RandomStream& stream);
 
   /// Makes the tables that all cameras share, unless they are there: before the first picture, so that no step does.

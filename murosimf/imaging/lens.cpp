@@ -86,7 +86,7 @@ using SharedDistortion = std::shared_ptr<const PlaneDistortion>;
 std::variant<SharedDistortion, AnglePolynomial> map_of(const LensSpec& spec) {
   if (spec.model == "equidistant") return AnglePolynomial::equidistant(spec.coefficients);
   if (spec.model == "ray_polynomial") return AnglePolynomial::powers(spec.coefficients);
-  // where it folds takes long to find, and a team has a dozen equal cameras
+  // the search for the fold takes long, and a team has a dozen equal cameras: results are shared
   return shared_value<PlaneDistortion>(spec.coefficients, [&] { return PlaneDistortion(spec.coefficients); });
 }
 
@@ -99,6 +99,7 @@ std::optional<PlanePoint> seen(const SharedDistortion& map, const Vec3d& p) {
 
 std::optional<PlanePoint> seen(const AnglePolynomial& map, const Vec3d& p) {
   const double aside = std::sqrt(p.x * p.x + p.y * p.y);
+  // on the axis the direction of the shift is undefined, and zero
   if (aside == 0) return p.z > 0 ? std::optional(PlanePoint{}) : std::nullopt;
   const double angle = std::atan2(aside, p.z);
   if (!(angle <= map.widest_angle())) return std::nullopt;

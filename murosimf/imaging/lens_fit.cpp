@@ -6,6 +6,7 @@
 #include <Eigen/Dense>
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/math/scalar.h"
 #include "murosimf/model/error.h"
 
@@ -19,6 +20,7 @@ struct Sample {
 };
 
 std::vector<Sample> sampled(const Lens& lens, int most_to_a_side) {
+  MUROSIMF_ASSERT(most_to_a_side > 0);
   const LensSpec& spec = lens.spec();
   const int columns = std::min(spec.width, most_to_a_side), rows = std::min(spec.height, most_to_a_side);
   const auto place = [](int i, int count, int size) { return count > 1 ? (size - 1.0) * i / (count - 1) : 0.0; };
@@ -54,6 +56,7 @@ class Problem {
   }
 
   [[nodiscard]] LensSpec spec(const Eigen::VectorXd& x) const {
+    MUROSIMF_ASSERT(x.size() >= before_coefficients());
     LensSpec made = start_;
     made.fx = x[0];
     made.fy = x[1];
@@ -93,6 +96,7 @@ class Problem {
   template <class Seen>
   [[nodiscard]] Eigen::VectorXd collect(const LensSpec& spec, const Seen& seen) const {
     Eigen::VectorXd all(2 * samples_.size());
+    MUROSIMF_ASSERT(all.size() == 2 * static_cast<Eigen::Index>(samples_.size()));
     Eigen::Index i = 0;
     for (const Sample& sample : samples_) {
       const Pixel pixel = pixel_at(spec, seen(sample.ray));
@@ -118,14 +122,14 @@ class Problem {
   LensSpec start_;
 };
 
-/// Levenberg's and Marquardt's method.
+/// Minimizes the squares of the misses by the method of Levenberg and Marquardt.
 Eigen::VectorXd least_squares(const Problem& problem) {
   Eigen::VectorXd x = problem.start(), misses = problem.misses(x);
   double damping = 1e-3;
   for (int i = 0; i < 300 && damping < 1e12; ++i) {
     const Eigen::MatrixXd slopes = problem.slopes(x);
     Eigen::MatrixXd curvature = slopes.transpose() * slopes;
-    curvature.diagonal() *= 1 + damping;
+    curvature.diagonal() *= 1 + damping;  // Marquardt's scaling: coefficients differ by orders of magnitude
     curvature.diagonal().array() += 1e-300;
     const Eigen::VectorXd next = x - curvature.ldlt().solve(slopes.transpose() * misses);
     const Eigen::VectorXd next_misses = problem.misses(next);
@@ -139,7 +143,7 @@ Eigen::VectorXd least_squares(const Problem& problem) {
   return x;
 }
 
-/// All rays must be in front of a lens of the plane.
+/// Rejects rays that a lens model of the plane cannot show.
 void check_reach(const std::vector<Sample>& samples, std::string_view model) {
   const bool by_angle = model == "equidistant" || model == "ray_polynomial";
   double lowest = 1;

@@ -13,6 +13,7 @@
 namespace murosimf::imaging {
 namespace {
 
+// fixed point: interpolation in whole numbers is exact and the same on every machine
 constexpr int steps = 256;  // of a pixel: places between pixels are that fine
 static_assert(std::endian::native == std::endian::little, "colors are read as numbers, red in the lowest byte");
 

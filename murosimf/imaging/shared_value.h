@@ -1,4 +1,4 @@
-/// shared_value.h - what equal cameras of a process have in common: worked out once, and kept as long as somebody uses it.
+/// shared_value.h - common data of equal cameras of a process: computed once, and kept as long as they are in use.
 #pragma once
 
 #include <map>
@@ -7,8 +7,8 @@
 
 namespace murosimf::imaging {
 
-/// What make() returns, which must follow from `key`: the same object for equal keys while somebody holds it. Each T and Key
-/// have keys of their own. Whoever asks meanwhile waits.
+/// Result of make(), which must depend on `key` only: the same object for equal keys while it is in use. Each T and Key
+/// have keys of their own. Concurrent calls wait.
 template <class T, class Key, class Make>
 [[nodiscard]] std::shared_ptr<const T> shared_value(const Key& key, const Make& make) {
   static std::mutex mutex;

@@ -5,6 +5,8 @@
 
 #include <cstddef>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf {
 
 class Four {
@@ -23,7 +25,10 @@ class Four {
 #else
   Four(double a, double b, double c, double d) : part_{Register{a, b}, Register{c, d}} {}
 #endif
-  [[nodiscard]] double operator[](std::size_t i) const { return part_[i / width][i % width]; }
+  [[nodiscard]] double operator[](std::size_t i) const {
+    MUROSIMF_ASSERT(i < 4);
+    return part_[i / width][i % width];
+  }
 
   friend Four operator+(const Four& a, const Four& b) {
     Four sum;

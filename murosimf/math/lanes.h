@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <span>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/math/lane_pairs.h"
 
 namespace murosimf {
@@ -106,6 +107,7 @@ inline constexpr std::size_t numbers_of = sizeof(T<double>) / sizeof(double);
 /// One lane of a structure of numbers.
 template <template <class> class T>
 void set_lane(T<Pack8>& to, int lane, const T<double>& from) {
+  MUROSIMF_ASSERT(lane >= 0 && lane < Pack8::lanes);
   static_assert(sizeof(T<Pack8>) == numbers_of<T> * sizeof(Pack8), "nothing but numbers");
   auto* packs = reinterpret_cast<double*>(&to) + lane;
   const auto* numbers = reinterpret_cast<const double*>(&from);
@@ -123,6 +125,7 @@ void assign_where(const Pack8::Mask& mask, const T<Pack8>& from, T<Pack8>& to) {
 
 template <template <class> class T>
 [[nodiscard]] T<double> lane_of(const T<Pack8>& from, int lane) {
+  MUROSIMF_ASSERT(lane >= 0 && lane < Pack8::lanes);
   static_assert(sizeof(T<Pack8>) == numbers_of<T> * sizeof(Pack8), "nothing but numbers");
   T<double> result;
   const auto* packs = reinterpret_cast<const double*>(&from) + lane;

@@ -1,7 +1,9 @@
-/// monotonic_root.h - where an increasing function has a given value: Newton's method, kept in a bracket.
+/// monotonic_root.h - solves f(x) = target for an increasing function: Newton's method, kept in a bracket.
 #pragma once
 
 #include <cmath>
+
+#include "murosimf/math/assert.h"
 
 namespace murosimf {
 
@@ -16,6 +18,7 @@ struct Slope {
 template <class F>
 double monotonic_root(const F& f, double target, double low, double high, double guess,
                       double tolerance = 1e-15) noexcept {
+  MUROSIMF_ASSERT(low <= high && tolerance > 0);
   double x = guess > low && guess < high ? guess : 0.5 * (low + high);
   for (int i = 0; i < 200; ++i) {
     const auto [value, slope] = f(x);

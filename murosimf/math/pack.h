@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/math/scalar.h"
 
 namespace murosimf {
@@ -47,8 +48,14 @@ class Pack8 {
     for (auto& p : part_) p = number - Register{};  // a sum with zero would lose the sign of -0
   }
 
-  [[nodiscard]] double lane(int i) const { return part_[i / register_lanes][i % register_lanes]; }
-  void set_lane(int i, double number) { part_[i / register_lanes][i % register_lanes] = number; }
+  [[nodiscard]] double lane(int i) const {
+    MUROSIMF_ASSERT(i >= 0 && i < lanes);
+    return part_[i / register_lanes][i % register_lanes];
+  }
+  void set_lane(int i, double number) {
+    MUROSIMF_ASSERT(i >= 0 && i < lanes);
+    part_[i / register_lanes][i % register_lanes] = number;
+  }
   /// The lanes of one register.
   [[nodiscard]] const Register& part(int i) const { return part_[i]; }
   [[nodiscard]] Register& part(int i) { return part_[i]; }

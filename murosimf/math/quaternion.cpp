@@ -5,6 +5,7 @@
 namespace murosimf {
 
 Quaterniond from_matrix(const Mat3d& m) {
+  // the largest component comes from a sum without cancellation, the others are quotients by it
   const double trace = m.x.x + m.y.y + m.z.z;
   Quaterniond q;
   if (trace >= std::max({m.x.x, m.y.y, m.z.z})) {
@@ -23,6 +24,7 @@ Quaterniond from_matrix(const Mat3d& m) {
 Vec3d rotation_vector(const Quaterniond& q) {
   const Vec3d v = q.w < 0 ? Vec3d{-q.x, -q.y, -q.z} : Vec3d{q.x, q.y, q.z};
   const double s = norm(v);
+  // atan2 keeps its precision near pi, where acos of w would lose half of the digits
   const double scale = s < 1e-12 ? 2.0 : 2.0 * std::atan2(s, std::fabs(q.w)) / s;
   return scale * v;
 }

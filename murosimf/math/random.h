@@ -16,7 +16,7 @@ std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter, std::a
 
 class RandomStream {
  public:
-  /// `name` tells streams of one seed apart, for example "blue1/start".
+  /// `name` distinguishes streams of one seed, for example "blue1/start".
   RandomStream(std::uint64_t seed, std::string_view name) noexcept;
 
   /// From now on the stream of this name that `seed` has.

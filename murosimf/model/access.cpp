@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf {
 
 namespace {
@@ -14,8 +16,10 @@ std::uint8_t bit_of(AccessMode mode) { return static_cast<std::uint8_t>(1U << st
 }  // namespace
 
 void AccessSet::add(const Access& access) {
+  MUROSIMF_ASSERT(access.entity && access.column);
   std::uint8_t& modes = modes_[access.column];
   const std::uint8_t bit = bit_of(access.mode);
+  // repeated declarations of the same access count once
   if ((modes & bit) == 0) all_.push_back(access);
   modes |= bit;
 }
@@ -53,27 +57,30 @@ bool conflict(const AccessSet& a, const AccessSet& b) {
     return std::any_of(other.all().begin(), other.all().end(),
                        [&](const Access& access) { return claimant.claims(access.entity); });
   };
+  // reading the same column is no conflict: readers may run at the same time
   return writes_what_touches(a, b) || writes_what_touches(b, a) || claims_what_touches(a, b) ||
          claims_what_touches(b, a);
 }
 
 namespace {
 
-/// Columns that somebody writes, or that have a value without.
+/// Columns that some algorithm writes, or that have a start value.
 std::unordered_set<const ColumnBase*> supplied_columns(const std::vector<NamedAccess>& algorithms) {
   std::unordered_set<const ColumnBase*> supplied;
   for (const NamedAccess& algorithm : algorithms) {
     for (const Access& access : algorithm.access->all()) {
+      // inputs have start values, so they need no writer
       if (access.mode != AccessMode::read) supplied.insert(access.column);
     }
   }
   return supplied;
 }
 
-/// The other side of the message: who writes to that entity at all.
+/// For the message: the algorithms that write to that entity at all.
 std::string writers_of(const std::vector<NamedAccess>& algorithms, const Entity* entity) {
   std::vector<std::string> names;
   for (const NamedAccess& algorithm : algorithms) {
+    MUROSIMF_ASSERT(algorithm.access);
     const auto& all = algorithm.access->all();
     const bool writes = std::any_of(all.begin(), all.end(), [&](const Access& access) {
       return access.entity == entity && access.mode == AccessMode::write;

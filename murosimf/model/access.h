@@ -1,4 +1,4 @@
-/// access.h - what an algorithm reads and writes, and when two of them must not run at the same time.
+/// access.h - declared reads and writes of an algorithm, and whether two of them conflict.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 namespace murosimf {
 
 enum class AccessMode {
-  read,   ///< somebody must write it
-  input,  ///< read; has a start value, so that nobody needs to write it
+  read,   ///< another algorithm must write it
+  input,  ///< read; has a start value, so that no algorithm needs to write it
   write,  ///< written; may be read too
 };
 
@@ -25,9 +25,9 @@ struct Access {
 class AccessSet {
  public:
   void add(const Access& access);
-  /// All columns of an entity, also those that nobody has asked for yet: the algorithm has others work on it.
+  /// Adds all columns of an entity, also those that no algorithm has requested yet: the algorithm executes others on it.
   void claim(const Entity& entity);
-  /// An entity that is destroyed.
+  /// Removes an entity that is destroyed.
   void forget(const Entity& entity);
   [[nodiscard]] bool claims(const Entity* entity) const;
   [[nodiscard]] const std::vector<const Entity*>& claimed() const { return claimed_; }
@@ -52,7 +52,7 @@ struct NamedAccess {
   const AccessSet* access = nullptr;
 };
 
-/// Throws SetupError if a column is read but written by nobody; it names the reader, the property and the entity,
+/// Throws SetupError if a column is read but written by no algorithm; it names the reader, the property and the entity,
 /// and the algorithms that could have written it.
 void check_every_read_is_written(const std::vector<NamedAccess>& algorithms);
 

@@ -1,8 +1,8 @@
-/// access_guard.h - debug builds: an algorithm that steps looks up only columns that it has declared.
+/// access_guard.h - debug builds: a stepping algorithm looks up only columns that it has declared.
 ///
 /// Taking a span is the declaration (setup.h), but a column can also be looked up by name while the waves run, and then
-/// nobody knows that it is read or written. So whoever looks up a column asserts that the algorithm which this thread
-/// steps may have it. Between steps, and in release builds, everybody may.
+/// the scheduler would not know of the access. So each look-up asserts that the algorithm which this thread
+/// steps has declared the column. Between steps, and in release builds, every access is allowed.
 #pragma once
 
 namespace murosimf {
@@ -10,7 +10,7 @@ namespace murosimf {
 class AccessSet;
 class ColumnBase;
 
-/// As long as it lives, this thread steps the algorithm that has declared `access`.
+/// During its lifetime this thread steps the algorithm that has declared `access`.
 class AccessGuard {
  public:
   explicit AccessGuard(const AccessSet& access) noexcept;

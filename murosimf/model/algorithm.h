@@ -1,4 +1,4 @@
-/// algorithm.h - anything that is executed at a rate and reads and writes properties.
+/// algorithm.h - algorithms: executed at a rate, they read and write properties.
 ///
 /// Motion, contact, sensors, controllers and recorders all look like this to the scheduler. The constructor takes a
 /// `Setup&` first and obtains spans from it; that is all the wiring there is (docs/add_an_algorithm.md).
@@ -20,22 +20,21 @@ class StateArchive;
 
 /// The moment at which an algorithm is executed.
 struct Instant {
-  Duration now{};     ///< simulated time at the beginning of the step
-  Duration period{};  ///< time until this algorithm's next step
-  ParallelFor* parallel_for =
-      nullptr;  ///< threads that have nothing else to do meanwhile (parallel_for.h); null: there are none
+  Duration now{};                       ///< simulated time at the beginning of the step
+  Duration period{};                    ///< time until this algorithm's next step
+  ParallelFor* parallel_for = nullptr;  ///< threads that are idle meanwhile (parallel_for.h); null: none
 };
 
 /// The parts of a tick, in their order. Algorithms that conflict run by phase, those of one phase in the order in which they
 /// were attached.
 enum class Phase : std::uint8_t {
-  survey,       ///< what all sensors share is worked out
-  sense,        ///< sensors see what the last tick left
+  survey,       ///< common computations of all sensors
+  sense,        ///< sensors read the state after the last tick
   control,      ///< controllers read sensors and write targets; pushes
-  contact,      ///< where each entity touches the ground, and the forces of it
-  interaction,  ///< where entities touch each other
+  contact,      ///< contacts of each entity with the ground, and their forces
+  interaction,  ///< contacts between entities
   motion,       ///< levels of detail move their entities
-  observe,      ///< recorders read what has come of it
+  observe,      ///< recorders read the result
 };
 
 class Algorithm {
@@ -44,32 +43,32 @@ class Algorithm {
 
   [[nodiscard]] virtual Phase phase() const noexcept = 0;
 
-  /// Gives the columns that it writes their first values. Called before the first step, and at every reset when all that it
-  /// remembers is as its constructor left it; by phase and in the order of attaching.
+  /// Sets the first values of the columns that it writes. Called before the first step, and at every reset, when all its memory
+  /// is as its constructor left it; by phase and in the order of attaching.
   virtual void initialize() {}
 
-  /// An entity has been added while it runs: takes those columns of it that its constructor would have taken. `setup` is that of the
-  /// new entity. Between two steps. Throws SetupError, and is as before then.
+  /// An entity has been added to a running simulation: takes those of its columns that the constructor would have taken. `setup` is
+  /// that of the new entity. Between two steps. Throws SetupError, and is unchanged then.
   virtual void entity_added(Setup&) {}
-  /// It is taken back: some other algorithm could not do without something. As before the last entity_added().
+  /// The entity is removed again because another algorithm has rejected it. Restores the state before the last entity_added().
   virtual void entity_taken_back(const Entity&) noexcept {}
-  /// An entity whose columns it writes has come (back) into the world, while it runs: gives these columns their first values.
+  /// An entity whose columns it writes enters the world (again) in a running simulation: sets the first values of these columns.
   /// Between two steps, in place of initialize(), if the algorithm is attached to another entity.
   virtual void entity_entered(const Entity&) {}
 
-  /// An entity has another model of the same objects (Entity::exchange_model), between two steps: works out anew what it has worked
-  /// out of the one before, which ends with this call. The entity's level is made anew instead, and does not get this call.
+  /// An entity has another model of the same objects (Entity::exchange_model), between two steps: recomputes all data derived from the
+  /// preceding one, which ends with this call. The entity's level is created anew instead, and does not get this call.
   virtual void model_exchanged(const Entity&) {}
 
-  /// From now on has the random numbers that `seed` would have given to its constructor. Called between two steps, before
-  /// initialize() or a state is loaded.
+  /// Switches to the random numbers that `seed` would have given to its constructor. Called between two steps, before
+  /// initialize() or before a state is loaded.
   virtual void reseed(std::uint64_t) {}
 
-  /// Saves or loads what it remembers from step to step besides columns (state_archive.h); nothing, if all is in columns. Called
+  /// Saves or loads its memory from step to step besides columns (state_archive.h); nothing, if all is in columns. Called
   /// between two steps.
   virtual void state(StateArchive&) {}
 
-  /// One step. Never throws: numbers that go bad freeze their entity instead.
+  /// Executes one step. Never throws: an entity whose numbers are not sane is frozen instead.
   virtual void step(const Instant& instant) noexcept = 0;
 
   /// Whether both may be members of one group that steps them in lanes (lane_group.h); asked before each is planned.

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf {
 namespace {
 
@@ -46,6 +48,7 @@ Chain& Chain::endpoint(std::string name) {
 
 Chain& Chain::fork(const std::vector<Chain>& branches) {
   if (branches.empty()) return endpoint();
+  // three and more branches become a row of forks, since the paper's fork has two
   for (std::size_t i = 0; i < branches.size(); ++i) {
     if (i + 1 < branches.size()) add(Kind::fork, {});
     append(branches[i], tail_);
@@ -69,7 +72,10 @@ Chain& Chain::add(Kind kind, std::string name, const Vec3d& vector, const Mat3d&
     throw SetupError(fmt::format("{} '{}' cannot follow a fork or an endpoint", kind_name(kind), name));
   }
   const int index = static_cast<int>(objects_.size());
+  // they carry nothing, so their poses need not be updated in every step
   const bool structural = kind == Kind::fork || (kind == Kind::endpoint && name.empty());
+  MUROSIMF_ASSERT(tail_ < index);
+  // parents come first: kernels rely on this order
   objects_.push_back({kind, tail_, vector, turn, std::move(name), structural});
   tail_ = index;
   return *this;
@@ -78,11 +84,14 @@ Chain& Chain::add(Kind kind, std::string name, const Vec3d& vector, const Mat3d&
 void Chain::append(const Chain& branch, int parent) {
   if (branch.empty()) throw SetupError("a fork has an empty branch");
   const int offset = static_cast<int>(objects_.size());
+  MUROSIMF_ASSERT(parent < offset);
   for (Object object : branch.objects_) {
+    // the branch has its own numbers; its root follows the fork
     object.parent = object.parent < 0 ? parent : object.parent + offset;
     objects_.push_back(std::move(object));
   }
   constants_.append(branch.constants_, offset);
+  MUROSIMF_ASSERT(objects_.size() == static_cast<std::size_t>(offset) + branch.objects_.size());
   for (const auto& [name, object] : branch.aliases_) aliases_.emplace_back(name, object + offset);
 }
 

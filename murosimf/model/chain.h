@@ -34,7 +34,7 @@ class Chain {
   Chain& fork(const Chain& first, const Chain& second, const Chains&... more) {
     return fork(std::vector<Chain>{first, second, more...});
   }
-  /// The same for a number of branches known at run time: none ends the limb, one just goes on.
+  /// The same for a number of branches known at run time: none ends the limb, one continues it.
   Chain& fork(const std::vector<Chain>& branches);
 
   /// Gives the last object a constant property.

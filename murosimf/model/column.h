@@ -10,17 +10,18 @@
 #include <typeindex>
 #include <vector>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/property.h"
 #include "murosimf/model/state_archive.h"
 #include "murosimf/model/value.h"
 
 namespace murosimf {
 
-/// What people and protocols need: a column without its type. Never used inside a loop.
+/// A column without its type, for interactive use and protocols. Never used inside a loop.
 class ColumnBase {
  public:
   ColumnBase(const PropertyInfo& info, std::type_index type) : name_(info.name), info_(info), type_(type) {
-    info_.name = name_;  // one that was put together for the call may end with it
+    info_.name = name_;  // the name of a descriptor that was composed for the call may end with it
   }
   virtual ~ColumnBase() = default;
   ColumnBase(const ColumnBase&) = delete;
@@ -29,7 +30,7 @@ class ColumnBase {
   [[nodiscard]] const PropertyInfo& info() const { return info_; }
   [[nodiscard]] std::type_index type() const { return type_; }
 
-  /// Gives it the start value again that an algorithm which takes it as input has named; nothing if none has.
+  /// Sets it to the start value of the algorithm that takes it as input; nothing if there is none.
   virtual void restart() = 0;
 
   /// Numbers per row; 0 if the value is no row of numbers.
@@ -40,16 +41,16 @@ class ColumnBase {
   virtual void append_to(Hasher& hasher) const = 0;
   /// Saves or loads all rows. Throws SetupError.
   virtual void state(StateArchive& archive) = 0;
-  /// Where its numbers stand; `data` is null if the value is no row of numbers. Rows follow each other `stride` doubles apart.
+  /// Layout of its numbers; `data` is null if the value is no row of numbers. Rows are `stride` doubles apart.
   struct Memory {
     double* data = nullptr;
     std::size_t rows = 0, stride = 0;
     ValueLayout layout{};
   };
   [[nodiscard]] virtual Memory memory() = 0;
-  /// As it was when it was new.
+  /// Restores the state of a new column.
   virtual void renew() = 0;
-  /// From now on go_back() gives it the present values; before, those of restart(), or of a new one.
+  /// Makes go_back() restore the present values; without a call, it restores those of restart(), or of a new column.
   virtual void keep() = 0;
   virtual void go_back() = 0;
   /// How many of its numbers are NaN or infinite; 0 if the value is no row of numbers.
@@ -64,7 +65,7 @@ class ColumnBase {
 /// How many of `count` doubles, one behind the other in memory, are NaN or infinite.
 [[nodiscard]] std::size_t count_not_finite(const void* doubles, std::size_t count) noexcept;
 
-/// Debug builds start a column with NaN, so that what nobody writes is seen at once; release builds with zero.
+/// Debug builds start a column with NaN, so that values that no algorithm writes are seen at once; release builds with zero.
 #ifdef NDEBUG
 inline constexpr bool fill_with_nan = false;
 #else
@@ -82,11 +83,17 @@ class Column final : public ColumnBase {
   [[nodiscard]] std::size_t numbers() const override { return ValueTraits<T>::numbers; }
   [[nodiscard]] std::size_t rows() const override { return values.size(); }
   [[nodiscard]] double get([[maybe_unused]] std::size_t row, [[maybe_unused]] std::size_t i) const override {
-    if constexpr (NumericValue<T>) return ValueTraits<T>::get(values[row], i);
+    if constexpr (NumericValue<T>) {
+      MUROSIMF_ASSERT(row < values.size() && i < ValueTraits<T>::numbers);
+      return ValueTraits<T>::get(values[row], i);
+    }
     return std::numeric_limits<double>::quiet_NaN();
   }
   void set([[maybe_unused]] std::size_t row, [[maybe_unused]] std::size_t i, [[maybe_unused]] double number) override {
-    if constexpr (NumericValue<T>) ValueTraits<T>::set(values[row], i, number);
+    if constexpr (NumericValue<T>) {
+      MUROSIMF_ASSERT(row < values.size() && i < ValueTraits<T>::numbers);
+      ValueTraits<T>::set(values[row], i, number);
+    }
   }
   void append_to(Hasher& hasher) const override {
     for (const T& value : values) append_hash(hasher, value);
@@ -121,6 +128,7 @@ class Column final : public ColumnBase {
   }
   void go_back() override {
     if (!kept_.empty()) {
+      MUROSIMF_ASSERT(kept_.size() == values.size());
       values = kept_;
     } else {
       fill();
@@ -133,7 +141,7 @@ class Column final : public ColumnBase {
   }
 
   std::vector<T> values;
-  std::optional<T> start;  ///< where it is somebody's input
+  std::optional<T> start;  ///< set if it is an algorithm's input
 
  private:
   [[nodiscard]] static T fresh() {
@@ -145,7 +153,7 @@ class Column final : public ColumnBase {
     return value;
   }
   void fill() { std::fill(values.begin(), values.end(), fresh()); }
-  /// Nobody has to keep that. False if the value is no row of numbers, which cannot be compared.
+  /// Whether go_back() can restore it without a copy. False if the value is no row of numbers, which cannot be compared.
   [[nodiscard]] bool is_as_new() const {
     if constexpr (NumericValue<T>) {
       const T usual = start.value_or(fresh());

@@ -27,6 +27,7 @@ std::shared_ptr<ColumnBase> ColumnStore::share(std::string_view property) const 
 
 void ColumnStore::drop(const ColumnBase* column) {
   std::erase_if(dropped_, [](const auto& one) { return one.expired(); });
+  // a shared column survives: a later request for the property returns the same column, so views stay valid
   std::erase_if(columns_, [&](const auto& item) {
     if (item.second.get() != column) return false;
     if (item.second.use_count() > 1) dropped_.push_back(item.second);
@@ -34,7 +35,7 @@ void ColumnStore::drop(const ColumnBase* column) {
   });
 }
 
-/// One that was shared when it was dropped, and still is; as new. Null if there is none.
+/// The dropped column of this property that is still shared, with new values. Null if there is none.
 std::shared_ptr<ColumnBase> ColumnStore::dropped(const PropertyInfo& info, std::type_index type) {
   for (const auto& one : dropped_) {
     auto column = one.lock();

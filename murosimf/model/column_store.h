@@ -26,7 +26,7 @@ class ColumnStore {
   [[nodiscard]] const Column<T>* find(const Property<T>& property) const;
   [[nodiscard]] ColumnBase* find(std::string_view property) const;
 
-  /// Kept as long as anybody has it, also if it is dropped here. Null if there is none.
+  /// Shared ownership: the column lives as long as it has owners, also if it is dropped here. Null if there is none.
   [[nodiscard]] std::shared_ptr<ColumnBase> share(std::string_view property) const;
 
   [[nodiscard]] bool has(const ColumnBase* column) const;
@@ -37,14 +37,14 @@ class ColumnStore {
   [[nodiscard]] std::size_t size() const { return columns_.size(); }
   [[nodiscard]] bool empty() const { return columns_.empty(); }
 
-  /// From now on no column can be added; spans stay valid for good.
+  /// Allows no more columns; spans stay valid for good.
   void freeze() { frozen_ = live_ = true; }
   /// Columns can be added again, as before freeze().
   void thaw() { frozen_ = false; }
-  /// Whether they were frozen once: the values are those of a run.
+  /// Whether they have ever been frozen: the values are those of a run.
   [[nodiscard]] bool live() const { return live_; }
-  /// Removes a column, of which nobody may have spans any more. Does nothing if it is not one of these. One that is shared is
-  /// the same again, with new values, when somebody asks for its property again.
+  /// Removes a column, to which no spans may exist. Does nothing if it is not one of these. A shared column becomes
+  /// the same column again, with new values, when its property is requested again.
   void drop(const ColumnBase* column);
 
  private:
@@ -73,6 +73,7 @@ Column<T>& ColumnStore::column(const Property<T>& property) {
   }
   if (found->second->type() != typeid(T)) refuse_type(property);
   MUROSIMF_ASSERT(may_write(*found->second) && "a column that the algorithm has not declared as written");
+  MUROSIMF_ASSERT(found->second->rows() == (of_every_object(property.scope) ? objects_ : 1));
   return static_cast<Column<T>&>(*found->second);
 }
 

@@ -1,24 +1,25 @@
-/// column_view.h - a column as numbers in memory, for who has names but no types: C, Python, recorders, viewers.
+/// column_view.h - a column as numbers in memory, for callers with names but no types: C, Python, recorders, viewers.
 ///
 ///     ColumnView positions = robot.view("position");     // 3 numbers per row, one row per object
 ///     positions(12, 2) += 0.1;                           // [m] z of object 12; its level sees it in its next step
 ///
-/// A view is to be used between two steps only, by one thread at a time if somebody writes. Numbers of a row stand in the order
-/// in which ObjectAccess shows them, matrices row by row. Rows of objects that only give a model its shape (structural_objects.h)
-/// hold nothing.
+/// A view is to be used between two steps only, by one thread at a time if it writes. Numbers of a row are in the order
+/// of ObjectAccess, matrices row by row. Rows of objects that only give a model its shape (structural_objects.h)
+/// are unused.
 #pragma once
 
 #include <memory>
 #include <string_view>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/column.h"
 
 namespace murosimf {
 
-/// `Number` is double, or const double for who only looks.
+/// `Number` is double, or const double for read access.
 ///
-/// A view keeps its column: if a level is exchanged and nobody uses the column any more, it is no property of the entity then,
-/// and shows what was there last; if somebody asks for the property again, it is the same column again.
+/// A view keeps its column: if a level is exchanged and no algorithm uses the column afterwards, it is no property of the entity then,
+/// and keeps its last values; if the property is requested again, it is the same column again.
 template <class Number>
 class BasicColumnView {
  public:
@@ -37,6 +38,7 @@ class BasicColumnView {
   [[nodiscard]] Number* data() const { return memory_.data + memory_.layout.first; }
   [[nodiscard]] Number& operator()(std::size_t row, std::size_t i, std::size_t j = 0) const {
     const auto [next_row, next_i, next_j] = strides();
+    MUROSIMF_ASSERT(row < rows() && i < shape()[0] && j < shape()[1]);
     return data()[static_cast<std::ptrdiff_t>(row) * next_row + static_cast<std::ptrdiff_t>(i) * next_i +
                   static_cast<std::ptrdiff_t>(j) * next_j];
   }

@@ -8,6 +8,7 @@ template class ConstantColumn<SymMat3d>;
 
 void ConstantTable::append(const ConstantTable& other, int offset) {
   for (const auto& [name, column] : other.columns_) {
+    // branches of a fork may have the same properties
     auto& mine = columns_[name];
     if (mine) {
       mine->append(*column, offset);

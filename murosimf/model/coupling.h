@@ -1,4 +1,4 @@
-/// coupling.h - a joint that another one takes along, by a rod or a gear: plain data.
+/// coupling.h - a joint whose position follows another joint's, by a rod or a gear: plain data.
 #pragma once
 
 #include <string>

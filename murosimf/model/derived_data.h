@@ -1,7 +1,7 @@
-/// derived_data.h - what others work out from a model that never changes: once for all who have the model, whoever asks first.
+/// derived_data.h - cache of data that follow from a model alone: computed once for all users of the model.
 ///
-/// Models are shared by all equal robots, also of many worlds in many threads. So what follows from a model alone (which shapes
-/// collide, the layout of their tree) need not be worked out and kept for every robot.
+/// Models are shared by all equal robots, also of many worlds in many threads. So data that follow from a model alone (the shapes that
+/// collide, the layout of their tree) are computed and stored once instead of for every robot.
 #pragma once
 
 #include <map>
@@ -11,18 +11,20 @@
 #include <typeindex>
 #include <utility>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf {
 
 class DerivedData {
  public:
   DerivedData() = default;
-  /// The copy of a model may get other constants: it begins with nothing.
+  /// A copy of a model may get other constants: it starts empty.
   DerivedData(const DerivedData&) {}
   DerivedData& operator=(const DerivedData&) = delete;
   ~DerivedData() = default;
 
-  /// make() of the first who asked with this T and key; two who ask at the same time may both work it out, and get the same one.
-  /// What make() returns must follow from the model and `key` alone. If it throws, nothing is kept.
+  /// Result of make() at the first call with this T and key; two simultaneous calls may both compute it, and get the same object.
+  /// The result of make() must depend on the model and `key` only. If it throws, nothing is stored.
   template <class T, class Make>
   [[nodiscard]] std::shared_ptr<const T> get(const std::string& key, const Make& make) const {
     const Key place{typeid(T), key};
@@ -41,6 +43,7 @@ class DerivedData {
   }
   Value keep(const Key& key, Value value) const {
     const std::scoped_lock lock(mutex_);
+    MUROSIMF_ASSERT(value);
     return values_.emplace(key, std::move(value)).first->second;
   }
 

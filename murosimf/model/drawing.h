@@ -1,4 +1,4 @@
-/// drawing.h - what control software draws for people who watch: named groups of shapes. Nobody computes with it, and no state hangs
+/// drawing.h - debug drawing of control software: named groups of shapes. No computation uses it, and no state depends
 /// on it.
 ///
 ///     const Column<Drawings>* drawn = robot.find(properties::drawings);      // null: its software cannot draw
@@ -65,7 +65,7 @@ struct DrawnGroup {
 /// Of one robot.
 struct Drawings {
   std::vector<DrawnGroup> groups;  ///< in the order of their names
-  std::uint64_t changes = 0;       ///< who watches sees by it that there is something new
+  std::uint64_t changes = 0;       ///< counter by which observers notice changes
 
   void state(StateArchive& archive) { archive(groups, changes); }
 };

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf {
@@ -16,6 +17,7 @@ Entity::Entity(std::string name, ModelPtr model, EntityOptions options)
       options_(std::move(options)),
       columns_(name_, static_cast<std::size_t>(model_->size())),
       present_(options_.present) {
+  // names are parts of file names, stream names and paths of messages
   const auto allowed = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-'; };
   if (name_.empty() || !std::all_of(name_.begin(), name_.end(), allowed)) {
     throw SetupError(fmt::format("entity name '{}': use letters, digits, '_' and '-'", name_));
@@ -38,6 +40,7 @@ void Entity::place(const Vec3d& position, double heading, const Mat3d& attitude)
 }
 
 void Entity::exchange_model(ModelPtr model) {
+  MUROSIMF_ASSERT(model);
   const auto same = [](const Object& a, const Object& b) {
     return a.name == b.name && a.kind == b.kind && a.parent == b.parent;
   };
@@ -72,6 +75,7 @@ ConstColumnView Entity::view(std::string_view property) const { return ConstColu
 void Entity::state(StateArchive& archive) { archive(frozen_reason_, present_, level, contact, controller); }
 
 void Entity::freeze(std::string reason) noexcept {
+  // the first reason is the cause, later ones are its consequences
   if (!frozen_reason_) frozen_reason_ = std::move(reason);
 }
 

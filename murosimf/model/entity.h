@@ -24,13 +24,13 @@ class Entity {
   [[nodiscard]] const ModelPtr& model_ptr() const { return model_; }
   [[nodiscard]] const EntityOptions& options() const { return options_; }
 
-  /// Another model with the same objects. Told by who knows what else hangs on it (Simulation::exchange_model). Throws
-  /// SetupError, and changes nothing, if the objects are others.
+  /// Exchanges the model for one with the same objects. Called by Simulation::exchange_model, which updates the algorithms. Throws
+  /// SetupError, and changes nothing, if the objects differ.
   void exchange_model(ModelPtr model);
-  /// For pictures; they take it over when they are told to (scene/section_changes.h).
+  /// For pictures; these read it on request (scene/section_changes.h).
   void recolor(const Color& color) { options_.color = color; }
 
-  /// Where its level puts it at the next start; checked as by the constructor.
+  /// Sets the place of the next start; checked as by the constructor.
   void place(const Vec3d& position, double heading, const Mat3d& attitude);
 
   [[nodiscard]] ColumnStore& columns() { return columns_; }
@@ -40,14 +40,14 @@ class Entity {
   Column<T>& column(const Property<T>& property) {
     return columns_.column(property);
   }
-  /// Null if nobody asked for the property while setting up.
+  /// Null if the property was not requested while setting up.
   template <class T>
   [[nodiscard]] const Column<T>* find(const Property<T>& property) const {
     return columns_.find(property);
   }
   [[nodiscard]] ColumnBase* find(std::string_view property) const { return columns_.find(property); }
 
-  /// All rows of a property at once. Throws SetupError if nobody uses it, or if it is no row of numbers.
+  /// All rows of a property at once. Throws SetupError if no algorithm uses it, or if it is no row of numbers.
   [[nodiscard]] ColumnView view(std::string_view property);
   [[nodiscard]] ConstColumnView view(std::string_view property) const;
 
@@ -55,17 +55,17 @@ class Entity {
   /// The first object; it carries the properties that the whole entity has once.
   [[nodiscard]] ObjectAccess base() { return {*this, 0}; }
 
-  /// Takes an entity whose numbers went bad out of the simulation; it stays where it is. Called while stepping.
+  /// Takes an entity whose numbers are not sane out of the simulation; it keeps its place. Called while stepping.
   void freeze(std::string reason) noexcept;
   /// For a new start.
   void unfreeze() { frozen_reason_.reset(); }
   [[nodiscard]] bool frozen() const { return frozen_reason_.has_value(); }
   [[nodiscard]] const std::optional<std::string>& frozen_reason() const { return frozen_reason_; }
 
-  /// One that is not there keeps its name, its place among the entities and its columns, but nothing moves, touches, sees or
-  /// shows it.
+  /// An absent entity keeps its name, its place among the entities and its columns, but nothing moves, touches, senses or
+  /// draws it.
   [[nodiscard]] bool present() const { return present_; }
-  /// Told by who knows what else comes with it (Simulation::enter, leave).
+  /// Called by Simulation::enter and leave, which update the algorithms.
   void set_present(bool present) { present_ = present; }
   /// Nothing executes its algorithms, and nothing touches it.
   [[nodiscard]] bool idle() const { return frozen() || !present(); }
@@ -73,7 +73,7 @@ class Entity {
   /// Saves or loads what is in no column.
   void state(StateArchive& archive);
 
-  /// What levels of detail and laws move this entity, for reports. Set by whoever attaches them.
+  /// Names of the levels of detail and laws that move this entity, for reports. Set by the code that attaches them.
   std::string level, contact, controller;
 
  private:

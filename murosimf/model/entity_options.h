@@ -25,9 +25,8 @@ struct EntityOptions {
   std::string team;         ///< empty for none
   Color color;              ///< of the team or of the thing
   CollisionOptions collision;
-  bool present = true;  ///< at the start (Simulation::enter, leave)
-  int step_multiple =
-      1;  ///< its motion and contact with the ground make steps that are so many times longer while nobody is near
+  bool present = true;    ///< at the start (Simulation::enter, leave)
+  int step_multiple = 1;  ///< factor of the step length of its motion and ground contact while no entity is near
 };
 
 }  // namespace murosimf

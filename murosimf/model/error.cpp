@@ -9,6 +9,7 @@ namespace murosimf {
 namespace {
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
+  // one row of the table is enough: the row above it is overwritten from the left
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 1; i <= a.size(); ++i) {
@@ -27,6 +28,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 std::string_view nearest_name(std::string_view name, std::span<const std::string_view> candidates) {
   std::string_view best;
+  // half of a name may be wrong, and two letters of a short one
   std::size_t best_distance = 1 + std::max<std::size_t>(2, name.size() / 2);
   for (const std::string_view candidate : candidates) {
     // 'full' for 'full_dynamics': a beginning counts as one slip

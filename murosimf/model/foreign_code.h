@@ -1,5 +1,4 @@
-/// foreign_code.h - code that the program has loaded while it runs (plug-ins), and how algorithms of it are called: not as ours, which
-/// never crash.
+/// foreign_code.h - code that the program has loaded while it runs (plug-ins), and calls of its algorithms, which may crash.
 #pragma once
 
 #include <atomic>
@@ -22,16 +21,16 @@ struct ForeignCode {
   std::string name{};                   ///< "plug-in 'own_plugin.so'"
   std::span<const std::byte> memory{};  ///< where it lies, tables of virtual functions included
   Caller caller = nullptr;
-  const ForeignCode* next = nullptr;  ///< of those that were loaded before
+  const ForeignCode* next = nullptr;  ///< the code that was loaded earlier
 
-  /// It stays to the end of the program. Any thread.
+  /// Adds code until the end of the program. Any thread.
   static void add(ForeignCode code) {
     static std::mutex adding;
     const std::lock_guard lock(adding);
     code.next = newest.load();
     newest.store(new ForeignCode(std::move(code)));
   }
-  /// The one to which an address belongs; null: none. May be called in signal handlers.
+  /// The code to which an address belongs; null: none. May be called in signal handlers.
   [[nodiscard]] static const ForeignCode* at(const void* address) noexcept {
     const auto* const place = static_cast<const std::byte*>(address);
     for (const ForeignCode* code = newest.load(); code; code = code->next) {
@@ -39,7 +38,7 @@ struct ForeignCode {
     }
     return nullptr;
   }
-  /// The one whose class the algorithm is; null: it is the program's. By the table of virtual functions, with which objects begin.
+  /// The code that has the algorithm's class; null: the program. By the table of virtual functions, with which objects begin.
   [[nodiscard]] static const ForeignCode* of(const Algorithm& algorithm) noexcept {
     if (!newest.load(std::memory_order_relaxed)) return nullptr;
     const void* table = nullptr;

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/math/lanes.h"
 #include "murosimf/model/algorithm.h"
 
@@ -16,15 +17,18 @@ namespace murosimf {
 template <class A>
 [[nodiscard]] std::vector<A*> members_of(std::span<Algorithm* const> members) {
   std::vector<A*> result;
-  for (Algorithm* member : members) result.push_back(static_cast<A*>(member));
+  for (Algorithm* member : members) {
+    MUROSIMF_ASSERT(dynamic_cast<A*>(member));
+    result.push_back(static_cast<A*>(member));
+  }
   return result;
 }
 
 class LaneGroup {
  public:
   virtual ~LaneGroup() = default;
-  /// One step of the members in `due`, by their numbers; bit for bit what Algorithm::step() would make of each. The others are left
-  /// alone.
+  /// Executes one step of the members in `due`, by their numbers; bit for bit the result of Algorithm::step() of each. The others are
+  /// not changed.
   virtual void step(LaneMask due, const Instant& instant) noexcept = 0;
 };
 

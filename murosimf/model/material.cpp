@@ -6,12 +6,14 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf {
 namespace {
 
 std::pair<std::string, std::string> key(const std::string& a, const std::string& b) {
+  // pairs have no order
   return a < b ? std::pair{a, b} : std::pair{b, a};
 }
 
@@ -82,7 +84,9 @@ void MaterialTable::set(const std::string& a, const std::string& b, const PairSu
 }
 
 void MaterialTable::set_all(double PairSurface::*number, double value) {
+  // a copy: set() replaces entries while this loop runs
   const auto pairs = pairs_;
+  MUROSIMF_ASSERT(number);
   for (auto [names, pair] : pairs) {
     pair.*number = value;
     set(names.first, names.second, pair);

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf {
@@ -13,6 +14,7 @@ Model::Model(std::string name, Chain chain)
   check_structure();
   name_all_objects();
   index_names(chain.aliases());
+  MUROSIMF_ASSERT(tree_.link_of.size() == objects_.size());
   use_constants();
 }
 
@@ -25,7 +27,9 @@ Model Model::with(ConstantTable constants) const {
 
 /// Works out what follows from objects and constants.
 void Model::use_constants() {
+  // before the tree: it divides by masses
   check_masses();
+  MUROSIMF_ASSERT(!objects_.empty());
   joints_.clear();
   bodies_.clear();
   tree_ = Tree(objects_, constants_);
@@ -33,6 +37,7 @@ void Model::use_constants() {
     if (objects_[i].is_joint()) joints_.push_back(i);
     if (find(properties::mass, i) || find(properties::shapes, i)) bodies_.push_back(i);
   }
+  MUROSIMF_ASSERT(tree_.links.size() == joints_.size() + 1 && "the base and one link for each joint");
 }
 
 int Model::object_index(std::string_view name) const {
@@ -52,6 +57,7 @@ std::vector<std::string_view> Model::object_names() const {
 }
 
 FixedObject Model::placement(int object) const {
+  MUROSIMF_ASSERT(object >= 0 && object < size());
   for (const FixedObject& fixed : tree_.fixed) {
     if (fixed.object == object) return fixed;
   }
@@ -84,6 +90,7 @@ void Model::name_all_objects() {
 
 void Model::index_names(const std::vector<std::pair<std::string, int>>& aliases) {
   const auto add = [this](const std::string& name, int object) {
+    // an alias may repeat the name of its own object
     const auto [place, fresh] = index_.emplace(name, object);
     if (!fresh && place->second != object) {
       throw SetupError(fmt::format("model '{}': two objects are called '{}'", name_, name));

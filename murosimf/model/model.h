@@ -39,7 +39,7 @@ class Model {
   /// Index of the object with this name or alias. Throws SetupError with the nearest name.
   [[nodiscard]] int object_index(std::string_view name) const;
   [[nodiscard]] std::optional<int> find_object(std::string_view name) const;
-  /// Every name that object_index knows.
+  /// All names that object_index accepts.
   [[nodiscard]] std::vector<std::string_view> object_names() const;
 
   /// Null if the object does not have the constant property.
@@ -51,7 +51,7 @@ class Model {
   /// The same tree with other values of its constants. Throws SetupError if a mass or inertia is impossible.
   [[nodiscard]] Model with(ConstantTable constants) const;
 
-  /// For who works out something that follows from the model alone; it is kept as long as the model.
+  /// Cache of data that follow from the model alone; they live as long as the model.
   [[nodiscard]] const DerivedData& derived() const { return derived_; }
 
   /// Where an object stands in the frame of the link it is fixed to.

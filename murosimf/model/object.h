@@ -21,8 +21,8 @@ struct Object {
   Vec3d vector;      ///< translation: shift [m]; joints: unit axis; both in the parent's frame
   Mat3d turn;        ///< rotation: this object's axes to the parent's
   std::string name;  ///< unique in the model
-  /// Only gives the tree its shape and carries nothing: its pose is not kept in every step but worked out when somebody
-  /// asks for it by name.
+  /// Only gives the tree its shape and carries nothing: its pose is not updated in every step but computed when it
+  /// is requested by name.
   bool structural = false;
 
   [[nodiscard]] bool is_joint() const { return kind == Kind::revolute || kind == Kind::prismatic; }

@@ -23,6 +23,7 @@ const std::string& ObjectAccess::name() const { return model().objects()[object_
 std::string ObjectAccess::where() const { return fmt::format("entity '{}', object '{}'", entity_->name(), name()); }
 
 std::size_t ObjectAccess::row(const ColumnBase& column) const {
+  MUROSIMF_ASSERT(object_ >= 0 && object_ < model().size());
   if (of_every_object(column.info().scope)) return static_cast<std::size_t>(object_);
   if (object_ != 0) {
     throw SetupError(fmt::format("{} has no '{}': only the base '{}' has it", where(), column.info().name,
@@ -80,11 +81,13 @@ void ObjectAccess::set(std::string_view property, std::span<const double> number
     throw SetupError(fmt::format("{}: '{}' takes {} number{}, not {}", where(), property, column->numbers(),
                                  column->numbers() == 1 ? "" : "s", numbers.size()));
   }
+  // rejected here: a NaN would freeze the entity one step later, without a hint at its origin
   for (const double number : numbers) {
     if (!std::isfinite(number)) throw SetupError(fmt::format("{}: '{}' cannot be {}", where(), property, number));
   }
   MUROSIMF_ASSERT(may_write(*column) && "a column that the algorithm has not declared as written");
   const std::size_t target = row(*column);
+  MUROSIMF_ASSERT(target < column->rows());
   for (std::size_t i = 0; i < numbers.size(); ++i) column->set(target, i, numbers[i]);
 }
 

@@ -1,4 +1,4 @@
-/// object_access.h - one object of one entity, for people and protocols: its properties by name, one value at a time.
+/// object_access.h - one object of one entity, for interactive use and protocols: its properties by name, one value at a time.
 #pragma once
 
 #include <span>
@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/column_store.h"
 #include "murosimf/model/model.h"
 #include "murosimf/model/structural_objects.h"
@@ -22,7 +23,7 @@ struct Quantity {
 };
 
 /// Simulation -> entity -> object -> property.
-/// Every call looks names up; never use it in a loop. All throw SetupError on unknown names, with the nearest one.
+/// Every call looks up names; never use it in a loop. All throw SetupError on unknown names, with the nearest one.
 class ObjectAccess {
  public:
   ObjectAccess(Entity& entity, int object) : entity_(&entity), object_(object) {}
@@ -38,7 +39,7 @@ class ObjectAccess {
   [[nodiscard]] Quantity get(std::string_view property) const;
   /// By name: variable properties only. Numbers must be finite and as many as the property has.
   void set(std::string_view property, std::span<const double> numbers);
-  /// Names of all properties that get() can show for this object.
+  /// Names of all properties that get() can return for this object.
   [[nodiscard]] std::vector<std::string_view> properties() const;
 
  private:
@@ -67,6 +68,7 @@ template <class T>
 void ObjectAccess::set(const Property<T>& property, const std::type_identity_t<T>& value) {
   if (!columns().find(property)) refuse_unused(property);
   auto& column = columns().column(property);
+  MUROSIMF_ASSERT(row(column) < column.values.size());
   column.values[row(column)] = value;
 }
 

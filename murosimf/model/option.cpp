@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf {
@@ -22,17 +23,18 @@ struct ToText {
   }
 };
 
-/// What the range is of: a number, or the length of a vector. 0 if the value has no size.
+/// The number that the range applies to: a number, or the length of a vector. 0 if the value has no size.
 double size_of(const OptionValue& value) {
   if (const double* number = std::get_if<double>(&value)) return *number;
   if (const Vec3d* vector = std::get_if<Vec3d>(&value)) return norm(*vector);
   return 0;
 }
 
-/// Of what has a size: numbers and vectors.
+/// For values with a size: numbers and vectors.
 bool has_good_size(const OptionInfo& option, const OptionValue& value) {
   const double size = size_of(value);
   const double* fallback = std::get_if<double>(&option.fallback);
+  // an infinite default means "no limit", so users may write it as well
   const bool may_be_infinite = fallback && std::isinf(*fallback);
   if (std::isnan(size) || (std::isinf(size) && !may_be_infinite)) return false;
   if (size < option.lowest.value || (option.lowest.open && size == option.lowest.value)) return false;
@@ -51,7 +53,10 @@ std::string allowed_text(const OptionInfo& option) {
 
 }  // namespace
 
-std::string_view type_name(const OptionValue& value) { return type_names[value.index()]; }
+std::string_view type_name(const OptionValue& value) {
+  MUROSIMF_ASSERT(value.index() < type_names.size());
+  return type_names[value.index()];
+}
 
 std::string_view type_name(const OptionInfo& option) { return option.whole ? "integer" : type_name(option.fallback); }
 

@@ -1,10 +1,10 @@
-/// option.h - options of algorithms as data: what is told about them, and values that somebody gives.
+/// option.h - options of algorithms as data: their descriptions, and the values that users give.
 ///
 ///     const OptionTable<DriveOptions> table{{"acceleration", &DriveOptions::acceleration, "m/s^2", "of the car", 0, 100}};
 ///     table.apply(given, options);
 ///
-/// One row says name, place, unit, meaning and bounds; defaults are those of a new struct, so that they stand once. Readers of
-/// files, their checks and `murosimf list options` come from these rows.
+/// One row has name, place, unit, meaning and bounds; defaults are those of a new struct, so that they are written once. Readers of
+/// files, their checks and `murosimf list options` use these rows.
 #pragma once
 
 #include <functional>
@@ -19,6 +19,7 @@
 #include <variant>
 #include <vector>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/math/vec3.h"
 
 namespace murosimf {
@@ -26,7 +27,7 @@ namespace murosimf {
 /// A number, a boolean, a text or a vector. Numbers are in the unit of the option, finite.
 using OptionValue = std::variant<double, bool, std::string, Vec3d>;
 
-/// What somebody has given, by the names of options; the others keep their defaults.
+/// Values that have been given, by the names of options; the others keep their defaults.
 using OptionValues = std::map<std::string, OptionValue, std::less<>>;
 
 inline constexpr double any_number = std::numeric_limits<double>::infinity();
@@ -42,7 +43,7 @@ struct LowestValue {
 };
 [[nodiscard]] inline LowestValue above(double value) { return {value, true}; }
 
-/// What is told about an option.
+/// Description of an option.
 struct OptionInfo {
   std::string name;
   OptionValue fallback;  ///< holds if nothing is given; its type is that of the option. NaN: `meaning` says what holds
@@ -129,7 +130,7 @@ class OptionTable {
         option_detail::from_value(value, std::invoke(place, to));
       };
     }
-    /// A text that is one of some.
+    /// A text with a fixed set of choices.
     template <class Place>
     Row(std::string_view what, Place place, std::string_view in_unit, std::string_view means,
         std::vector<std::string> one_of)
@@ -137,7 +138,7 @@ class OptionTable {
       choices = std::move(one_of);
     }
 
-    /// A value that is written otherwise than it is kept, like degrees.
+    /// A value whose text differs from its stored form, like degrees.
     Row(std::string_view what, std::function<OptionValue(const Target&)> reader,
         std::function<void(const OptionValue&, Target&)> writer, std::string_view in_unit, std::string_view means)
         : name(what), unit(in_unit), meaning(means), read(std::move(reader)), write(std::move(writer)) {}
@@ -158,19 +159,20 @@ class OptionTable {
       infos_.push_back({std::string(row.name), row.read(fresh), std::string(row.unit), std::string(row.meaning),
                         row.lowest, row.highest, row.whole, row.choices});
     }
+    MUROSIMF_ASSERT(infos_.size() == rows_.size());
   }
 
   /// Defaults are those of a new Target.
   [[nodiscard]] const std::vector<OptionInfo>& infos() const { return infos_; }
 
-  /// What the options of a Target are now, in the order of the table.
+  /// Present values of the options of a Target, in the order of the table.
   [[nodiscard]] std::vector<OptionValue> values(const Target& target) const {
     std::vector<OptionValue> all;
     for (const Row& row : rows_) all.push_back(row.read(target));
     return all;
   }
 
-  /// Writes what is given to its places. Throws as check_options does, and writes nothing then.
+  /// Writes the given values to their places. Throws as check_options does, and then writes nothing.
   void apply(const OptionValues& given, Target& target) const {
     check_options("this algorithm", infos_, given);
     for (const Row& row : rows_) {

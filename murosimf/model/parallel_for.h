@@ -13,9 +13,9 @@ class ParallelFor {
  public:
   virtual ~ParallelFor() = default;
 
-  /// Calls work(i) for each entities[i], several at a time, each preferably in the thread where that entity is at home; returns when
-  /// all are done. `work` must not throw, and touches nothing that it writes for another i: so the result cannot depend on who does
-  /// what. Not to be called within `work`.
+  /// Calls work(i) for each entities[i], several at a time, each preferably in the thread to which that entity is assigned; returns when
+  /// all are done. `work` must not throw, and must not access what it writes for another i: then the result does not depend on the
+  /// assignment to threads. Not to be called within `work`.
   template <class Work>
   void for_each(std::span<const Entity* const> entities, Work&& work) {
     using Callable = std::remove_reference_t<Work>;
@@ -30,7 +30,7 @@ class ParallelFor {
   virtual void share_out(std::span<const Entity* const> entities, Call call, void* context) noexcept = 0;
 };
 
-/// Nobody: one after the other.
+/// Without threads: one after the other.
 class SerialFor final : public ParallelFor {
   void share_out(std::span<const Entity* const> entities, Call call, void* context) noexcept override {
     for (std::size_t i = 0; i < entities.size(); ++i) call(context, i);

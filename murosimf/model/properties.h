@@ -1,5 +1,5 @@
-/// properties.h - the properties that folders share which do not know each other: what a model is made of, where its
-/// bodies are, what its joints and servos do.
+/// properties.h - the properties that independent folders share: the contents of a model, the poses of its
+/// bodies, the state of its joints and servos.
 ///
 /// Every other folder declares its own beside what uses them: collision/contact_properties.h,
 /// motion/motion_properties.h, locomotion/gait_properties.h, soccer/behavior_properties.h. All of them are in the namespace

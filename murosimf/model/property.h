@@ -1,4 +1,4 @@
-/// property.h - the descriptor of a property: what may be known about an object.
+/// property.h - the descriptor of a property of objects.
 ///
 /// A property is a typed name with unit, frame and meaning. Constant properties are set while modelling and live in
 /// the Model; variable ones live in the columns of an Entity and exist only if an algorithm asks for them.
@@ -10,16 +10,16 @@ namespace murosimf {
 
 enum class Scope {
   object,  ///< every object of the entity has one
-  shown,   ///< every object has one; worked out of the others by who only looks, so it is not in the state hash
+  shown,   ///< every object has one; computed from the others for display only, so it is not in the state hash
   base,    ///< one for the whole entity; it belongs to the base
-  sensor,  ///< one for the whole entity, shown by a sensor; looking changes nothing, so it is not in the state hash
-  wiring,  ///< one for the whole entity, by which its algorithms know each other; made anew, never stored or hashed
+  sensor,  ///< one for the whole entity, output of a sensor; reading changes nothing, so it is not in the state hash
+  wiring,  ///< one for the whole entity, by which its algorithms are connected; created anew, never stored or hashed
 };
 
 /// Whether a column of that scope has a row for every object, else one for the base.
 [[nodiscard]] constexpr bool of_every_object(Scope scope) { return scope == Scope::object || scope == Scope::shown; }
 
-/// Whether columns of that scope are what a step goes on from.
+/// Whether columns of that scope are state: input of the next step.
 [[nodiscard]] constexpr bool is_state(Scope scope) { return scope == Scope::object || scope == Scope::base; }
 
 /// The part of a descriptor that does not depend on the type.
@@ -29,7 +29,7 @@ struct PropertyInfo {
   std::string_view frame;    ///< axes and reference point; "-" where there are none
   std::string_view meaning;  ///< one line
   Scope scope = Scope::object;
-  bool fades = false;  ///< it comes to 0 by itself, and is no part of the state hash while all of it is 0
+  bool fades = false;  ///< it decays to 0 by itself, and is no part of the state hash while all of it is 0
 };
 
 template <class T>

@@ -1,8 +1,8 @@
 /// registry.h - entries with a name that may grow while the program runs: what comes with the library, then what plug-ins add.
 ///
-/// Whoever makes a registry adds the library's own entries by plain calls: entries that added themselves before `main` would be
-/// missing wherever the linker takes their file for unused. An entry is a struct with a member `std::string name`; it owns all that
-/// it has (std::string, std::function), since it may come from a library that was loaded later.
+/// The owner of a registry adds the library's own entries by plain calls: entries that add themselves before `main` would be
+/// missing wherever the linker drops their file as unused. An entry is a struct with a member `std::string name`; it owns all its
+/// data (std::string, std::function), since it may come from a library that was loaded later.
 #pragma once
 
 #include <atomic>
@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf {
@@ -40,9 +41,16 @@ class Registry {
 
     Iterator() = default;
     explicit Iterator(const Node* node) : node_(node) {}
-    reference operator*() const { return node_->entry; }
-    pointer operator->() const { return &node_->entry; }
+    reference operator*() const {
+      MUROSIMF_ASSERT(node_);
+      return node_->entry;
+    }
+    pointer operator->() const {
+      MUROSIMF_ASSERT(node_);
+      return &node_->entry;
+    }
     Iterator& operator++() {
+      MUROSIMF_ASSERT(node_);
       node_ = node_->next.load(std::memory_order_acquire);
       return *this;
     }
@@ -64,13 +72,14 @@ class Registry {
   Registry(const Registry&) = delete;
   Registry& operator=(const Registry&) = delete;
 
-  /// Behind all others. Throws SetupError, and adds nothing, if the name is empty or taken.
+  /// Appends an entry. Throws SetupError, and adds nothing, if the name is empty or in use.
   const Entry& add(Entry entry) {
     const std::lock_guard lock(adding_);
     if (entry.name.empty()) throw SetupError("a " + kind_ + " without a name cannot be added");
     if (look_for(entry.name))
       throw SetupError("there is a " + kind_ + " '" + entry.name + "' already; choose another name");
     const Node& added = nodes_.emplace_back(std::move(entry));
+    // release: a reader that sees the node sees its entry
     (last_ ? last_->next : first_).store(&added, std::memory_order_release);
     last_ = &nodes_.back();
     return added.entry;

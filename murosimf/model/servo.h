@@ -1,4 +1,4 @@
-/// servo.h - data of a servo motor, on the output side of its gear. What moves with it is motion's business.
+/// servo.h - data of a servo motor, on the output side of its gear. motion/ computes its torque.
 ///
 /// Stall torque, no-load rate and gain hold at `voltage`; a servo law (motion/servo_law.h) makes torque of them. The
 /// textbook's constants of the motor, seen at the output, follow: k_t = voltage / no_load_speed [N m/A = V s/rad] and
@@ -9,7 +9,7 @@
 
 namespace murosimf {
 
-/// The largest torque that a gear's friction can muster: a budget. The equation and its source stand in
+/// The largest torque of a gear's friction: a budget. The equation and its source are in
 /// multibody/gear_friction.h. The numbers without unit are shares of a load. All zero: none.
 struct GearFriction {
   double coulomb = 0;                  ///< [N m] K_c
@@ -58,7 +58,7 @@ struct Servo {
   ServoHeat heat;
 };
 
-/// The moment at which a servo was too weak by the most for what a motion takes; all zero if it never was.
+/// The moment of the largest excess of a motion over a servo's torque; all zero if there was none.
 struct Overload {
   double needed = 0;  ///< [N m]
   double given = 0;   ///< [N m] what the servo can give at that rate

@@ -1,7 +1,7 @@
-/// setup.h - how an algorithm obtains its columns, and thereby declares what it reads and writes.
+/// setup.h - access of an algorithm to its columns, which also declares its reads and writes.
 ///
-/// An algorithm gets a Setup in its constructor and takes spans from it; taking a span is the declaration. There is
-/// no second list to forget. Spans stay valid for the life of the simulation.
+/// An algorithm receives a Setup in its constructor and takes spans from it; taking a span is the declaration. There is
+/// no second list that could be forgotten. Spans stay valid for the life of the simulation.
 #pragma once
 
 #include <algorithm>
@@ -20,19 +20,19 @@ class Setup {
   Setup(World& world, Entity& entity, AccessSet& access, Duration period = std::chrono::milliseconds(1))
       : world_(&world), entity_(&entity), access_(&access), period_(period) {}
 
-  /// Columns to read; one row per object, or a single row for properties of the base. Another algorithm must write
-  /// them, or the simulation refuses to start.
+  /// Column to read; one row per object, or a single row for properties of the base. Another algorithm must write
+  /// it, or the simulation refuses to start.
   template <class T>
   [[nodiscard]] std::span<const T> read(const Property<T>& property) {
     return take(property, AccessMode::read).values;
   }
-  /// Columns to write (and read). Whoever writes a column also gives it its first value, in `initialize`.
+  /// Column to write (and read). An algorithm that writes a column also sets its first value, in `initialize`.
   template <class T>
   [[nodiscard]] std::span<T> write(const Property<T>& property) {
     return take(property, AccessMode::write).values;
   }
-  /// Columns to read that users or control software may set at any time, or that only some levels write; `value`
-  /// stands until somebody does, and again when a level that did is exchanged.
+  /// Column to read that users or control software may set at any time, or that only some levels write; `value`
+  /// holds until it is set, and again when a level that wrote it is exchanged.
   template <class T>
   [[nodiscard]] std::span<const T> input(const Property<T>& property, const std::type_identity_t<T>& value) {
     const bool has_values = entity_->columns().live() && entity_->find(property);
@@ -44,19 +44,19 @@ class Setup {
     return column.values;
   }
 
-  /// Columns to read that only some levels write: NaN while none does. It looks and never decides: an algorithm that
-  /// has another start value for them finds NaN and puts that in its place.
+  /// Column to read that only some levels write: NaN while none does. It declares no start value: an algorithm with
+  /// another start value for the column finds NaN and replaces it.
   [[nodiscard]] std::span<const double> observe(const Property<double>& property) {
     return input(property, std::numeric_limits<double>::quiet_NaN());
   }
-  /// Columns to write if an algorithm that was attached before wants to read them; else nothing.
+  /// Column to write if an algorithm that was attached earlier reads it; otherwise an empty span.
   template <class T>
   [[nodiscard]] std::span<T> write_if_wanted(const Property<T>& property) {
     return entity_->find(property) ? write(property) : std::span<T>{};
   }
 
-  /// Declares that the algorithm has other algorithms of this entity do their work (an island solver has levels make
-  /// their step): nothing that touches the entity runs at the same time.
+  /// Declares that the algorithm executes other algorithms of this entity (an island solver executes the step of
+  /// levels): nothing that accesses the entity runs at the same time.
   void claim() { access_->claim(*entity_); }
 
   [[nodiscard]] const Model& model() const { return entity_->model(); }

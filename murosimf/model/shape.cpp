@@ -4,9 +4,12 @@
 #include <array>
 #include <limits>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf {
 namespace {
 
+/// Radius about the shape's origin.
 struct BoundingRadius {
   double operator()(const Sphere& s) const { return s.radius; }
   double operator()(const Box& s) const { return norm(s.half_size); }
@@ -15,6 +18,7 @@ struct BoundingRadius {
   double operator()(const Ellipsoid& s) const { return std::max({s.semi_axes.x, s.semi_axes.y, s.semi_axes.z}); }
   double operator()(const Plane&) const { return std::numeric_limits<double>::infinity(); }
   double operator()(const Convex& s) const {
+    MUROSIMF_ASSERT(s.hull);
     double square = 0;
     for (const Vec3d& vertex : s.hull->vertices) square = std::max(square, dot(vertex, vertex));
     return std::sqrt(square);
@@ -25,6 +29,7 @@ struct BoundingRadius {
 
 const char* shape_name(const Shape& shape) {
   constexpr std::array names{"sphere", "box", "capsule", "cylinder", "ellipsoid", "plane", "mesh"};
+  MUROSIMF_ASSERT(shape.index() < names.size());
   return names[shape.index()];
 }
 

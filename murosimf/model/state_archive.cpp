@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf {
@@ -16,7 +17,9 @@ void StateArchive::one(std::string& text) {
 
 std::size_t StateArchive::count(std::size_t number, std::size_t size) {
   auto saved = static_cast<std::uint64_t>(number);
+  MUROSIMF_ASSERT(size > 0);
   one(saved);
+  // checked before anything is allocated: the bytes may come from a damaged file
   if (loads() && saved > left_.size() / size) throw SetupError("it ends too early");
   return static_cast<std::size_t>(saved);
 }
@@ -24,6 +27,7 @@ std::size_t StateArchive::count(std::size_t number, std::size_t size) {
 void StateArchive::check_count(std::size_t number) {
   auto saved = static_cast<std::uint64_t>(number);
   one(saved);
+  // columns have a fixed size: spans of algorithms point into them
   if (saved != number) throw SetupError(fmt::format("it has {} values, not {}", saved, number));
 }
 

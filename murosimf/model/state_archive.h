@@ -1,11 +1,11 @@
-/// state_archive.h - the state of a simulation as bytes: one description of what belongs to it, for saving and for loading.
+/// state_archive.h - the state of a simulation as bytes: one description of the state, for saving and for loading.
 ///
 ///     void Odometer::state(StateArchive& archive) { archive(distance_, falls_); }
 ///
-/// What belongs to the state of a class is said by its member `state(StateArchive&)`, or by a function `state(StateArchive&, T&)`
-/// in its namespace; bytes of plain data without pointers are taken as they are. So a state is for one version of the library
-/// and for machines of one byte order. Bytes that belong to no member may be anything, and would make equal states differ: data
-/// that have some do not compile, and say their members one by one:
+/// The state of a class is described by its member `state(StateArchive&)`, or by a function `state(StateArchive&, T&)`
+/// in its namespace; plain data without pointers are copied as bytes. So a state is valid for one version of the library
+/// and for machines of one byte order. Padding bytes are unspecified, and would make equal states differ: data
+/// with padding do not compile, and list their members one by one:
 ///
 ///     void state(StateArchive& archive, Step& step) {
 ///       auto& [number, length] = step;  // another member does not compile here
@@ -33,7 +33,7 @@ class StateArchive {
   explicit StateArchive(std::span<const std::byte> bytes) : left_(bytes) {}
 
   [[nodiscard]] bool loads() const { return !saved_; }
-  /// Not loaded yet.
+  /// Number of bytes that are not loaded yet.
   [[nodiscard]] std::size_t left() const { return left_.size(); }
 
   /// Saves the values or loads them, one after the other. Throws SetupError if the bytes end before that.
@@ -41,7 +41,7 @@ class StateArchive {
   void operator()(T&... values) {
     (one(values), ...);
   }
-  /// As many as there are: throws SetupError if others were saved. They stay where they are.
+  /// Saves or loads as many values as there are: throws SetupError if another number was saved. Their addresses do not change.
   template <class T>
   void elements(std::span<T> values) {
     check_count(values.size());

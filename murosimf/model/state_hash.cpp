@@ -5,6 +5,7 @@
 #include <typeinfo>
 #include <vector>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/entity.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/model/structural_objects.h"
@@ -12,12 +13,14 @@
 namespace murosimf {
 namespace {
 
-/// With the rows of structural objects, if the column is that of a `property`.
+/// Appends all rows, including those of structural objects, if the column is that of `property`.
 template <class T>
 bool append_if(Hasher& hasher, const StructuralRows& structural, const ColumnBase& column,
                const Property<T>& property) {
   if (column.info().name != property.name || column.type() != typeid(T)) return false;
   std::vector<T> rows = static_cast<const Column<T>&>(column).values;
+  MUROSIMF_ASSERT(rows.size() == column.rows());
+  // rows of structural objects hold no numbers; what they would be is part of the state all the same
   structural.work_out(property, std::span(rows));
   for (const T& value : rows) append_hash(hasher, value);
   return true;
@@ -49,6 +52,7 @@ void append_state(Hasher& hasher, const Entity& entity) {
   hasher.add(std::string_view(entity.name()));
   hasher.add(std::uint64_t{(entity.frozen() ? 1u : 0u) + (entity.present() ? 0u : 2u)});
   const StructuralRows structural(entity.model(), entity.columns());
+  // in the order of names: independent of the order in which algorithms were attached
   for (const auto& [name, column] : entity.columns()) {
     if (!is_state(column->info().scope) || has_faded(*column)) continue;
     hasher.add(std::string_view(name));

@@ -1,8 +1,8 @@
-/// state_hash.h - one number for the state of an entity, by which runs are compared.
+/// state_hash.h - one number for the state of an entity, for comparisons of runs.
 ///
-/// State are the columns from which the next step goes on (property.h, is_state): what sensors show and what connects
-/// algorithms is left out, and what has faded to 0 (PropertyInfo::fades). Columns come in the order of their names, so it
-/// does not matter who asked for them first.
+/// The state consists of the columns that the next step reads (property.h, is_state): output of sensors and connections of
+/// algorithms are excluded, as is what has faded to 0 (PropertyInfo::fades). Columns come in the order of their names, so
+/// the order of requests has no influence.
 #pragma once
 
 #include "murosimf/math/hash.h"
@@ -11,7 +11,7 @@ namespace murosimf {
 
 class Entity;
 
-/// The name of the entity, whether it is there and frozen, and all its state; rows of structural objects are worked out before.
+/// Appends the name of the entity, whether it is present and frozen, and all its state; rows of structural objects are computed first.
 void append_state(Hasher& hasher, const Entity& entity);
 
 }  // namespace murosimf

@@ -1,5 +1,6 @@
 #include "murosimf/model/structural_objects.h"
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf {
@@ -14,7 +15,7 @@ const std::vector<T>* rows_of(const ColumnStore& columns, const Property<T>& pro
   return column ? &column->values : nullptr;
 }
 
-/// All that structural objects follow from but accelerations, of which few ask.
+/// All columns that structural objects follow from, except accelerations, which are rarely requested.
 StructuralRows::Columns columns_of(const ColumnStore& columns) {
   return {.position = rows_of(columns, properties::position),
           .linear_velocity = rows_of(columns, properties::linear_velocity),
@@ -30,6 +31,7 @@ void add_accelerations(StructuralRows::Columns& rows, const ColumnStore& columns
 }
 
 std::optional<Mat3d> worked_out(const Model& model, const std::vector<Mat3d>* R, int object) {
+  MUROSIMF_ASSERT(object >= 0 && object < model.size());
   if (!R) return std::nullopt;
   const FixedObject place = model.placement(object);
   const Mat3d& link = (*R)[model.tree().links[place.link].object];
@@ -39,6 +41,7 @@ std::optional<Mat3d> worked_out(const Model& model, const std::vector<Mat3d>* R,
 std::optional<Vec3d> worked_out(const Model& model, const StructuralRows::Columns& rows,
                                 const Property<Vec3d>& property, int object) {
   const FixedObject place = model.placement(object);
+  MUROSIMF_ASSERT(object >= 0 && object < model.size());
   const int link = model.tree().links[place.link].object;
   const auto *r = rows.position, *v = rows.linear_velocity, *w = rows.angular_velocity;
   const auto* R = rows.orientation;
@@ -47,11 +50,12 @@ std::optional<Vec3d> worked_out(const Model& model, const StructuralRows::Column
   if (is(property, properties::position)) return position();
   if (!v || !w) return std::nullopt;
   if (is(property, properties::angular_velocity)) return (*w)[link];
-  // by the difference of rounded positions, as hashes have always had it
+  // by the difference of rounded positions: recorded hashes depend on this order of operations
   if (is(property, properties::linear_velocity)) return (*v)[link] + cross((*w)[link], position() - (*r)[link]);
   const auto *a = rows.linear_acceleration, *alpha = rows.angular_acceleration;
   if (!a || !alpha) return std::nullopt;
   if (is(property, properties::angular_acceleration)) return (*alpha)[link];
+  // accelerations are for display: their arm may have the same rounding
   const Vec3d arm = position() - (*r)[link];
   if (is(property, properties::linear_acceleration)) {
     return (*a)[link] + cross((*alpha)[link], arm) + cross((*w)[link], cross((*w)[link], arm));
@@ -59,7 +63,10 @@ std::optional<Vec3d> worked_out(const Model& model, const StructuralRows::Column
   return std::nullopt;
 }
 
-bool is_structural(const Model& model, int object) { return model.objects()[object].structural; }
+bool is_structural(const Model& model, int object) {
+  MUROSIMF_ASSERT(object >= 0 && object < model.size());
+  return model.objects()[object].structural;
+}
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-/// structural_objects.h - pose and velocity of objects that only give a model its shape: worked out when somebody asks.
+/// structural_objects.h - pose and velocity of objects that only give a model its shape: computed on request.
 ///
 /// Levels keep no pose of such an object (model/object.h). It is fixed to a link with the row l, at the offset d and the
 /// turn T in that link's axes, so that
@@ -6,7 +6,7 @@
 ///     r = r_l + R_l d     R = R_l T     w = w_l     v = v_l + w_l x (r - r_l)
 ///     alpha = alpha_l     a = a_l + alpha_l x (r - r_l) + w_l x (w_l x (r - r_l))
 ///
-/// Its own rows in the columns hold nothing. Asking only reads: any number of threads may, while nobody steps.
+/// Its own rows in the columns are unused. Requests only read: any number of threads may make them, while no step runs.
 #pragma once
 
 #include <cstddef>
@@ -14,6 +14,7 @@
 #include <span>
 #include <vector>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/column_store.h"
 #include "murosimf/model/model.h"
 
@@ -30,7 +31,7 @@ template <class T>
   return std::nullopt;
 }
 
-/// The same of one entity for who asks for many objects: its columns are looked up once, here. It must not outlive them.
+/// The same for one entity and many objects: its columns are looked up once, here. It must not outlive them.
 class StructuralRows {
  public:
   StructuralRows(const Model& model, const ColumnStore& columns);
@@ -38,9 +39,10 @@ class StructuralRows {
   [[nodiscard]] std::optional<Vec3d> value(const Property<Vec3d>& property, int object) const;
   [[nodiscard]] std::optional<Mat3d> value(const Property<Mat3d>& property, int object) const;
 
-  /// Puts the values of all structural objects into their rows; `rows` has one of each object.
+  /// Writes the values of all structural objects to their rows; `rows` has one for each object.
   template <class T>
   void work_out(const Property<T>& property, std::span<T> rows) const {
+    MUROSIMF_ASSERT(rows.size() == static_cast<std::size_t>(model_->size()));
     for (int i = 0; i < model_->size(); ++i) {
       if (const auto known = value(property, i)) rows[static_cast<std::size_t>(i)] = *known;
     }

@@ -7,7 +7,7 @@ namespace murosimf {
 
 using Duration = std::chrono::nanoseconds;
 
-// Of everything that is done again and again [Hz]; others are errors of users.
+// Range of all periodic rates [Hz]; others are errors of users.
 constexpr double slowest_rate = 1e-3;
 constexpr double fastest_rate = 1e5;
 constexpr double usual_step_rate = 1000;  ///< [Hz] of motion and contact, where a scene does not say

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf {
@@ -38,7 +39,9 @@ bool is_diagonal(const SymMat3d& m) {
 }
 
 /// Merges a mass into the link: center by weights, inertia by the parallel-axis theorem.
+/// A body without mass would leave the center undefined.
 void add_mass(Link& link, double mass, const Vec3d& com, const SymMat3d& inertia) {
+  MUROSIMF_ASSERT(link.mass >= 0 && mass > 0);
   const double sum = link.mass + mass;
   const Vec3d center = (1.0 / sum) * (link.mass * link.com + mass * com);
   link.inertia += link.mass * inertia_of_point(link.com - center);
@@ -57,6 +60,7 @@ Tree::Tree(const std::vector<Object>& objects, const ConstantTable& constants) :
       Link link;
       link.object = i;
       if (object.is_joint()) {
+        MUROSIMF_ASSERT(object.parent >= 0 && object.parent < i);
         const Placement& before = placements[object.parent];
         link.parent = link_of[object.parent];
         link.kind = object.kind == Kind::revolute ? LinkKind::revolute : LinkKind::prismatic;
@@ -66,9 +70,11 @@ Tree::Tree(const std::vector<Object>& objects, const ConstantTable& constants) :
         link.turn = before.turn;
         link.turned = before.turned;
       }
+      // objects come parents first, so links do as well
       link_of[i] = static_cast<int>(links.size());
       links.push_back(link);
     } else {
+      MUROSIMF_ASSERT(object.parent >= 0 && object.parent < i);
       placements[i] = after(placements[object.parent], object);
       link_of[i] = link_of[object.parent];
       fixed.push_back({i, link_of[i], placements[i].offset, placements[i].turn, placements[i].turned});
@@ -83,6 +89,7 @@ Tree::Tree(const std::vector<Object>& objects, const ConstantTable& constants) :
       mass += *m;
     }
   }
+  MUROSIMF_ASSERT(links.size() + fixed.size() == objects.size() && followers.size() <= fixed.size());
   for (Link& link : links) link.diagonal_inertia = is_diagonal(link.inertia);
 }
 

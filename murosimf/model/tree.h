@@ -1,4 +1,4 @@
-/// tree.h - a model's tree reduced to what moves: the form in which kernels walk it.
+/// tree.h - a model's tree reduced to its moving links: the form that kernels use.
 ///
 /// A link is the base or a joint together with everything rigidly fixed to it. Links are in topological order,
 /// parents first; masses that sit on fixed objects are merged into their link.
@@ -32,7 +32,7 @@ struct Link {
   bool diagonal_inertia = false;  ///< its products of inertia are zero
 };
 
-/// An object that does not move against its link.
+/// An object that is fixed to its link.
 struct FixedObject {
   int object = 0;
   int link = 0;

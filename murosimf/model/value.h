@@ -1,4 +1,4 @@
-/// value.h - how a property's value is seen from outside as a row of numbers, and how it enters the state hash.
+/// value.h - the value of a property as a row of numbers, for interfaces, and in the state hash.
 ///
 /// Specialise ValueTraits for a new value type: numeric types derive from `OfDoubles`; a type that is no row of
 /// numbers keeps `numbers = 0` and offers `void append_hash(Hasher&, const T&)` in its namespace.
@@ -14,7 +14,7 @@
 
 namespace murosimf {
 
-/// Where the numbers of one value stand in memory: number (i, j), row by row as users see them, at first + i strides[0] + j
+/// Layout of the numbers of one value in memory: number (i, j), row by row as users see them, is at first + i strides[0] + j
 /// strides[1], all in doubles. A value with one index has shape[1] = 1.
 struct ValueLayout {
   std::array<std::size_t, 2> shape{1, 1};
@@ -36,6 +36,7 @@ struct OfDoubles {
 
   static double get(const T& value, std::size_t i) {
     double number = 0;
+    // by memcpy: reading members through a pointer to the first one would be undefined
     std::memcpy(&number, reinterpret_cast<const unsigned char*>(&value) + i * sizeof(double), sizeof(double));
     return number;
   }
@@ -77,7 +78,7 @@ void append_hash(Hasher& hasher, const T& value) {
   for (std::size_t i = 0; i < ValueTraits<T>::numbers; ++i) hasher.add(ValueTraits<T>::get(value, i));
 }
 
-/// In the order in memory: hashes are older than the order that users see.
+/// In the order in memory, unlike the order that users see: recorded hashes depend on it.
 inline void append_hash(Hasher& hasher, const Wrenchd& force) {
   for (std::size_t i = 0; i < 6; ++i) hasher.add(OfDoubles<Wrenchd>::get(force, i));
 }

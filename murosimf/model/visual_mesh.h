@@ -1,7 +1,7 @@
-/// visual_mesh.h - meshes of a model that are visual only: where they stand, not what is in them.
+/// visual_mesh.h - visual meshes of a model: their files and places, not their contents.
 ///
-/// Nothing of the physics depends on them, so no file is opened before somebody draws the model (appearance/visual_meshes.h);
-/// only then it shows whether it is there.
+/// No physics depends on them, so no file is opened before the model is drawn (appearance/visual_meshes.h);
+/// only then a missing file is an error.
 #pragma once
 
 #include <string>

@@ -4,14 +4,17 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/state_hash.h"
 
 namespace murosimf {
 
+// an entity with a base only: it just holds columns
 World::World() : common_("world", std::make_shared<const Model>("world", Chain{}.base("world"))) {}
 
 Entity& World::add(std::string name, ModelPtr model, EntityOptions options) {
+  MUROSIMF_ASSERT(model);
   if (find(name)) throw SetupError(fmt::format("two entities are called '{}'", name));
   entities_.push_back(std::make_unique<Entity>(std::move(name), std::move(model), std::move(options)));
   return *entities_.back();

@@ -1,10 +1,11 @@
-/// world.h - all entities of a simulation, by name, and what is common to all of them. Data only; time is runtime's.
+/// world.h - all entities of a simulation, by name, and their common data. Data only; time belongs to runtime.
 #pragma once
 
 #include <memory>
 #include <string_view>
 #include <vector>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/entity.h"
 
 namespace murosimf {
@@ -21,8 +22,11 @@ class World {
   /// Place of an entity in entities(), where it stays; -1 for null and for one of another world.
   [[nodiscard]] int index_of(const Entity* entity) const;
   [[nodiscard]] const std::vector<std::unique_ptr<Entity>>& entities() const { return entities_; }
-  /// Removes and destroys the one that was added last, to which nobody may refer any more.
-  void take_back_last() { entities_.pop_back(); }
+  /// Removes and destroys the entity that was added last, to which no references may exist.
+  void take_back_last() {
+    MUROSIMF_ASSERT(!entities_.empty());
+    entities_.pop_back();
+  }
 
   /// Has the columns of the whole world, which belong to no entity (contacts between them). It is called "world" and is none of
   /// entities().

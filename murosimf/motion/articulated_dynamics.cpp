@@ -26,7 +26,6 @@ ArticulatedDynamics::ArticulatedDynamics(Setup& setup, const MovingTreeOptions& 
       bodies_(tree_.links.size()),
       change_(tree_.links.size()),
       root_(tree_.links.size()) {
-  MUROSIMF_ASSERT(!tree_.links.empty());
   if (options.integrator == Integrator::rk4 && !drives_.remembering().empty()) {
     throw SetupError("integrator 'rk4' does not go with servos that have backlash or get warm");
   }
@@ -68,7 +67,6 @@ void ArticulatedDynamics::check_inertias() {
   std::vector<double> moved(links.size());
   multibody::moved_inertias(tree_.columns.model.tree(), tree_.links, moved);
   for (std::size_t l = 1; l < links.size(); ++l) moved[l] += drives_.firm_inertia(links[l].object);
-  // a follower without inertia moves its leader's: only joints that move nothing at all are errors
   couplings_.count_at_leaders(moved);
   for (std::size_t l = links.size() - 1; l > 0; --l) {
     if (moved[l] > least_inertia) continue;
@@ -96,7 +94,6 @@ void ArticulatedDynamics::step(const Instant& instant) noexcept {
 bool ArticulatedDynamics::advance(double dt) noexcept {
   if (!tree_.contacts.solved()) {
     begin_step(dt);
-    // only the first pass takes the loads of the last step; later passes refine the same decision
     auto loads = multibody::Loads::of_last_pass;
     tree_.contacts.settle([&] {
       const bool settled = solve(std::exchange(loads, multibody::Loads::of_repeated_pass));
@@ -149,10 +146,6 @@ void ArticulatedDynamics::step_rk4(double dt) noexcept {
   keep_loads();
   saturation_.look(tree_.columns.model.tree(), friction_, dt);
   tree_.finish_step();
-}
-
-void ArticulatedDynamics::predict_contacts(double dt) noexcept {
-  tree_.predict_contacts(dt, [&](int link) -> const Twistd& { return bodies_[link].acceleration; });
 }
 
 void ArticulatedDynamics::begin_step(double dt) noexcept {
@@ -240,7 +233,6 @@ void ArticulatedDynamics::recall_loads() noexcept {
 }
 
 void ArticulatedDynamics::keep_loads() noexcept {
-  MUROSIMF_ASSERT(bodies_.size() == friction_.size());
   const auto& links = tree_.columns.model.tree().links;
   for (std::size_t l = 0; l < links.size(); ++l) {
     felt_acceleration_[links[l].object] = bodies_[l].acceleration;
@@ -254,11 +246,6 @@ void ArticulatedDynamics::gather_loads(double dt) noexcept {
     multibody::add_load(bodies_[link], load, damping);
   });
   couplings_.add_loads(bodies_);
-}
-
-/// a'_0 for the loads of the sweep; pA_0 is the force that the base lacks, hence the sign.
-Twistd ArticulatedDynamics::base_acceleration() noexcept {
-  return tree_.base_acceleration(bodies_[0].inertia, -1.0 * bodies_[0].force);
 }
 
 /// Executes a trial step. Returns false if the decision about some joint (sticks or slides, its motor's line) is wrong.
@@ -304,7 +291,6 @@ void ArticulatedDynamics::solve_explicitly() noexcept {
   multibody::sweep_to_base<double>(tree, tree_.links, bodies_);
   multibody::accelerate<double>(tree, tree_.links, bodies_, base_acceleration());
   for (std::size_t l = 1; l < bodies_.size(); ++l) {
-    // loads without friction's own part, for the friction of the next evaluation
     const auto& parent = bodies_[tree.links[l].parent];
     friction_[l].load = -dot(tree_.links[l].axis, bodies_[l].force) - dot(parent.acceleration, bodies_[l].U);
   }
@@ -335,11 +321,6 @@ void ArticulatedDynamics::report_torques() noexcept {
     joint_torque_[links[l].object] = torque;
     if (!motor_torque_.empty()) motor_torque_[links[l].object] = motor_torque(l);
   }
-}
-
-/// Motor torque, averaged over the step.
-double ArticulatedDynamics::motor_torque(std::size_t link) const noexcept {
-  return friction_[link].line.torque - friction_[link].line.inertia * bodies_[link].joint_acceleration;
 }
 
 /// Updates the memory of the servos: backlash, temperature.

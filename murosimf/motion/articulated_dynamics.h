@@ -60,11 +60,19 @@ class ArticulatedDynamics final : public MotionLevel, private collision::Impulse
   void couple() noexcept;
   void drive_joints_explicitly() noexcept;
   void solve_explicitly() noexcept;
-  [[nodiscard]] Twistd base_acceleration() noexcept;
-  void predict_contacts(double dt) noexcept;
+  /// a'_0 for the loads of the sweep; pA_0 is the force that the base lacks, hence the sign.
+  [[nodiscard]] Twistd base_acceleration() noexcept {
+    return tree_.base_acceleration(bodies_[0].inertia, -1.0 * bodies_[0].force);
+  }
+  void predict_contacts(double dt) noexcept {
+    tree_.predict_contacts(dt, [&](int link) -> const Twistd& { return bodies_[link].acceleration; });
+  }
   void start_loads();
   void report_torques() noexcept;
-  [[nodiscard]] double motor_torque(std::size_t link) const noexcept;
+  /// Motor torque [N m | N], averaged over the step.
+  [[nodiscard]] double motor_torque(std::size_t link) const noexcept {
+    return friction_[link].line.torque - friction_[link].line.inertia * bodies_[link].joint_acceleration;
+  }
   void finish_drives() noexcept;
   void advance_joints(double dt) noexcept;
   [[nodiscard]] bool accelerations_are_sane() const noexcept;

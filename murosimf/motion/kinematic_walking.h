@@ -9,7 +9,6 @@
 ///     t' = u_t - t / 0.1 s          s' = u_s - s / 0.1 s          u' = -u / 0.02 s
 ///
 /// x_S and R_n are those of the plane that touches the ground right below the sole's middle when it lands (collision/ground_finder.h): the
-/// x_S and R_n are those of the plane that touches the ground right below the sole's middle when it lands (collision/ground_finder.h): the
 /// field, a plate, a ramp. R_n turns the vertical into its normal on the shortest way. Surfaces higher by more than 60 mm are not ground.
 /// A foot is hardly ever exactly flat and at height 0 when it lands, or when this level takes over a moving robot
 /// (model/motion_level.h; the lower foot stands then), nor at rest. Its tilt t and height s remain as offsets; they decay, x and y are

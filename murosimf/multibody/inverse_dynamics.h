@@ -30,8 +30,8 @@ void inverse_dynamics(const Tree& tree, std::span<const LinkMotion<S>> links, co
 /// Force [N m, N] about O that the joint accelerations qdd require of a base with a'_0 = 0, external forces left out:
 /// sum of I_i J_i qdd + p_i over all links.
 template <class S>
-Wrench<S> base_bias(const Tree& tree, std::span<const LinkMotion<S>> links, std::span<const S> qdd,
-                    std::span<Twist<S>> working) noexcept;
+[[nodiscard]] Wrench<S> base_bias(const Tree& tree, std::span<const LinkMotion<S>> links, std::span<const S> qdd,
+                                  std::span<Twist<S>> working) noexcept;
 
 /// M, row by row, 6 + (links - 1) square: base [w; v] about O first, then one row per link in order.
 /// `composite`: working memory, one per link. Rotors are not included.

@@ -30,14 +30,15 @@ void velocities(const Tree& tree, std::span<const S> qd, std::span<const Vec3<S>
 /// Pose of one fixed object in the frame of the base, from the joint positions on the path to it alone.
 /// `path`: links from the base (excluded) to the object's link.
 template <class S>
-Transform<S> pose_in_base(const Tree& tree, std::span<const int> path, const FixedObject& object,
-                          std::span<const S> q) noexcept;
+[[nodiscard]] Transform<S> pose_in_base(const Tree& tree, std::span<const int> path, const FixedObject& object,
+                                        std::span<const S> q) noexcept;
 
 /// Velocity [rad/s, m/s] of the point `at` [m] of the path's last link, relative to a base at rest; world axes:
 ///     w = sum s_i qd_i     v = sum s_i x (at - r_i) qd_i   (or s_i qd_i)
 template <class S>
-Twist<S> twist_against_base(const Tree& tree, std::span<const int> path, const Vec3<S>& at, std::span<const S> qd,
-                            std::span<const Vec3<S>> r, std::span<const Mat3<S>> R) noexcept;
+[[nodiscard]] Twist<S> twist_against_base(const Tree& tree, std::span<const int> path, const Vec3<S>& at,
+                                          std::span<const S> qd, std::span<const Vec3<S>> r,
+                                          std::span<const Mat3<S>> R) noexcept;
 
 /// Adds `shift` to every row: translates positions or velocities of a whole robot.
 template <class S>

@@ -39,7 +39,7 @@ void link_motions(const Tree& tree, std::span<const Vec3<S>> r, std::span<const 
 
 /// Sum of the links' inertias: the robot as one body, about O.
 template <class S>
-RigidInertia<S> composite_inertia(std::span<const LinkMotion<S>> links) noexcept;
+[[nodiscard]] RigidInertia<S> composite_inertia(std::span<const LinkMotion<S>> links) noexcept;
 
 /// Inertia that each joint moves while all other joints are fixed [kg m^2 | kg], by link; without rotors.
 void moved_inertias(const Tree& tree, std::span<const LinkMotion<double>> links, std::span<double> moved);
@@ -47,18 +47,19 @@ void moved_inertias(const Tree& tree, std::span<const LinkMotion<double>> links,
 /// Momentum of all links: moment of momentum about O [N m s] and momentum [N s], in the frame that moves with the base's
 /// origin.
 template <class S>
-Wrench<S> momentum(std::span<const LinkMotion<S>> links) noexcept;
+[[nodiscard]] Wrench<S> momentum(std::span<const LinkMotion<S>> links) noexcept;
 
 /// Its linear part alone [N s].
 template <class S>
-Vec3<S> linear_momentum(std::span<const LinkMotion<S>> links) noexcept;
+[[nodiscard]] Vec3<S> linear_momentum(std::span<const LinkMotion<S>> links) noexcept;
 
 /// Kinetic energy [J] for a base whose origin moves with v0 [m/s], without rotors.
 template <class S>
-S kinetic_energy(std::span<const LinkMotion<S>> links, const Vec3<S>& v0) noexcept;
+[[nodiscard]] S kinetic_energy(std::span<const LinkMotion<S>> links, const Vec3<S>& v0) noexcept;
 
 /// Potential energy [J] in the field `gravity` [m/s^2], zero at the world's origin; r0 [m] origin of the base.
 template <class S>
-S potential_energy(std::span<const LinkMotion<S>> links, const Vec3<S>& r0, const Vec3d& gravity) noexcept;
+[[nodiscard]] S potential_energy(std::span<const LinkMotion<S>> links, const Vec3<S>& r0,
+                                 const Vec3d& gravity) noexcept;
 
 }  // namespace murosimf::multibody

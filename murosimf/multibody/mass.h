@@ -23,7 +23,7 @@ struct CommonBody {
 
 /// r [m], R, v [m/s], w [rad/s]: one row per object, in any common frame.
 template <class S>
-CommonBody<S> common_body(const Tree& tree, std::span<const Vec3<S>> r, std::span<const Mat3<S>> R,
-                          std::span<const Vec3<S>> v, std::span<const Vec3<S>> w) noexcept;
+[[nodiscard]] CommonBody<S> common_body(const Tree& tree, std::span<const Vec3<S>> r, std::span<const Mat3<S>> R,
+                                        std::span<const Vec3<S>> v, std::span<const Vec3<S>> w) noexcept;
 
 }  // namespace murosimf::multibody

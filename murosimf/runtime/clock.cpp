@@ -6,14 +6,15 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf {
 namespace {
 
-constexpr Duration patience = std::chrono::milliseconds(100);
-constexpr Duration longest_silence = std::chrono::seconds(64);
-constexpr Duration nap = std::chrono::milliseconds(20);
+constexpr Duration patience = std::chrono::milliseconds(100);   // a longer delay shifts the schedule
+constexpr Duration longest_silence = std::chrono::seconds(64);  // between two reports of lateness
+constexpr Duration nap = std::chrono::milliseconds(20);         // until the request to stop is tested again
 
 class SteadyTime final : public WallTime {
  public:
@@ -65,6 +66,7 @@ void Clock::tell_of(Duration simulated, Duration wall) {
 }
 
 Duration Clock::due(Duration simulated) const {
+  MUROSIMF_ASSERT(speed_ && *speed_ > 0);
   return wall_start_ + from_seconds(seconds(simulated - simulated_start_) / *speed_);
 }
 
@@ -74,6 +76,7 @@ void Clock::wait_until(Duration simulated, const StopRequest& stop) {
   count(behind);
   tell_of(simulated, now);
   if (behind <= Duration{}) return sleep_until(due(simulated), stop);
+  // after a long pause the clock goes on from here: catching up would run too fast for seconds
   if (behind > patience) wall_start_ += behind;
 }
 

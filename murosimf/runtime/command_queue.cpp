@@ -2,9 +2,12 @@
 
 #include <utility>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf {
 
 std::future<void> CommandQueue::post(std::string text, std::function<void()> call, std::function<void()> check) {
+  MUROSIMF_ASSERT(call);
   Posted posted{std::move(text), std::move(call), std::move(check), {}};
   std::future<void> done = posted.done.get_future();
   const std::lock_guard lock(mutex_);
@@ -20,6 +23,7 @@ void CommandQueue::carry_out_all(Duration now) {
     all.swap(posted_);
     waiting_.store(false, std::memory_order_release);
   }
+  // without the lock: a command may post others
   for (Posted& posted : all) {
     try {
       if (posted.check) posted.check();

@@ -35,11 +35,11 @@ class CommandQueue {
   /// Those that were carried out, also if they threw: they may have done a part.
   [[nodiscard]] const std::vector<Command>& history() const { return history_; }
   void forget_history() { history_.clear(); }
-  /// Of who carries one out himself, between two steps.
+  /// For a caller that executes a command itself, between two steps.
   void note(Duration now, std::string text) { history_.push_back({now, std::move(text)}); }
   /// All but the first ones were undone.
   void forget_from(std::size_t number) { history_.resize(number); }
-  /// Of who goes back to a state: what had been carried out until then.
+  /// For going back to a state: the commands that had been executed until then.
   void set_history(std::vector<Command> commands) { history_ = std::move(commands); }
 
  private:

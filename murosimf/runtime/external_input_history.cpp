@@ -1,5 +1,7 @@
 #include "murosimf/runtime/external_input_history.h"
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf {
 
 const ExternalInput* ExternalInputHistory::Channel::next() const {
@@ -24,7 +26,10 @@ std::vector<RememberedInput> ExternalInputHistory::take() {
 void ExternalInputHistory::repeat(std::vector<RememberedInput> notes) {
   live();
   repeats_ = true;
-  for (RememberedInput& one : notes) channels_[one.channel].repeated_.push_back(std::move(one.note));
+  for (RememberedInput& one : notes) {
+    MUROSIMF_ASSERT(one.channel < channels_.size());
+    channels_[one.channel].repeated_.push_back(std::move(one.note));
+  }
 }
 
 void ExternalInputHistory::live() {

@@ -1,8 +1,8 @@
 /// external_input_history.h - what has come from outside into a run that can go back in time, kept in memory: an instant that was there
-/// before is answered from it, and whoever is outside is asked for no instant twice.
+/// before is answered from it, and external programs are asked for no instant twice.
 ///
 /// Each robot's software, serial line, referee and team has a channel. While the run goes on live, what comes by it is written down; while
-/// the run is repeated, it comes from there. The one who leads the run through time (session/live_source.h) takes what was written
+/// the run is repeated, it comes from there. The owner of the run (session/live_source.h) takes what was written
 /// after each step, and says what is to be repeated. What is written are notes as those of recordings (external_input_log.h).
 #pragma once
 
@@ -32,9 +32,9 @@ class ExternalInputHistory {
   class Channel {
    public:
     explicit Channel(const ExternalInputHistory& memory) : memory_(&memory) {}
-    /// The present instant was there before: what came is next(), and nobody is asked.
+    /// The present instant has been recorded: its input is next(), and no external program is asked.
     [[nodiscard]] bool repeats() const { return memory_->repeats_; }
-    /// Writes down what comes now, if somebody wants it.
+    /// Records the present input, if recording is requested.
     void write(ExternalInput::Kind kind, std::string bytes = {}) {
       if (keeps()) written_.push_back({memory_->now_, kind, std::move(bytes)});
     }
@@ -57,13 +57,13 @@ class ExternalInputHistory {
   /// It stays where it is, and each may be used by a thread of its own; new ones between two steps only.
   [[nodiscard]] Channel& channel(const std::string& name);
 
-  /// Somebody besides the software of robots whom it remembers, and who remembers himself: "the GameController".
-  void expect(std::string who) { others_.push_back(std::move(who)); }
+  /// Registers a source of input besides the software of robots that keeps its own history: "the GameController".
+  void expect(std::string source) { others_.push_back(std::move(source)); }
   [[nodiscard]] const std::vector<std::string>& others() const { return others_; }
 
-  // ---- of the one who leads the run, between two steps ----
+  // ---- for the owner of the run, between two steps ----
 
-  /// From now on what comes is written down. Nobody does so at first.
+  /// Starts recording; initially nothing is recorded.
   void keep() { keeps_ = true; }
   /// The instant of all that comes next.
   void at(Duration now) { now_ = now; }

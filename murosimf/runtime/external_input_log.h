@@ -21,7 +21,7 @@ class ExternalInputHistory;  // external_input_history.h
 
 struct ExternalInput {
   enum Kind : std::uint8_t {
-    came = 1,         ///< software or a program: its name (for TCP with the rate that it wants)
+    came = 1,         ///< software or a program: its name (for TCP with the requested rate)
     asked = 2,        ///< TCP: a message of its set-up; serial line: the rate [bit/s] that its program has chosen
     began = 3,        ///< TCP, lock-step: its answer to the start
     sent = 4,         ///< a message, bytes, a datagram
@@ -38,7 +38,7 @@ struct ExternalInput {
 
 inline constexpr Duration before_the_run{-1};
 
-/// Whether who goes on from a later instant needs it, too.
+/// Whether a run that continues from a later instant needs it as well.
 [[nodiscard]] constexpr bool lasts(ExternalInput::Kind kind) {
   return kind == ExternalInput::came || kind == ExternalInput::asked || kind == ExternalInput::began ||
          kind == ExternalInput::left;
@@ -63,10 +63,9 @@ class ExternalInputLog {
 
 /// What a scene does with what comes from outside.
 struct ExternalInputOptions {
-  std::shared_ptr<ExternalInputLog> notes{};  ///< is written down there; null: nowhere
-  std::shared_ptr<const ExternalInputLog>
-      repeated{};  ///< comes from there alone, and nobody else is listened to; null: it is live
-  std::shared_ptr<ExternalInputHistory> memory{};  ///< for who goes back in time; of a scene never null
+  std::shared_ptr<ExternalInputLog> notes{};           ///< is written down there; null: nowhere
+  std::shared_ptr<const ExternalInputLog> repeated{};  ///< the only source of input; null: the run is live
+  std::shared_ptr<ExternalInputHistory> memory{};      ///< for going back in time; of a scene never null
 
   /// Of a channel; null: it is not written down.
   [[nodiscard]] ExternalInputLog::Channel* channel(const std::string& name) const {

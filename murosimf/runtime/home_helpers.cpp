@@ -3,6 +3,8 @@
 #include <array>
 #include <cstdint>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf {
 
 void HomeHelpers::share_out(std::span<const Entity* const> entities, Call call, void* context) noexcept {
@@ -22,6 +24,7 @@ void HomeHelpers::share_out(std::span<const Entity* const> entities, Call call, 
     }
     ends_.push_back(order_.size());
   }
+  MUROSIMF_ASSERT(order_.size() == entities.size());
   pool_.for_each(std::span<const std::size_t>(ends_), kind, [&](std::size_t i) { call(context, order_[i]); });
 }
 

@@ -4,10 +4,12 @@
 #include <iterator>
 #include <set>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf {
 namespace {
 
-/// Into how many groups `members` are shared out: no more than eight each, and no fewer than make a pack worth its while.
+/// Number of groups for `members`: at most eight in each, and no fewer than a pack needs to be faster.
 std::size_t number_of_groups(std::size_t members) {
   constexpr std::size_t lanes = Pack8::lanes, fewest = Pack8::registers + 1;
   return members < fewest ? members : (members + lanes - 1) / lanes;
@@ -53,13 +55,13 @@ void LaneJobs::add_jobs(const Wave& family, std::vector<Job>& jobs) {
     if (job.algorithms.size() > 1) job.lanes = group(job.algorithms);
     if (job.lanes || job.algorithms.size() == 1) {
       jobs.push_back(std::move(job));
-    } else {  // they would rather not
+    } else {  // the algorithm has declined to step in lanes
       for (const std::size_t algorithm : job.algorithms) jobs.push_back({{algorithm}, nullptr});
     }
   }
 }
 
-/// In the order of their first members. Most algorithms go with nobody, not even their like: nobody is asked about these.
+/// In the order of their first members. Most algorithms go with none, not even with equal ones: these are not compared.
 std::vector<Wave> LaneJobs::families(const Wave& wave) const {
   std::vector<Wave> result;
   std::vector<std::size_t> open;  // families of which there may be more
@@ -79,6 +81,7 @@ std::vector<Wave> LaneJobs::families(const Wave& wave) const {
 }
 
 bool LaneJobs::go_together(std::size_t a, std::size_t b) const {
+  MUROSIMF_ASSERT(a < members_.size() && b < members_.size());
   const Member &first = members_[a], &second = members_[b];
   return first.algorithm && second.algorithm && first.period == second.period &&
          first.algorithm->goes_with(*second.algorithm);
@@ -88,7 +91,10 @@ LaneGroup* LaneJobs::group(const std::vector<std::size_t>& algorithms) {
   auto& group = groups_[algorithms];
   if (!group) {
     std::vector<Algorithm*> members;
-    for (const std::size_t a : algorithms) members.push_back(members_[a].algorithm);
+    for (const std::size_t a : algorithms) {
+      MUROSIMF_ASSERT(a < members_.size() && members_[a].algorithm);
+      members.push_back(members_[a].algorithm);
+    }
     group = members.front()->join(members);
   }
   return group.get();

@@ -54,7 +54,7 @@ class LaneJobs {
   std::vector<Member> members_;
   std::size_t threads_ = 1;
   std::unordered_map<const std::vector<Wave>*, std::vector<WaveJobs>> jobs_;
-  std::map<std::vector<std::size_t>, std::unique_ptr<LaneGroup>> groups_;  // by whom they step
+  std::map<std::vector<std::size_t>, std::unique_ptr<LaneGroup>> groups_;  // by their members
 };
 
 }  // namespace murosimf

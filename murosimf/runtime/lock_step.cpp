@@ -1,13 +1,16 @@
 #include "murosimf/runtime/lock_step.h"
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf {
 namespace {
 
-constexpr auto stop_period = std::chrono::milliseconds(20);  // until that is asked again
+constexpr auto stop_period = std::chrono::milliseconds(20);  // until the request to stop is tested again
 
 }  // namespace
 
 bool LockStep::advance(Duration by) {
+  MUROSIMF_ASSERT(by >= Duration{});
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [&] { return started_ || finished_; });
   const Duration goal = now_ + by;

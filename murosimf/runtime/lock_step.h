@@ -19,8 +19,8 @@ class LockStep final : public Pacer {
   /// Lets the simulation go on for `by` of simulated time, and returns when it is there: between two steps, where it stays. The
   /// first step that ends at or after that time is the last one. False if the run has ended before.
   bool advance(Duration by);
-  /// From now on nobody waits for anybody: the run goes on alone, advance() returns false. To be called at the end of a run, by
-  /// whom runs it or by whom allows it.
+  /// Ends all waiting: the run continues alone, advance() returns false. To be called at the end of a run, from either
+  /// side.
   void finish();
 
   void start(Duration now) override;

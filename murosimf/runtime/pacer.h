@@ -1,4 +1,4 @@
-/// pacer.h - who decides when a step of a simulation may begin: nobody, a clock (clock.h), or another program (lock_step.h).
+/// pacer.h - control of when a step of a simulation may begin: none, a clock (clock.h), or another program (lock_step.h).
 #pragma once
 
 #include <functional>
@@ -18,7 +18,7 @@ class Pacer {
   virtual void start(Duration /*now*/) {}
   /// Returns when the step from `now` on may begin.
   virtual void before_step(Duration /*now*/, const StopRequest& /*stop*/) {}
-  /// A step has ended at `now`; returns when whoever sees its results may see them.
+  /// A step has ended at `now`; returns when observers may see its results.
   virtual void after_step(Duration /*now*/, const StopRequest& /*stop*/) {}
 };
 

@@ -1,5 +1,6 @@
 #include "murosimf/runtime/path_recorder.h"
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf {
@@ -27,7 +28,7 @@ void PathRecorder::entity_taken_back(const Entity& entity) noexcept {
   positions_.pop_back();
 }
 
-/// As many points as the others have.
+/// Gives an entity that enters as many points as the others have: points of equal index belong to one time.
 void PathRecorder::entity_entered(const Entity& entity) {
   for (std::size_t i = 0; i < paths_.size(); ++i) {
     Path& path = paths_[i];
@@ -59,7 +60,7 @@ void PathRecorder::step(const Instant&) noexcept {
   if (++calls_ % every_ == 0) record();
 }
 
-/// The start stays; so the points are those of calls that 2 every_ divides.
+/// Removes every second point; the start stays, so the points are those of calls that are multiples of 2 every_.
 void PathRecorder::thin_out() noexcept {
   for (Path& path : paths_) {
     for (std::size_t i = 0; 2 * i < most_points; ++i) path.points[i] = path.points[2 * i];
@@ -70,6 +71,7 @@ void PathRecorder::thin_out() noexcept {
 
 void PathRecorder::record() noexcept {
   if (!paths_.empty() && paths_.front().points.size() == most_points) thin_out();
+  MUROSIMF_ASSERT(paths_.size() == positions_.size());
   for (std::size_t i = 0; i < paths_.size(); ++i) paths_[i].points.push_back(positions_[i][0]);
 }
 

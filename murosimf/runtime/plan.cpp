@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf {
 namespace {
 
@@ -80,7 +82,7 @@ class FirstFreeWaves {
   }
   static void raise(std::size_t& wave, std::size_t to) { wave = std::max(wave, to); }
 
-  // the wave behind the last one in which somebody ...
+  // the wave behind the last one in which an algorithm ...
   Waves<ColumnBase> touched_, written_;  // reads or writes the column, writes it
   Waves<Entity> entered_, claimed_;      // touches anything of the entity, claims it
 };
@@ -91,8 +93,11 @@ std::vector<Wave> make_waves(std::span<const std::size_t> due, std::span<const A
   std::vector<Wave> waves;
   FirstFreeWaves free;
   for (const std::size_t algorithm : due) {
+    MUROSIMF_ASSERT(algorithm < access.size() && access[algorithm]);
     const std::size_t wave = free.for_algorithm(*access[algorithm]);
     free.put(*access[algorithm], wave);
+    // at most one new wave: the first free one is at most behind the last
+    MUROSIMF_ASSERT(wave <= waves.size());
     if (wave == waves.size()) waves.emplace_back();
     waves[wave].push_back(algorithm);
   }
@@ -116,16 +121,19 @@ Plan::Plan(std::span<const PlannedTask> tasks, Duration now) {
 }
 
 bool Plan::is_due(const Group& group, std::int64_t n) const {
+  MUROSIMF_ASSERT(tick_ > Duration{} && n >= 0);
   return group.ticks > 0 ? n % group.ticks == 0 : group.rate.falls_on(n * tick_, tick_);
 }
 
 std::vector<Wave> Plan::all() const {
-  std::vector<std::size_t> everybody(access_.size());
-  std::iota(everybody.begin(), everybody.end(), 0U);
-  return make_waves(everybody, access_);
+  std::vector<std::size_t> all(access_.size());
+  std::iota(all.begin(), all.end(), 0U);
+  return make_waves(all, access_);
 }
 
 const std::vector<Wave>& Plan::due(std::int64_t n) {
+  // one bit per rate: few patterns occur, and each has its waves only once
+  MUROSIMF_ASSERT(groups_.size() <= 64);
   std::uint64_t pattern = 0;
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     if (is_due(groups_[g], n)) pattern |= std::uint64_t{1} << g;
@@ -137,6 +145,7 @@ const std::vector<Wave>& Plan::due(std::int64_t n) {
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     if (pattern >> g & 1) due.insert(due.end(), groups_[g].algorithms.begin(), groups_[g].algorithms.end());
   }
+  // in the order of phases and attaching, whatever their rates
   std::sort(due.begin(), due.end());
   return waves_.emplace(pattern, make_waves(due, access_)).first->second;
 }

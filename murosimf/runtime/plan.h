@@ -45,7 +45,7 @@ class Plan {
 
   /// Waves that are due at tick number `n`.
   [[nodiscard]] const std::vector<Wave>& due(std::int64_t n);
-  /// Those of a tick in which everybody is due.
+  /// The waves of a tick in which all algorithms are due.
   [[nodiscard]] std::vector<Wave> all() const;
 
  private:

@@ -4,7 +4,7 @@
 ///     if (const PoseFrame* frame = reader->latest()) draw(*frame);                         // in one thread
 ///
 /// Every reader has three frames: one that it looks at, one that is written, and the last complete one, which change places.
-/// Nothing is copied, and a tick costs one look, while nobody has subscribed.
+/// Without subscribers nothing is copied, and a tick costs one test.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ struct PoseRequest {
   bool contacts = false;  ///< also where things touch
 };
 
-/// One who looks on. Gone when nobody holds it any more.
+/// A subscriber. It unsubscribes when it is destroyed.
 class PoseReader {
  public:
   explicit PoseReader(const PoseRequest& request) : request_(request) {}
@@ -40,7 +40,7 @@ class PoseReader {
   PoseRequest request_;
   std::array<PoseFrame, 3> frames_;
   unsigned written_ = 0, read_ = 1;    // of the simulation's thread, of the reader's
-  std::atomic<unsigned> complete_{2};  // of nobody
+  std::atomic<unsigned> complete_{2};  // of no subscriber
   bool any_ = false;                   // of the simulation's thread
   Duration last_{};
 };
@@ -58,11 +58,11 @@ class PoseFeed {
     if (contacts_) contacts_(world, contacts);
   }
 
-  /// A frame for who visits instead of subscribing, without contacts; allocates only if it is too small. The simulation's thread, between
+  /// A frame for a caller without subscription, without contacts; allocates only if it is too small. The simulation's thread, between
   /// two steps.
   void take(const World& world, Duration now, std::int64_t tick, PoseFrame& frame) const;
 
-  /// How frames are completed that are taken between two steps, after somebody has changed columns; none: as columns are.
+  /// How frames are completed that are taken between two steps, after columns have been changed; none: as columns are.
   void complete_by(FrameCompletion completion) { completion_ = std::move(completion); }
 
   /// The simulation's thread, between two steps.

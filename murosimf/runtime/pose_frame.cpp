@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/model/structural_objects.h"
 #include "murosimf/model/world.h"
@@ -9,7 +10,7 @@
 namespace murosimf {
 namespace {
 
-/// The column's rows, or as many of a default.
+/// Appends the column's rows, or as many default values.
 template <class T>
 void append_rows(const Entity& entity, const Property<T>& property, std::vector<T>& rows) {
   const auto count = static_cast<std::size_t>(entity.model().size());
@@ -37,11 +38,13 @@ void take_poses(const World& world, PoseFrame& frame) {
     append_rows(*entity, properties::position, frame.position);
     append_rows(*entity, properties::orientation, frame.orientation);
     append_rows(*entity, properties::joint_position, frame.joint_position);
-    const StructuralRows structural(entity->model(), entity->columns());  // they stand in no column
+    const StructuralRows structural(entity->model(), entity->columns());  // their poses are in no column
     structural.work_out(properties::position, std::span(frame.position).subspan(first));
     structural.work_out(properties::orientation, std::span(frame.orientation).subspan(first));
   }
   frame.first.push_back(frame.position.size());
+  MUROSIMF_ASSERT(frame.orientation.size() == frame.position.size());
+  MUROSIMF_ASSERT(frame.joint_position.size() == frame.position.size());
 }
 
 }  // namespace murosimf

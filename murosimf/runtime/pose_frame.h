@@ -1,4 +1,4 @@
-/// pose_frame.h - where everything is at one moment, for who looks on from another thread: viewers, recorders, servers.
+/// pose_frame.h - the poses of all entities at one moment, for observers in other threads: viewers, recorders, servers.
 #pragma once
 
 #include <cstdint>
@@ -36,7 +36,7 @@ struct PoseFrame {
 /// Adds the contacts of all entities.
 using ContactSource = std::function<void(const World&, std::vector<ContactMark>&)>;
 
-/// Works out poses of what hangs on bases and joints, which somebody may have changed.
+/// Computes the poses that follow from bases and joints, which may have been changed.
 using FrameCompletion = std::function<void(const World&, PoseFrame&)>;
 
 /// Copies what the columns have now. Entities that nothing moves have unit poses. Allocates only if `frame` is too small.

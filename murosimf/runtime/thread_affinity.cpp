@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <numeric>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf {
 
 void ThreadAffinity::share_out(std::span<const Entity* const> alike) {
+  MUROSIMF_ASSERT(!load_.empty());
   std::vector<std::size_t> by_load(load_.size());
   std::iota(by_load.begin(), by_load.end(), std::size_t{0});
   std::stable_sort(by_load.begin(), by_load.end(), [&](std::size_t a, std::size_t b) { return load_[a] < load_[b]; });
@@ -18,6 +21,7 @@ void ThreadAffinity::share_out(std::span<const Entity* const> alike) {
     load_[thread] += shares[thread];
     for (std::size_t i = 0; i < shares[thread]; ++i) home_[alike[next++]] = thread;
   }
+  MUROSIMF_ASSERT(next == alike.size());
 }
 
 std::size_t ThreadAffinity::of(const Entity& entity) const {

@@ -15,7 +15,7 @@ class ThreadAffinity {
  public:
   explicit ThreadAffinity(std::size_t threads) : load_(threads) {}
 
-  /// Entities that take equally long: shares of neighbors, as equal as can be, the larger ones to those who have least so far.
+  /// Entities that take equally long: shares of neighbors, as equal as possible, the larger ones to the threads with the least so far.
   void share_out(std::span<const Entity* const> alike);
 
   /// The number of the thread. 0, the calling one, of entities that were not shared out.

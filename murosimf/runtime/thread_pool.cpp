@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/math/floating_point.h"
 #include "murosimf/model/error.h"
 
@@ -32,11 +33,12 @@ Sharing usual_sharing() {
 
 ThreadPool::ThreadPool(int threads, Sharing sharing, WorthSharing worth)
     : sharing_(sharing), worth_(worth), shares_(static_cast<std::size_t>(threads)) {
+  MUROSIMF_ASSERT(threads >= 1);
   try {
     for (std::size_t t = 1; t < shares_.size(); ++t) workers_.emplace_back([this, t] { work(shares_[t]); });
   } catch (const std::system_error& error) {
     const std::size_t begun = workers_.size() + 1;
-    stop();  // nobody calls the destructor of what was not constructed
+    stop();  // the destructor of an object that was not constructed is not called
     throw SetupError(fmt::format("only {} of {} threads could begin ({}); use fewer: --threads {}", begun, threads,
                                  error.code().message(), begun));
   } catch (...) {
@@ -55,14 +57,17 @@ void ThreadPool::stop() {
 }
 
 void ThreadPool::share_out(std::span<const std::size_t> ends, Call call, void* context) {
+  MUROSIMF_ASSERT(ends.size() == shares_.size());
   ++waves_shared_;
   unfinished_.store(ends.back(), std::memory_order_relaxed);
   std::size_t first = 0;
   for (std::size_t t = 0; t < shares_.size(); ++t) {
     Share& share = shares_[t];
+    MUROSIMF_ASSERT(ends[t] >= first && ends[t] - first < items);
     share.first = first;
     share.call = call;
     share.context = context;
+    // the generation in the upper half: a thread that is late with an exchange cannot take an item of the next wave
     const std::uint64_t generation = (share.open.load(std::memory_order_relaxed) & ~items) + items + 1;
     share.open.store(generation | (ends[t] - first), std::memory_order_release);
     first = ends[t];
@@ -78,6 +83,7 @@ void ThreadPool::share_out(std::span<const std::size_t> ends, Call call, void* c
 }
 
 bool ThreadPool::run_share(Share& share) {
+  // counted once per share: the counter is in a cache line that all threads write
   std::uint64_t done = 0;
   while (run_one(share)) ++done;
   if (done > 0) unfinished_.fetch_sub(done, std::memory_order_release);
@@ -98,7 +104,7 @@ void ThreadPool::help() {
 }
 
 void ThreadPool::work(Share& own) {
-  const StandardFloatingPoint modes;  // the thread has those of the one that began it
+  const StandardFloatingPoint modes;  // a thread starts with the modes of the thread that created it
   while (!stop_.load(std::memory_order_relaxed)) {
     const std::uint32_t waves = waves_.load(std::memory_order_acquire);
     for (int spin = 1; spin < spins; ++spin) {

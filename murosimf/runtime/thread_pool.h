@@ -1,8 +1,8 @@
 /// thread_pool.h - a fixed pool of threads that runs the algorithms of one wave.
 ///
-/// Every thread begins with its own share of a wave; who has done that helps the others. Shares that are alike from wave to wave
+/// Every thread begins with its own share of a wave; a thread that has finished helps the others. Shares that are alike from wave to wave
 /// leave what the algorithms of an entity touch in the caches of one thread. Algorithms of a wave never touch what another of them
-/// writes, so the result cannot depend on who takes what or on the number of threads. The calling thread takes part and never waits
+/// writes, so the result cannot depend on the assignment to threads or on their number. The calling thread takes part and never waits
 /// for a thread that has not begun. What has begun it must wait for, also while another program has that thread's core: so waves are
 /// shared out only as long as that pays (worth_sharing.h), and otherwise the calling thread makes them alone while the others sleep.
 #pragma once
@@ -43,7 +43,7 @@ class ThreadPool {
   [[nodiscard]] std::uint64_t waves() const { return waves_with_company_; }
   [[nodiscard]] std::uint64_t waves_shared() const { return waves_shared_; }
 
-  /// Whether a wave that comes now would be shared out; if not, who likes to may cut it into other items and call alone().
+  /// Whether a wave that comes now would be shared out; if not, the caller may cut it into other items and call alone().
   [[nodiscard]] bool shares() const { return !workers_.empty() && (sharing_ == Sharing::always || worth_.shares()); }
 
   /// Calls `run(i)` for every item i and returns when all are done. `run` must not throw. The share of thread t, 0 for the calling
@@ -83,8 +83,8 @@ class ThreadPool {
 
   /// What is left of a thread's share, in a cache line of its own.
   struct alignas(64) Share {
-    // Generation of the wave in the upper half, items that nobody has taken in the lower one. Taking an item keeps the wave from
-    // ending, so whoever took one may read the others.
+    // Generation of the wave in the upper half, items that are not taken yet in the lower one. Taking an item keeps the wave from
+    // ending, so a thread that has taken one may read the others.
     std::atomic<std::uint64_t> open{0};
     std::size_t first = 0;
     Call call = nullptr;
@@ -108,7 +108,7 @@ class ThreadPool {
   bool run_share(Share& share);
   /// Takes one item and runs it; false if none is left.
   static bool run_one(Share& share);
-  /// Who has done its own share: what others have not begun.
+  /// Takes items of other shares that are not begun, after the own share.
   void help();
   void work(Share& own);
   void stop();  ///< ends all threads that have begun
@@ -119,7 +119,7 @@ class ThreadPool {
   std::vector<std::size_t> even_ends_;
   std::vector<Share> shares_;  // by thread
   alignas(64) std::atomic<std::uint64_t> unfinished_{0};
-  alignas(64) std::atomic<std::uint32_t> waves_{0};  // so far; who sleeps waits for the next
+  alignas(64) std::atomic<std::uint32_t> waves_{0};  // so far; sleeping threads wait for the next
   std::atomic<bool> stop_{false};
   std::vector<std::thread> workers_;
 };

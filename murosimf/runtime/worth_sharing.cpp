@@ -15,7 +15,7 @@ constexpr std::uint32_t listens_after_waves = 128;
 constexpr Time most_credit = 4ms;  // as long as a thread may have to wait for its core: once is no reason
 constexpr Time tolerance = 300us;  // more than a single wave loses by other causes
 
-/// Has it listened to so many waves that those of a whole tick were among them, most likely several times?
+/// Whether enough waves have been measured to contain those of a whole tick, most likely several times.
 bool heard_enough(std::uint32_t waves, Time in_waves) {
   return (waves >= 64 && in_waves >= 1ms) || (waves >= 8 && in_waves >= 8ms);
 }
@@ -24,7 +24,7 @@ bool heard_enough(std::uint32_t waves, Time in_waves) {
 
 Time WorthSharing::steady_now() { return std::chrono::steady_clock::now().time_since_epoch(); }
 
-/// Kinds are addresses, or small numbers: any two of a simulation should have places of their own.
+/// Kinds are addresses, or small numbers: hashed, so that any two of a simulation most likely have places of their own.
 WorthSharing::Usual& WorthSharing::usual(std::uint64_t kind) {
   constexpr std::uint64_t factor = 0x9e3779b97f4a7c15;  // 2^64 by the golden ratio
   return usual_[(kind * factor >> 32) % usual_.size()];
@@ -67,6 +67,7 @@ void WorthSharing::listen(std::uint64_t kind, Time time, Time now) {
   if (of_kind.kind != kind || of_kind.alone == Time{}) {
     of_kind = {kind, time};
   } else {
+    // a moving average; outliers count as twice the average at most
     of_kind.alone += (std::min(time, 2 * of_kind.alone) - of_kind.alone) / 4;
   }
   if (heard_enough(waves_, in_waves_)) begin(Phase::sharing, now);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/math/quaternion.h"
 #include "murosimf/sensors/world_queries.h"
 
@@ -18,7 +19,7 @@ std::vector<Output> outputs() {
 
 CameraInfo info_of(const SensorSpec& spec, const CameraSpec& camera, const Mounting& mounting, Duration period,
                    const std::vector<Entity*>& moving_entities) {
-  const Mat3d turn = transpose(true_orientation(spec)) * spec.orientation;  // takes the error back
+  const Mat3d turn = transpose(true_orientation(spec)) * spec.orientation;  // removes the mounting error
   CameraInfo info{.name = spec.name, .lens = imaging::Lens(camera.lens), .period = period};
   info.link = mounting.link_object();
   info.position = mounting.position_on_link();
@@ -50,7 +51,7 @@ Camera::Camera(Setup& setup, const SensorSpec& spec, const SensorSurroundings& s
   frame_.wanted = eye_.spec().always_on;
 }
 
-/// It gets a label.
+/// The new entity gets a label.
 void Camera::entity_added(Setup& setup) {
   read_motion(setup);
   auto info = std::make_shared<CameraInfo>(*frame_.info);
@@ -63,6 +64,7 @@ void Camera::entity_taken_back(const Entity& entity) noexcept {
   auto info = std::make_shared<CameraInfo>(*frame_.info);
   info->labels.pop_back();
   frame_.info = std::move(info);
+  // labels of the pictures under way stay valid: only the last one is removed
 }
 
 std::string Camera::diagnostic(const LevelTraits&) const { return *fold_warning_; }
@@ -77,6 +79,8 @@ void Camera::start() {
 
 void Camera::measure(std::span<double> values) noexcept {
   const Vec3d p = mounting_.position();
+  MUROSIMF_ASSERT(values.size() == 14);
+  // the true pose, also if the nominal one has an error
   const Quaterniond q = from_matrix(mounting_.orientation());
   const imaging::LensSpec& lens = eye_.spec().lens;
   const Vec3d& e = mounting_error_;
@@ -86,13 +90,14 @@ void Camera::measure(std::span<double> values) noexcept {
 }
 
 void Camera::taken(std::uint64_t sample) noexcept {
-  if (!source_) return;
+  if (!source_) return;  // no source of pictures: the other outputs are valid nevertheless
+  MUROSIMF_ASSERT(!on_the_way_.empty());
   const CameraMotion motion{mounting_.position(), mounting_.orientation(), mounting_.velocity(),
                             mounting_.angular_velocity()};
   eye_.take(*source_, motion, sample, on_the_way_[sample % on_the_way_.size()]);
 }
 
-/// Pictures on the way; all else is worked out for each of them.
+/// Saves the pictures under way; all else is computed for each of them.
 void Camera::memory(StateArchive& archive) {
   for (CameraPicture& picture : on_the_way_) {
     archive(picture.view.color, picture.view.depth, picture.view.labels, picture.mosaic);
@@ -101,12 +106,14 @@ void Camera::memory(StateArchive& archive) {
 
 void Camera::arrived(std::uint64_t sample) noexcept {
   if (!source_) return;
+  // swapped, not copied: memory of frame and picture is used in turns
   CameraPicture& picture = on_the_way_[sample % on_the_way_.size()];
   std::swap(eye_.has_mosaic() ? colors_behind_ : frame_.color, picture.view.color);
   std::swap(frame_.mosaic, picture.mosaic);
   std::swap(frame_.depth, picture.view.depth);
   std::swap(frame_.labels, picture.view.labels);
   frame_.time = reading().time;
+  // counted from 1: 0 means no picture yet
   frame_.number = sample + 1;
 }
 

@@ -58,11 +58,13 @@ CameraFrame& write_frame(Setup& setup, CameraInfo info) {
   for (const CameraFrame* other : frames_of(setup.entity())) {
     if (other->info->name == info.name) {
       throw SetupError(fmt::format("'{}' has two cameras called '{}'", setup.entity().name(), info.name));
+      // names are unique per entity: the column is found by its name
     }
   }
   const std::string name = column_name(info.name);
   CameraFrame& frame = setup.write(property_of(name))[0];
   frame.info = std::make_shared<const CameraInfo>(std::move(info));
+  // a shared pointer: readers in other threads keep the description that they have
   return frame;
 }
 
@@ -77,6 +79,7 @@ const CameraFrame& want_frames(Entity& entity, std::string_view camera) {
   check_known(entity, camera);
   const std::string name = column_name(camera);
   CameraFrame& frame = entity.column(property_of(name)).values[0];
+  // cameras draw only on request: pictures cost more than all else
   frame.wanted = true;
   return frame;
 }
@@ -86,6 +89,7 @@ std::vector<const CameraFrame*> frames_of(const Entity& entity) {
   for (const auto& [name, column] : entity.columns()) {
     if (column->info().scope != Scope::sensor || column->type() != typeid(CameraFrame)) continue;
     const CameraFrame& frame = static_cast<const Column<CameraFrame>&>(*column).values[0];
+    // a column whose camera has been removed has no description
     if (frame.info) frames.push_back(&frame);
   }
   return frames;

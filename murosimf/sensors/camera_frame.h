@@ -3,7 +3,7 @@
 ///     const sensors::CameraFrame& frame = sensors::read_frame(setup, "camera");   // an algorithm, in its constructor
 ///     if (frame.number != last_) look_at(frame.color, frame.info->lens);    // in its step
 ///
-/// A camera draws only if somebody wants its frames: an algorithm that reads them, want_frames, or `always_on` in the
+/// A camera draws only if its frames are requested: an algorithm that reads them, want_frames, or `always_on` in the
 /// robot's or scene's file. Frames are no part of the state hash: looking changes nothing.
 #pragma once
 
@@ -32,7 +32,7 @@ struct CameraInfo {
   std::vector<std::string> labels{};  ///< names of what LabelImages show (view_source.h)
   bool has_color = true, has_depth = false, has_labels = false;
   std::string mosaic{};                      ///< Bayer pattern, "rggb"; empty: none
-  std::shared_ptr<const CameraSpec> spec{};  ///< all of it, for who makes its pictures beside it (camera_model.h)
+  std::shared_ptr<const CameraSpec> spec{};  ///< complete, for other producers of its pictures (camera_model.h)
 };
 
 /// Layers that the camera does not have are empty.
@@ -44,7 +44,7 @@ struct CameraFrame {
   imaging::DepthImage depth{};  ///< [m] along the optical axis, infinite where nothing is
   imaging::LabelImage labels{};
   std::shared_ptr<const CameraInfo> info{};
-  bool wanted = false;  ///< somebody reads it
+  bool wanted = false;  ///< its frames are requested
   bool draws = false;   ///< frames come, since the start
 };
 

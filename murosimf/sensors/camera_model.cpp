@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "murosimf/imaging/shared_value.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::sensors {
@@ -28,6 +29,7 @@ Perspective perspective_of(const imaging::ViewWindow& window, const Vec3d& eye, 
                            const imaging::Rows& rows) {
   Perspective perspective;
   perspective.eye = eye;
+  MUROSIMF_ASSERT(rows.count >= 0);
   perspective.axes = axes * window.axes;
   perspective.left = window.left;
   perspective.right = window.right;
@@ -40,13 +42,13 @@ Perspective perspective_of(const imaging::ViewWindow& window, const Vec3d& eye, 
   return perspective;
 }
 
-/// What turns with `rate` [rad/s], a little later.
+/// Axes that turn with `rate` [rad/s], `ahead` [s] later.
 Mat3d turned(const Mat3d& axes, const Vec3d& rate, double ahead) {
   const double size = norm(rate);
   return size * ahead == 0 ? axes : rotation((1 / size) * rate, size * ahead) * axes;
 }
 
-/// With the size of the lens's picture: pictures take turns, and those that were never drawn have none yet.
+/// Gives an image the size of the lens's picture: images are swapped, and new ones are empty.
 template <class Pixel>
 imaging::Image<Pixel>& sized(imaging::Image<Pixel>& image, const imaging::LensSpec& lens) {
   if (image.width() != lens.width || image.height() != lens.height)
@@ -57,6 +59,7 @@ imaging::Image<Pixel>& sized(imaging::Image<Pixel>& image, const imaging::LensSp
 }  // namespace
 
 RandomStream pixel_stream(std::uint64_t seed, const std::string& robot, const std::string& camera) {
+  // a stream of its own: other sensors keep their random numbers
   return {seed, robot + "/" + camera + "/pixels"};
 }
 
@@ -70,11 +73,13 @@ CameraModel::CameraModel(const CameraSpec& spec, const RandomStream& noise)
 }
 
 void CameraModel::open() {
-  imaging::ImageNoise::make_tables();
+  imaging::ImageNoise::make_tables();  // here and not while stepping
   map_ = shared_map(spec_.lens, spec_.resolution);
+  // a plain lens is drawn straight into the picture, without a map
   if (!map_->plain()) windows_ = Windows(map_->views());
   if (spec_.exposure_time > 0 && spec_.layers.color) mean_.emplace(spec_.lens.width, spec_.lens.height);
   if (spec_.blur > 0) blur_.emplace(spec_.blur, spec_.lens.width, spec_.lens.height);
+  // parts of the model that change nothing are left out
   if (spec_.exposure != 1) exposure_.emplace(spec_.exposure);
 }
 
@@ -88,7 +93,7 @@ void CameraModel::take(ViewSource& source, const CameraMotion& motion, std::uint
   if (spec_.layers.color) develop(number, picture.view.color, picture.mosaic);
 }
 
-/// Images come back empty from the frame the first time.
+/// Images that are swapped out of the frame are empty the first time.
 template <class Pixel>
 void CameraModel::fit(bool wanted, imaging::Image<Pixel>& image) const {
   if (wanted && image.empty()) image = imaging::Image<Pixel>(spec_.lens.width, spec_.lens.height);
@@ -96,12 +101,14 @@ void CameraModel::fit(bool wanted, imaging::Image<Pixel>& image) const {
 
 void CameraModel::expose(ViewSource& source, const CameraMotion& motion, View& picture) noexcept {
   if (!mean_) {
+    MUROSIMF_ASSERT(map_);
     look_at_all_rows(source, motion, 0, spec_.layers, picture);
     return;
   }
   mean_->clear();
   for (int i = 0; i < spec_.motion_samples; ++i) {
-    // depths and labels are those of one instant
+    // samples in the middle of equal parts of the exposure: their mean is that of the whole time
+    // depth and labels are those of the first instant: they cannot be averaged
     const Layers layers{spec_.layers.color, spec_.layers.depth && i == 0, spec_.layers.labels && i == 0};
     look_at_all_rows(source, motion, spec_.exposure_time * (i + 0.5) / spec_.motion_samples, layers, picture);
     mean_->add(picture.color);
@@ -112,7 +119,9 @@ void CameraModel::expose(ViewSource& source, const CameraMotion& motion, View& p
 void CameraModel::look_at_all_rows(ViewSource& source, const CameraMotion& motion, double ahead, const Layers& layers,
                                    View& picture) noexcept {
   const int height = spec_.lens.height, bands = spec_.readout_time > 0 ? spec_.readout_bands : 1;
+  MUROSIMF_ASSERT(bands > 0);
   for (int band = 0; band < bands; ++band) {
+    // whole rows: every row belongs to exactly one band
     const int first = height * band / bands, count = height * (band + 1) / bands - first;
     const double read = spec_.readout_time * (first + 0.5 * count) / height;
     look(source, motion, {first, count}, ahead + read, layers, picture);
@@ -121,11 +130,13 @@ void CameraModel::look_at_all_rows(ViewSource& source, const CameraMotion& motio
 
 void CameraModel::look(ViewSource& source, const CameraMotion& motion, const imaging::Rows& rows, double ahead,
                        const Layers& layers, View& picture) noexcept {
+  // positions are extrapolated: the motion within a picture is nearly uniform
   const Vec3d eye = motion.position + ahead * motion.velocity;
   const Mat3d axes = turned(motion.orientation, motion.angular_velocity, ahead) * optical_axes;
+  // a wide lens needs several views, each a perspective
   for (std::size_t i = 0; i < map_->views().size(); ++i) {
     const imaging::Rows needed = map_->plain() ? rows : map_->needed(i, rows);
-    if (needed.count == 0) continue;
+    if (needed.count == 0) continue;  // this view shows none of the rows
     const Perspective perspective = perspective_of(map_->views()[i], eye, axes, needed);
     if (map_->plain()) {
       source.draw(perspective, layers, ahead, picture);
@@ -149,6 +160,7 @@ CameraModel::Windows::Windows(std::span<const imaging::ViewWindow> windows) {
 
 void CameraModel::Windows::draw(ViewSource& source, const Perspective& perspective, const Layers& layers, double ahead,
                                 std::size_t i) noexcept {
+  MUROSIMF_ASSERT(i < colors.size() && i < depths.size() && i < labels.size());
   View view{std::move(colors[i]), std::move(depths[i]), std::move(labels[i])};
   source.draw(perspective, layers, ahead, view);
   colors[i] = std::move(view.color);
@@ -157,6 +169,7 @@ void CameraModel::Windows::draw(ViewSource& source, const Perspective& perspecti
 }
 
 void CameraModel::develop(std::uint64_t number, imaging::ColorImage& color, imaging::GrayImage& mosaic) noexcept {
+  // in the order of a camera: optics, exposure, sensor, filter
   if (blur_) blur_->apply(color);
   if (exposure_) exposure_->apply(color);
   if (spec_.shot_noise > 0 || spec_.read_noise > 0) noise_.apply(color, number);

@@ -1,6 +1,6 @@
 /// camera_model.h - the part of a camera that makes pictures: what its lens sees, and what becomes of the light (camera.h).
 ///
-/// Whoever knows where a camera is can look through it: the camera itself, and who looks on beside the simulation.
+/// Produces pictures for any pose of a camera: for the camera itself, and for observers outside the simulation.
 #pragma once
 
 #include <cstdint>
@@ -37,7 +37,7 @@ struct CameraPicture {
 
 class CameraModel {
  public:
-  /// `noise` tells cameras apart. Throws SetupError that names what is impossible.
+  /// `noise` distinguishes cameras. Throws SetupError that names what is impossible.
   CameraModel(const CameraSpec& spec, const RandomStream& noise);
 
   /// Before the first picture: makes what it needs, some of which takes long and is shared by equal cameras.

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/imaging/bayer.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::sensors {
@@ -79,6 +80,7 @@ std::vector<Row> light_rows() {
 /// Nothing if it is not given.
 const std::optional<double>& coefficient(const CameraOptions& options, std::string_view name) {
   const auto found = std::ranges::find(all_lens_coefficients, name);
+  MUROSIMF_ASSERT(found != all_lens_coefficients.end());
   return options.coefficients[static_cast<std::size_t>(found - all_lens_coefficients.begin())];
 }
 
@@ -90,6 +92,7 @@ std::string lens_model(const CameraOptions& options) {
 
 std::vector<double> coefficients(const CameraOptions& options, const std::string& model) {
   const std::vector<std::string> keys = lens_coefficients(model);
+  // a coefficient of another model is most likely a mistake
   for (const std::string_view key : all_lens_coefficients) {
     if (coefficient(options, key) && std::ranges::find(keys, key) == keys.end()) {
       throw SetupError(fmt::format("'{}' is no coefficient of the lens model '{}' (it has {})", key, model,
@@ -103,7 +106,7 @@ std::vector<double> coefficients(const CameraOptions& options, const std::string
 
 /// [px] The focal length with which the lens sees `fov` [rad] from the left to the right.
 double focal_length(imaging::LensSpec lens, double fov) {
-  lens.fx = lens.fy = 1;
+  lens.fx = lens.fy = 1;  // at a focal length of 1 px the border's position is the factor
   lens.cx = lens.cy = lens.skew = 0;
   const auto border = imaging::Lens(lens).project({std::sin(0.5 * fov), 0, std::cos(0.5 * fov)});
   if (!border || !(border->u > 0)) {
@@ -150,6 +153,7 @@ CameraSpec camera_spec(const SensorSpec& spec) {
   if (!camera.layers.color && !camera.layers.depth && !camera.layers.labels) {
     throw SetupError("the camera shows nothing: one of 'color', 'depth' and 'labels' must be true");
   }
+  // more bands than rows would be empty ones
   camera.readout_bands = std::min(camera.readout_bands, camera.lens.height);
   return camera;
 }

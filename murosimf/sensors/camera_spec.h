@@ -17,7 +17,7 @@ namespace murosimf::sensors {
 struct CameraSpec {
   imaging::LensSpec lens{};
   Layers layers{};
-  bool always_on = false;    ///< draws also if nobody reads its frames
+  bool always_on = false;    ///< draws also if no algorithm reads its frames
   double resolution = 1;     ///< [1] drawn pixels to a pixel of the picture, where a lens distorts (lens_map.h)
   double blur = 0;           ///< [px] standard deviation of a Gaussian blur
   double exposure = 1;       ///< [1] brightness of the picture, linear; 2 is one stop more

@@ -6,13 +6,15 @@
 #include <utility>
 
 #include "murosimf/collision/contact_properties.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::sensors {
 namespace {
 
-/// Where the force that is left goes through the plane of the sensor.
+/// Intersection of the force with the plane of the sensor.
 std::array<double, 2> center_of_pressure(const Wrenchd& load) noexcept {
+  MUROSIMF_ASSERT(load.f.z != 0);
   return {-load.n.y / load.f.z, load.n.x / load.f.z};
 }
 
@@ -51,16 +53,19 @@ ContactLoad::ContactLoad(Setup& setup, const SensorSpec& spec)
       stance_foot_(setup.observe(properties::stance_foot)) {
   const auto& link_of = model_.tree().link_of;
   const int link = link_of[mounting_.link_object()];
+  MUROSIMF_ASSERT(link >= 0);
   for (const int body : model_.bodies()) {
+    // all bodies of the rigid part that the sensor is fixed to
     if (link_of[body] == link) bodies_.push_back(body);
   }
 }
 
 Wrenchd ContactLoad::load() const noexcept {
-  if (dynamic_[0] == 0) return carried_weight();
+  if (dynamic_[0] == 0) return carried_weight();  // the level has no contact forces
   const Vec3d place = mounting_.position();
   Vec3d force, moment;
   for (const int k : bodies_) {
+    // pushes of users do not act on the sole
     const Vec3d f = external_[k].f - applied_[k].f;
     force += f;
     moment += external_[k].n - applied_[k].n + cross(r_[k] - place, f);
@@ -71,9 +76,10 @@ Wrenchd ContactLoad::load() const noexcept {
 
 Wrenchd ContactLoad::carried_weight() const noexcept {
   const double stance = stance_foot_[0];
-  if (std::isnan(stance)) return {};
+  if (std::isnan(stance)) return {};  // no level writes a standing foot
   const auto foot = static_cast<std::size_t>(stance);
   const int link = mounting_.link_object();
+  // users may write any number there
   if (foot >= feet_.size() || !belongs_to(model_, feet_[foot], link)) return {};
   const Vec3d arm = r_[link] + R_[link] * feet_[foot].place.offset - mounting_.position();
   const Mat3d to_sensor = transpose(mounting_.orientation());
@@ -95,6 +101,7 @@ ContactSwitch::ContactSwitch(Setup& setup, const SensorSpec& spec, const SensorS
     : ContactSensor(setup, spec, surroundings, {{"contact", "1", {}}}) {}
 
 void ContactSwitch::measure(std::span<double> values) noexcept {
+  MUROSIMF_ASSERT(values.size() == 1);
   values[0] = norm(load_.load().f) > threshold_ ? 1 : 0;
 }
 
@@ -107,6 +114,7 @@ ForceTorque::ForceTorque(Setup& setup, const SensorSpec& spec, const SensorSurro
     : ContactSensor(setup, spec, surroundings, {{"force", "N", xyz()}, {"torque", "N m", xyz()}}) {}
 
 void ForceTorque::measure(std::span<double> values) noexcept {
+  MUROSIMF_ASSERT(values.size() == 6);
   const Wrenchd load = load_.load();
   write(load.f, values);
   write(load.n, values.subspan(3));
@@ -116,7 +124,9 @@ PressureCenter::PressureCenter(Setup& setup, const SensorSpec& spec, const Senso
     : ContactSensor(setup, spec, surroundings, {{"center", "m", {"x", "y"}}, {"force", "N", {}}}) {}
 
 void PressureCenter::measure(std::span<double> values) noexcept {
+  MUROSIMF_ASSERT(values.size() == 3);
   const Wrenchd load = load_.load();
+  // without load there is no center of pressure
   values[0] = values[1] = std::nan("");
   values[2] = load.f.z;
   if (load.f.z <= threshold_) return;
@@ -138,10 +148,12 @@ PressureCells::PressureCells(Setup& setup, const SensorSpec& spec, const SensorS
 }
 
 void PressureCells::measure(std::span<double> values) noexcept {
+  MUROSIMF_ASSERT(values.size() == 4);
   const Wrenchd load = load_.load();
   std::fill(values.begin(), values.end(), 0.0);
   if (load.f.z <= threshold_) return;
   const auto [x, y] = center_of_pressure(load);
+  // bilinear shares: exact for force and center of pressure within the rectangle of the cells
   const double front = std::clamp(0.5 + x / length_, 0.0, 1.0), left = std::clamp(0.5 + y / width_, 0.0, 1.0);
   values[0] = load.f.z * front * left;
   values[1] = load.f.z * front * (1 - left);

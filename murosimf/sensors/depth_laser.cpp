@@ -9,6 +9,7 @@
 namespace murosimf::sensors {
 namespace {
 
+// wider views would waste most pixels at their borders
 constexpr double widest_row = 80 * pi / 180;  // [rad]
 constexpr double pixels_per_ray = 8;
 constexpr int fewest_pixels = 256, most_pixels = 8192;

@@ -6,7 +6,7 @@
 ///
 ///     range = z / cos(a)         z: depth, a: angle of the ray from the middle of its picture
 ///
-/// Without anybody who can draw (docs/cameras.md) all ranges are NaN.
+/// Without a source of pictures (docs/cameras.md) all ranges are NaN.
 #pragma once
 
 #include <functional>

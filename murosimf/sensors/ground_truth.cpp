@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::sensors {
@@ -30,6 +31,7 @@ std::vector<Entity*> sensed_entities(const SensorSpec& spec, const SensorSurroun
   std::vector<std::string_view> names;
   for (const Entity* moving_entity : surroundings.moving_entities) names.push_back(moving_entity->name());
   for (const std::string& name : spec.objects) {
+    // in the order of the sensor's list, not of the scene
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end()) throw SetupError(unknown_name("entity", name, names));
     entities.push_back(surroundings.moving_entities[static_cast<std::size_t>(found - names.begin())]);
@@ -47,9 +49,11 @@ GroundTruth::GroundTruth(Setup& setup, const SensorSpec& spec, const SensorSurro
 }
 
 void GroundTruth::measure(std::span<double> values) noexcept {
+  MUROSIMF_ASSERT(values.size() == numbers_each * sources_.size());
   for (std::size_t i = 0; i < sources_.size(); ++i) {
     const std::span<double> numbers = values.subspan(numbers_each * i, numbers_each);
     if (!sources_[i].entity->present()) {
+      // absent entities: NaN, so that no behavior takes an old place for a present one
       std::fill(numbers.begin(), numbers.end(), std::numeric_limits<double>::quiet_NaN());
       continue;
     }
@@ -64,6 +68,7 @@ Sightings::Sightings(Setup& setup, std::string_view sensor) : reading_(read_read
     if (!output.name.ends_with(position)) continue;
     Sighting sighting;
     sighting.name = output.name.substr(0, output.name.size() - position.size());
+    // constant during a run, so it is looked up once
     sighting.team = setup.world().entity(sighting.name).options().team;
     sighting.self = sighting.name == setup.entity().name();
     sightings_.push_back(std::move(sighting));

@@ -1,4 +1,4 @@
-/// ground_truth.h - sensor: where everybody really is (paper 6.3), for behavior tests without perception.
+/// ground_truth.h - sensor: true poses of the entities (paper 6.3), for behavior tests without perception.
 ///
 /// Three outputs for each entity that it looks at (SensorSpec::objects; none named: all robots and the ball):
 /// `<entity>_position` [m], `<entity>_heading` [rad] and `<entity>_velocity` [m/s] of the base, world frame. Nothing

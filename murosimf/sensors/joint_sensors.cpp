@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::sensors {
@@ -28,6 +29,7 @@ std::vector<int> sensed_joints(const Model& model, const SensorSpec& spec) {
   joints.clear();
   for (const std::string& name : spec.objects) {
     const auto joint = model.find_object(name);
+    // names of other objects are no joints
     if (!joint || !model.objects()[*joint].is_joint()) throw SetupError(unknown_name("joint", name, names));
     joints.push_back(*joint);
   }
@@ -42,6 +44,7 @@ JointSensor::JointSensor(Setup& setup, const SensorSpec& spec, const SensorSurro
       column_(setup.read(property)) {}
 
 void JointSensor::measure(std::span<double> values) noexcept {
+  MUROSIMF_ASSERT(values.size() == joints_.size());
   for (std::size_t i = 0; i < joints_.size(); ++i) values[i] = column_[joints_[i]];
 }
 
@@ -58,9 +61,11 @@ ServoSensor::ServoSensor(Setup& setup, const SensorSpec& spec, const SensorSurro
 }
 
 void ServoSensor::convert(std::span<double> values, std::span<const double> column) noexcept {
+  MUROSIMF_ASSERT(values.size() == joints_.size());
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     const Joint& joint = joints_[i];
     const double known = column[joint.object];
+    // NaN: the present level does not write the column
     values[i] = std::isnan(known) ? joint.otherwise : joint.factor * known;
   }
 }
@@ -79,11 +84,14 @@ MotorCurrent::MotorCurrent(Setup& setup, const SensorSpec& spec, const SensorSur
       joint_torque_(setup.observe(properties::joint_torque)) {
   for (Joint& joint : joints_) {
     const Servo* servo = servo_of(setup.model(), joint.object);
+    // i = tau / k_t with k_t = voltage / no_load_speed (model/servo.h)
     joint.factor = servo && servo->voltage > 0 ? servo->no_load_speed / servo->voltage : 0;
   }
 }
 
 void MotorCurrent::measure(std::span<double> values) noexcept {
+  MUROSIMF_ASSERT(!joints_.empty());
+  // levels without servo models have joint torques only
   const bool motor_known = !std::isnan(motor_torque_[joints_[0].object]);
   ServoSensor::convert(values, motor_known ? motor_torque_ : joint_torque_);
 }

@@ -47,7 +47,7 @@ class JointRate final : public JointSensor {
 class ServoSensor : public Sensor {
  protected:
   ServoSensor(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings, Output output);
-  /// [1] Factor and value without a level that knows better, for each joint in turn.
+  /// [1] Factor and value without a level that has it, for each joint in turn.
   struct Joint {
     int object = 0;
     double factor = 1, otherwise = 0;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/collision/contact_properties.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 
@@ -16,6 +17,7 @@ int body_of(const Model& model, int object) {
   const auto carries = [&](int i) {
     return model.objects()[i].is_joint() || model.find(properties::mass, i) || model.find(properties::shapes, i);
   };
+  // structural objects belong to the body above them
   while (object > 0 && !carries(object)) object = model.objects()[object].parent;
   return object;
 }
@@ -56,6 +58,7 @@ JointWrench::JointWrench(Setup& setup, const SensorSpec& spec, const SensorSurro
       dynamic_(setup.input(properties::dynamic, 1)),
       stance_foot_(setup.observe(properties::stance_foot)) {
   const JointWrenchOptions options = options_of(spec, joint_wrench_options());
+  // child on parent is the opposite of what holds the child
   sign_ = options.direction == "parent_to_child" ? 1 : -1;
   if (!options.axes.empty()) {
     const FixedObject shown = model_.placement(model_.object_index(options.axes));
@@ -66,12 +69,15 @@ JointWrench::JointWrench(Setup& setup, const SensorSpec& spec, const SensorSurro
 }
 
 void JointWrench::find_parts(int cut) {
+  MUROSIMF_ASSERT(cut >= 0 && cut < model_.size());
+  // parents come first: one pass finds all that is behind the cut
   for (int i = cut; i < model_.size(); ++i) {
     const int parent = model_.objects()[i].parent;
     behind_[i] = i == cut || (parent >= 0 && behind_[parent]);
     if (!behind_[i]) continue;
     const double* mass = model_.find(properties::mass, i);
     if (mass || model_.find(properties::shapes, i)) bodies_.push_back(i);
+    // bodies without mass can be touched, but have no momentum
     if (!mass) continue;
     Part part{.object = i, .mass = *mass, .center = {}, .inertia = {}};
     if (const Vec3d* center = model_.find(properties::center_of_mass, i)) part.center = *center;
@@ -104,7 +110,7 @@ JointWrench::Momentum JointWrench::momentum() const noexcept {
 
 Wrenchd JointWrench::carried_weight(const Vec3d& place) const noexcept {
   const double stance = stance_foot_[0];
-  if (std::isnan(stance)) return {};
+  if (std::isnan(stance)) return {};  // no level writes a standing foot
   const auto foot = static_cast<std::size_t>(stance);
   if (foot >= feet_.size() || !behind_[feet_[foot].object]) return {};
   const int link = model_.tree().links[feet_[foot].place.link].object;
@@ -119,6 +125,7 @@ Wrenchd JointWrench::outside_forces(const Vec3d& place) const noexcept {
     const Vec3d weight = part.mass * gravity_;
     sum += Wrenchd{cross(r_[part.object] + R_[part.object] * part.center - place, weight), weight};
   }
+  // without dynamics there are no contact forces
   if (dynamic_[0] == 0) return sum + carried_weight(place);
   for (const int k : bodies_) {
     sum += Wrenchd{external_[k].n + cross(r_[k] - place, external_[k].f), external_[k].f};
@@ -127,10 +134,11 @@ Wrenchd JointWrench::outside_forces(const Vec3d& place) const noexcept {
 }
 
 void JointWrench::measure(std::span<double> values) noexcept {
+  MUROSIMF_ASSERT(values.size() == 6 && period_ > 0);
   const Vec3d place = mounting_.position();
   const Momentum now = momentum();
   Vec3d force, moment;  // that change the momentum
-  if (known_ != 0) {
+  if (known_ != 0) {    // the first call has no preceding momentum
     force = (1 / period_) * (now.linear - last_.linear);
     moment = (1 / period_) * (now.angular - last_.angular) - cross(place, force);
   }

@@ -13,6 +13,7 @@ Laser::Laser(Setup& setup, const SensorSpec& spec, const SensorSurroundings& sur
 void Laser::measure(std::span<double> values) noexcept {
   const Transformd here{mounting_.position(), mounting_.orientation()};
   view_.now().cast(fan_, here, {.range = range_.max, .without = &robot_}, values);
+  // ranges beyond the limits as the device shows them
   present(values);
 }
 

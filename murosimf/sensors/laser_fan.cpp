@@ -26,6 +26,7 @@ Output laser_ranges(const SensorSpec& spec) {
 
 LaserSector laser_sector(const SensorSpec& spec) {
   const LaserOptions options = options_of(spec, laser_options());
+  // the option allows a rounding above a full turn
   const double fov = std::min(options.fov, 2 * pi);
   return {options.rays, options.first_angle.value_or(-0.5 * fov), fov};
 }

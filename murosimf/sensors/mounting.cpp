@@ -10,6 +10,7 @@ int mounted_on(const Model& model, const SensorSpec& spec) {
 
 Mat3d true_orientation(const SensorSpec& spec) {
   const Vec3d& error = spec.mounting_error;
+  // errors about the sensor's own axes: yaw, pitch, roll
   return spec.orientation * rotation_z(error.z) * rotation_y(error.y) * rotation_x(error.x);
 }
 
@@ -22,6 +23,7 @@ Mounting::Mounting(Setup& setup, const SensorSpec& spec)
   const FixedObject place = model.placement(mounted_on(model, spec));
   link_ = model.tree().links[place.link].object;
   offset_ = place.offset + place.turn * spec.position;
+  // the sensor measures at its true orientation; control software is given the nominal one
   turn_ = place.turn * true_orientation(spec);
 }
 

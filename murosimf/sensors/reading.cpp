@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::sensors {
@@ -33,6 +34,7 @@ std::size_t SensorInfo::numbers() const {
 
 std::span<const double> Reading::output(std::string_view name) const {
   std::size_t first = 0;
+  MUROSIMF_ASSERT(info);
   std::vector<std::string_view> names;
   for (const Output& output : info->outputs) {
     if (output.name == name) return std::span(values).subspan(first, output.size());
@@ -60,6 +62,7 @@ std::uint64_t hash_of(const Reading& reading) {
 }
 
 Reading& write_reading(Setup& setup, SensorInfo info) {
+  // two sensors would write one column
   if (find_reading(setup.entity(), info.name)) {
     throw SetupError(fmt::format("'{}' has two sensors called '{}'", setup.entity().name(), info.name));
   }
@@ -67,6 +70,7 @@ Reading& write_reading(Setup& setup, SensorInfo info) {
   Reading& reading = setup.write(property_of(name))[0];
   reading.values.assign(info.numbers(), 0.0);
   reading.info = std::make_shared<const SensorInfo>(std::move(info));
+  MUROSIMF_ASSERT(reading.values.size() == reading.info->numbers());
   return reading;
 }
 
@@ -79,6 +83,7 @@ const Reading& read_reading(Setup& setup, std::string_view sensor) {
 std::span<const double> read_output(Setup& setup, std::string_view path) {
   const std::size_t dot = path.find('.');
   const Reading& reading = read_reading(setup, path.substr(0, dot));
+  // "sensor.output", or just "sensor" if it has one output
   if (dot != std::string_view::npos) return reading.output(path.substr(dot + 1));
   if (reading.info->outputs.size() == 1) return reading.values;
   throw SetupError(fmt::format("sensor '{}' has several outputs: say which, like '{}.{}'", path, path,

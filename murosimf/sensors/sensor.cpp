@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::sensors {
@@ -33,6 +34,7 @@ template <class Call>
 void for_outputs(const SensorInfo& info, std::span<double> values, const Call& call) noexcept {
   for (std::size_t i = 0; i < info.outputs.size(); ++i) {
     const std::size_t size = info.outputs[i].size();
+    MUROSIMF_ASSERT(size <= values.size());
     call(i, values.first(size));
     values = values.subspan(size);
   }
@@ -53,9 +55,11 @@ Sensor::Sensor(Setup& setup, const SensorSpec& spec, const SensorSurroundings& s
     throw SetupError(fmt::format("sensor '{}' with {} Hz is executed at {:.6g} Hz only", spec.name, spec.rate,
                                  1 / seconds(execution_)));
   }
+  // after the outputs are known: messages list them
   check_signal_names(spec, reading_.info->outputs);
   make_signals(spec, surroundings.seed, setup.entity().name(), {seconds(execution_), seconds(period)});
   values_.resize(reading_.values.size());
+  // enough for all samples that the delay keeps under way, and one that is being taken
   on_the_way_.assign(static_cast<std::size_t>((delay_ + execution_) / period) + 2, {Duration{}, values_});
 }
 

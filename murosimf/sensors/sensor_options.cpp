@@ -8,6 +8,7 @@ OptionValues given_options(const SensorSpec& spec, const std::vector<OptionInfo>
     const auto number = spec.numbers.find(option.name);
     const auto text = spec.texts.find(option.name);
     if (number != spec.numbers.end()) {
+      // files give booleans as numbers
       const bool flag = std::holds_alternative<bool>(option.fallback);
       given.emplace(option.name, flag ? OptionValue(number->second != 0) : OptionValue(number->second));
     } else if (text != spec.texts.end()) {

@@ -52,10 +52,10 @@ struct SensorSpec {
 struct SensorSurroundings {
   std::uint64_t seed = 1;                  ///< of all noise
   std::vector<Entity*> moving_entities{};  ///< robots and ball: all whose pose changes
-  /// Who draws; asked when something that needs pictures starts. Null, or none: there are no pictures, which whoever
-  /// gives this has said already.
+  /// Source of pictures; requested when a sensor that needs pictures starts. Null, or none: there are no pictures; the caller has
+  /// reported that already.
   std::function<ViewSource*()> view_source{};
-  /// What all sensors with rays ask; asked for when one is made. Null: each of them works it out for itself.
+  /// Shared queries of all sensors with rays; requested when one is made. Null: each sensor has its own.
   std::function<WorldQueries&()> queries{};
 };
 

@@ -20,7 +20,7 @@ struct Seen {
   std::span<const collision::CollidingShape> shapes;  ///< none: it has no outline
 };
 
-/// The part [1] of the nine points that are free from the place `eye` [m], world frame; `without`: who is transparent.
+/// The part [1] of the nine points that are free from the place `eye` [m], world frame; `without`: a transparent entity.
 [[nodiscard]] double share_in_sight(collision::QueryScene& scene, const Vec3d& eye, const Entity* without,
                                     const Seen& body) noexcept;
 

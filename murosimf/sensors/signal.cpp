@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/math/scalar.h"
 #include "murosimf/model/error.h"
 
@@ -38,6 +39,7 @@ void check(const SignalSpec& spec) {
   if (!(spec.lowest < spec.highest)) {
     throw SetupError(fmt::format("the range from {} to {} is empty", spec.lowest, spec.highest));
   }
+  // bits divide the range, so they exclude a resolution and need a range
   if (spec.bits == 0) return;
   if (spec.resolution > 0)
     throw SetupError("bits and resolution both say how long a step of the converter is; keep one");
@@ -49,7 +51,9 @@ Signal::Law::Law(const SignalSpec& of, const SignalPeriods& periods)
       memory(of.low_pass > 0 ? std::exp(-2 * pi * of.low_pass * periods.sample) : 0),
       white((1 - memory) * of.noise_density / std::sqrt(periods.sample)),
       walk(of.bias_random_walk * std::sqrt(periods.sample)) {
+  MUROSIMF_ASSERT(periods.sample > 0 && periods.execution > 0);
   check(spec);
+  // exact discretization of a Gauss-Markov process: right at any rate
   if (const double time = spec.bias_correlation_time; time > 0) {
     keep = std::exp(-periods.sample / time);
     walk = spec.bias_random_walk * std::sqrt(-0.5 * time * std::expm1(-2 * periods.sample / time));
@@ -67,6 +71,7 @@ Signal::Signal(const SignalSpec& spec, std::uint64_t seed, const std::vector<std
 
 Signal::Signal(std::uint64_t seed, const std::vector<SignalSpec>& specs, const std::vector<std::string>& names,
                const SignalPeriods& periods) {
+  MUROSIMF_ASSERT(specs.size() == names.size());
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::string& name = names[i];
     const Law& law = laws_.emplace_back(specs[i], periods);
@@ -85,9 +90,11 @@ void Signal::draw_constants(const Law& law, Number& number) noexcept {
   number.scale = 1 + spec.scale_error * number.constants.normal(0);
   const double bias = spec.bias * number.constants.normal(1);
   const bool other_side = spec.bias_mean != 0 && number.constants.normal(5) < 0;
+  // the sign of the mean bias is drawn: its size is typical, its direction is not
   number.bias = spec.mean + (other_side ? -(spec.bias_mean + bias) : spec.bias_mean + bias);
   number.cross_one = spec.misalignment * number.constants.normal(2);
   number.cross_two = spec.misalignment * number.constants.normal(3);
+  // in the stationary state of the filter from the first sample on
   number.first_wander = law.white / std::sqrt(1 - law.memory * law.memory) * number.constants.normal(4);
 }
 
@@ -108,6 +115,7 @@ void Signal::start() noexcept {
 }
 
 double Signal::filtered(const Law& law, Number& number, double value) const noexcept {
+  // bilinear transform: the -3 dB frequency is exact at any step
   const bool begins = executions_ == 0 || !std::isfinite(number.filter_output);
   if (begins || !std::isfinite(value)) return number.filter_input = number.filter_output = value;
   number.filter_output =
@@ -116,13 +124,14 @@ double Signal::filtered(const Law& law, Number& number, double value) const noex
   return number.filter_output;
 }
 
-/// Errors that are constant come out of the seed.
+/// Constant errors are no state: they follow from the seed.
 void Signal::state(StateArchive& archive) {
   for (Number& number : numbers_) archive(number.wander, number.drift, number.filter_input, number.filter_output);
   archive(executions_, samples_);
 }
 
 void Signal::disturb(std::span<double> values) noexcept {
+  MUROSIMF_ASSERT(values.size() >= numbers_.size());
   if (misaligned_) {
     misalign(values.first<3>());
   } else {
@@ -136,8 +145,9 @@ void Signal::disturb(std::span<double> values) noexcept {
   ++executions_;
 }
 
-/// The constant errors of three axes that see a little of each other.
+/// Applies the constant errors of three axes, including cross-axis sensitivity.
 void Signal::misalign(std::span<double, 3> values) const noexcept {
+  MUROSIMF_ASSERT(numbers_.size() == 3);
   const double x = values[0], y = values[1], z = values[2];
   const auto axis = [](const Number& n, double own, double next, double last) {
     return n.scale * own + (n.cross_one * next + n.cross_two * last) + n.bias;
@@ -151,16 +161,18 @@ double Signal::next_noise(const Law& law, Number& number) const noexcept {
   const double noise = number.wander + number.drift;
   const auto [white, walk] = number.noise.normals(samples_);
   number.wander = law.memory * number.wander + law.white * white;
+  // a walk without correlation time keeps the bits of a plain sum
   if (law.keep < 1) number.drift *= law.keep;
   number.drift += law.walk * walk;
   return noise;
 }
 
 void Signal::convert(std::span<double> values) noexcept {
+  MUROSIMF_ASSERT(values.size() >= numbers_.size() && laws_.size() == numbers_.size());
   for (std::size_t i = 0; i < numbers_.size(); ++i) {
     const Law& law = laws_[i];
     const double noise = law.white > 0 || law.walk > 0 ? next_noise(law, numbers_[i]) : 0;
-    if (!std::isfinite(values[i])) continue;
+    if (!std::isfinite(values[i])) continue;  // the random numbers are drawn nevertheless: the sequence stays the same
     double x = values[i] + noise;
     if (law.spec.noise > 0) x += law.spec.noise * numbers_[i].sample.normal(samples_);
     if (law.step > 0) {

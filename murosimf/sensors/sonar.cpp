@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::sensors {
 namespace {
 
@@ -10,6 +12,8 @@ std::vector<Vec3d> cone(const SensorSpec& spec) {
   const SonarOptions options = options_of(spec, sonar_options());
   const int rays = options.rays;
   const double fov = std::min(options.fov, 2 * pi);
+  // equal parts of the cone's solid angle, turned by the golden angle: evenly spread for any number of rays
+  MUROSIMF_ASSERT(rays >= 1);
   const double part = rays > 1 ? (1 - std::cos(fov / 2)) / (rays - 1) : 0;
   std::vector<Vec3d> directions;
   for (int k = 0; k < rays; ++k) {

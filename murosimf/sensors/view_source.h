@@ -1,4 +1,4 @@
-/// view_source.h - where pictures of the scene come from: whoever can draw (render/) implements it, cameras ask it.
+/// view_source.h - source of pictures of the scene: render/ implements it, cameras use it.
 ///
 /// Optical axes: x to the right, y down, z forward (ROS REP-103, "optical" frames).
 #pragma once
@@ -19,7 +19,7 @@ struct Perspective {
   int width = 0, height = 0;                          ///< [px]
   int first_row = 0, rows = 0;                        ///< only these are drawn (rolling shutter); 0 rows: all
   const Entity* without = nullptr;                    ///< is not drawn
-  bool finest = false;                                ///< round things as round as can be: for who measures
+  bool finest = false;                                ///< finest tessellation of round shapes: for measurements
 };
 
 /// What is to be drawn.
@@ -47,7 +47,7 @@ class ViewSource {
  public:
   virtual ~ViewSource() = default;
 
-  /// Draws the scene as it is at this instant, moved on by `ahead` [s] with the present velocities. Whoever asks while the
+  /// Draws the scene as it is at this instant, moved on by `ahead` [s] with the present velocities. A caller that draws while the
   /// simulation runs reads pose and velocity of all moving entities. Images get the size of the perspective. May be called from several threads at once; the pixels do not depend on the thread.
   virtual void draw(const Perspective& perspective, const Layers& layers, double ahead, View& view) noexcept = 0;
 };

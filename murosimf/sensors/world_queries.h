@@ -21,7 +21,7 @@ struct QueryTurn {};
 inline void append_hash(Hasher&, const QueryTurn&) {}
 inline void state(StateArchive&, QueryTurn&) {}
 
-/// Of the world. Whoever reads it asks after the shared scenes have been refreshed.
+/// Of the world. Algorithms that read it query after the shared scenes have been refreshed.
 inline constexpr Property<QueryTurn> query_turn{
     {"query_turn", "-", "-", "questions of sensors may be asked of the poses of this tick", Scope::wiring}};
 
@@ -51,7 +51,7 @@ class WorldQueries final : public Algorithm {
   std::map<std::string, std::unique_ptr<collision::QueryScene>> scenes_;  // by volume
 };
 
-/// What one sensor sees: a scene that it shares, or one of its own where nobody shares any.
+/// The scene of one sensor: a shared one, or its own where none is shared.
 class WorldView {
  public:
   /// Reads the poses of all moving entities. Volumes are of the kind that the robot's own collisions use.
@@ -64,7 +64,7 @@ class WorldView {
   void take_back(const Entity& entity) noexcept;
   /// An entity has another model (Algorithm::model_exchanged).
   void model_exchanged(const Entity& entity);
-  /// The same while setting up: who is there.
+  /// The same while setting up.
   [[nodiscard]] const collision::QueryScene& scene() const { return *scene_; }
 
  private:
@@ -72,7 +72,7 @@ class WorldView {
   collision::QueryScene* scene_;
 };
 
-/// Declares that pose and velocity of the entity of `setup` are read: what whoever draws it needs (view_source.h).
+/// Declares that pose and velocity of the entity of `setup` are read: as sources of pictures need them (view_source.h).
 void read_motion(Setup& setup);
 /// The same of all moving entities.
 void read_motion_of_all(Setup& setup, const SensorSurroundings& surroundings);

@@ -1,4 +1,4 @@
-// What contact between bodies does whatever its law: first values, walkers apart, the ledger of who cannot be pushed.
+// Contact between bodies independent of its law: first values, separation of walkers, ledger of entities that cannot be pushed.
 #include "murosimf/collision/body_contact.h"
 
 #include <gtest/gtest.h>

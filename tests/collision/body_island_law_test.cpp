@@ -1,4 +1,4 @@
-// Who is solved together and who by itself, what the ground's rows are, and what members of an island are told afterwards.
+// Which entities are solved together and which alone, the rows of the ground, and the results for members of an island.
 #include "murosimf/collision/body_island_law.h"
 
 #include <gtest/gtest.h>
@@ -49,7 +49,7 @@ TEST(BodyIslandLaw, AnIslandOfTwo) {
   EXPECT_FALSE(balls.column(0, contacts).solved);
 }
 
-// Two pairs are two islands: whoever stands in one, the other does not.
+// Two pairs are two islands: an entity of one is not in the other.
 TEST(BodyIslandLaw, IslandsKnowNothingOfEachOther) {
   const ImplicitStick law;
   Balls balls({{0, 0, 1}, {5, 0, 1}, {0.199, 0, 1}, {5.199, 0, 1}});
@@ -166,7 +166,7 @@ TEST(BodyIslandLaw, WhoCannotAnswerIsPushedExplicitly) {
   EXPECT_FALSE(balls.column(0, contacts).solved);
 }
 
-// Rule: numbers that have gone bad touch nobody in that step.
+// Rule: entities whose numbers are not sane touch no other in that step.
 TEST(BodyIslandLaw, BadNumbersAreNoRows) {
   const ImplicitStick law;
   for (const std::size_t bad : {0U, 1U}) {

@@ -34,7 +34,7 @@ struct TwoBalls {
   void push(const PaperLawOptions& options) {
     BodyPaperLaw law(options);
     movers.start_step();
-    law.push(movers.all, movers.set, dt, movers.nobody);
+    law.push(movers.all, movers.set, dt, movers.serial);
   }
   MovingEntity& a() { return movers.all[0]; }
   MovingEntity& b() { return movers.all[1]; }

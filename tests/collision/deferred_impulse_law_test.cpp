@@ -26,7 +26,7 @@ TEST(DeferredImpulseLaw, SticksOnTheEdgeOfItsCone) {
     c.stretch = {0, 0x1p-10 + beyond, 0};  // 4 N
     movers.set.points = {c};
     movers.set.parameters = {p};
-    DeferredImpulseLaw().push(movers.all, movers.set, 1e-3, movers.nobody);
+    DeferredImpulseLaw().push(movers.all, movers.set, 1e-3, movers.serial);
     const PairContact& after = movers.set.points[0];
     EXPECT_LT(difference(after.force, {0, -4, 8}), 1e-12) << beyond;
     EXPECT_EQ(after.state, beyond > 0 ? ContactState::slip : ContactState::stick);
@@ -52,7 +52,7 @@ struct Slanted {
     c.velocity = velocity;
     movers.set.points = {c};
     movers.set.parameters = {p};
-    DeferredImpulseLaw().push(movers.all, movers.set, h, movers.nobody);
+    DeferredImpulseLaw().push(movers.all, movers.set, h, movers.serial);
   }
   [[nodiscard]] const PairContact& after() const { return movers.set.points[0]; }
 

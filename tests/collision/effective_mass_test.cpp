@@ -44,9 +44,9 @@ TEST(EffectiveMass, ContactsOfOnePartCount) {
   EXPECT_NE(other, first);
   EXPECT_NEAR(parts.along(first, {}, {0, 0, 1}), 2 / 2.0, 1e-12);
   EXPECT_NEAR(parts.along(other, {}, {0, 0, 1}), 1 / 4.0, 1e-12);
-  EXPECT_EQ(parts.touch(fast, 2, 0), EffectiveMass::nobody);
-  EXPECT_EQ(parts.along(EffectiveMass::nobody, {}, {0, 0, 1}), 0);
-  EXPECT_EQ(parts.about(EffectiveMass::nobody, {0, 0, 1}), 0);
+  EXPECT_EQ(parts.touch(fast, 2, 0), EffectiveMass::none);
+  EXPECT_EQ(parts.along(EffectiveMass::none, {}, {0, 0, 1}), 0);
+  EXPECT_EQ(parts.about(EffectiveMass::none, {0, 0, 1}), 0);
   parts.start();
   EXPECT_NEAR(parts.along(parts.touch(a, 0, 0), {}, {0, 0, 1}), 1 / 2.0, 1e-12);
 }

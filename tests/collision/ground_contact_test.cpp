@@ -132,7 +132,7 @@ TEST(GroundContact, PointsMoveWithTheirBody) {
   }
   EXPECT_EQ(set.loaded, (std::vector<int>{left, right})) << "each body once";
   standing.step();
-  EXPECT_EQ(set.tests.volumes, 2) << "nobody asks again whether the step is near";
+  EXPECT_EQ(set.tests.volumes, 2) << "no repeated test whether the step is near";
 }
 
 // What users push is the load of every body without contacts; where there are some, they come on top.
@@ -178,7 +178,7 @@ TEST(GroundContact, LoadsOfTheStepBeforeAreTakenAway) {
   standing.set().rest_damping.push_back({left, standing.damping()[left]});
   standing.step();
   EXPECT_EQ(standing.damping()[left].J.xx, 0);
-  EXPECT_EQ(standing.damping()[0].J.xx, 3) << "of which nobody says that it was added";
+  EXPECT_EQ(standing.damping()[0].J.xx, 3) << "whose addition is not recorded";
 }
 
 // Rule: a point keeps its memory while its feature touches, and what comes back begins anew.

@@ -194,7 +194,7 @@ ContactSet set_after_a_step(double height) {
   return high.find(contacts)->values[0];
 }
 
-// Rule: an island stands if anybody in it touches the ground.
+// Rule: an island stands if any of its entities touches the ground.
 TEST(BodyContactIsland, StandsIfSomebodyInItDoes) {
   EXPECT_TRUE(set_after_a_step(-1e-3).island_stands);
   EXPECT_FALSE(set_after_a_step(1).island_stands);

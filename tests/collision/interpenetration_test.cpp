@@ -1,4 +1,4 @@
-// Who is too deep in somebody, or has come out on the other side.
+// Detection of entities that are too deep in others, or have passed through them.
 #include "murosimf/collision/interpenetration.h"
 
 #include <gtest/gtest.h>
@@ -86,7 +86,7 @@ TEST(Interpenetration, ComingOutOnTheOtherSideIsNoted) {
   EXPECT_TRUE(meeting.found()[0].crossed);
 }
 
-// What was put there is let out slowly, and somebody has warned of it.
+// An entity that was placed there is separated slowly; a warning has been given before.
 TEST(Interpenetration, WhatWasPutThereDoesNotCount) {
   Meeting meeting;
   meeting.ball_at(-0.03, 0, 1ms);

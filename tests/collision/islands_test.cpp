@@ -68,7 +68,7 @@ TEST(IslandNumbers, BeginAnewInEveryStep) {
   EXPECT_EQ(balls.islands.count(), 1);
 }
 
-// Rule: who cannot be pushed joins nobody: it stands between two islands.
+// Rule: an entity that cannot be pushed joins no others: it stands between two islands.
 TEST(IslandNumbers, WhoCannotBePushedJoinsNobody) {
   Seven balls;
   Movers::stand_fast(balls.all[2]);

@@ -1,4 +1,4 @@
-// Walkers that nobody can push go out of each other's way: feet from above, bodies by their deepest contact, goals, limits.
+// Separation of kinematic walkers: feet from above, bodies by their deepest contact, goals, limits.
 #include "murosimf/collision/kinematic_separation.h"
 
 #include <gtest/gtest.h>
@@ -119,7 +119,7 @@ TEST(KinematicSeparation, WaysOfSeveralNeighborsAddUp) {
   EXPECT_LT(difference(walkers.way(2), {0.3e-3, -0.2e-3, 0}), 1e-15);
 }
 
-// Rule: nobody goes out of the way of a frozen one, pushed or not; two that can be pushed are left to forces.
+// Rule: entities do not separate from a frozen one, pushed or not; two that can be pushed are left to forces.
 TEST(KinematicSeparation, WhoIsFrozenIsLeftOut) {
   for (const std::size_t which : {0U, 1U}) {
     for (const bool pushable : {true, false}) {
@@ -190,7 +190,7 @@ TEST(KinematicSeparation, AWalkerPressesNothingIntoOthers) {
   EXPECT_EQ(norm(walkers.way(2)), 0);
 }
 
-// In longer steps the way is longer: whoever walks into something with 0.2 m/s comes 2 mm deeper in one of 10 ms.
+// In longer steps the way is longer: a robot that walks into an obstacle with 0.2 m/s comes 2 mm deeper in one of 10 ms.
 TEST(KinematicSeparation, OutWithAtMostAMeterPerSecond) {
   for (const double dt : {0.5e-3, 1e-3, 10e-3}) {
     Walkers walkers;

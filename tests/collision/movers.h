@@ -67,7 +67,7 @@ struct Request final : ContactLaw {
   IslandUse use;
 };
 
-/// At rest at the origin, pushed by forces, with an answer and no law until somebody says otherwise.
+/// At rest at the origin, pushed by forces, with an answer and no law unless a test changes that.
 struct Movers {
   MovingEntity& add(const std::string& name, const ModelPtr& model, const Vec3d& at = {},
                     const EntityOptions& options = {}) {
@@ -95,7 +95,7 @@ struct Movers {
     }
   }
   static void stand_fast(MovingEntity& mover) { mover.entity->column(properties::dynamic).values[0] = 0; }
-  SerialFor nobody;
+  SerialFor serial;
   void start_step() {
     for (MovingEntity& mover : all) mover.start_step();
   }

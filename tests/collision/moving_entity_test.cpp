@@ -69,7 +69,7 @@ TEST(MovingEntity, APushLastsForOneStep) {
     EXPECT_EQ(norm(robot.interaction_force[foot].f), 0);
     EXPECT_EQ(norm(robot.external_force[foot].f) > 0, on_ground) << "the ground begins it anew";
     EXPECT_EQ(robot.external_damping[foot].M.xx > 0, on_ground);
-    EXPECT_EQ(robot.external_force[knee].f.x, 4) << "nobody has pushed there";
+    EXPECT_EQ(robot.external_force[knee].f.x, 4) << "no push there";
     robot.external_force[foot].f = {1, 0, 0};
     robot.start_step();
     EXPECT_EQ(robot.external_force[foot].f.x, 1);

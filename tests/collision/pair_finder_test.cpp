@@ -1,4 +1,4 @@
-// Which bodies touch: pairs, sides, arms and velocities, constants of the pair, memory, who is left out, what is kept.
+// Which bodies touch: pairs, sides, arms and velocities, constants of the pair, memory, excluded entities, kept data.
 #include "murosimf/collision/pair_finder.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 using fixtures::difference;
 using fixtures::placed;
 
-/// Movers and who finds their contacts.
+/// Movers and the finder of their contacts.
 struct Found : Movers {
   void find() {
     if (!finder) {
@@ -301,7 +301,7 @@ TEST(PairFinder, MemoryGoesOnWithTheContact) {
   EXPECT_EQ(found.set.points[4].stretch.x, 7);
 }
 
-// Who is frozen touches nobody, whichever side it is.
+// A frozen entity touches no other, on either side.
 TEST(PairFinder, FrozenOnesAreLeftOut) {
   for (const std::size_t frozen : {0U, 1U}) {
     Found found;

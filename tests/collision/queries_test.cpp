@@ -142,7 +142,7 @@ TEST(Queries, DistancesAgreeWithBruteForce) {
   EXPECT_GT(apart, 20);
 }
 
-// Law: of a crowd, with some who are nowhere, the same as a walk over all of it; also if several threads ask at once.
+// Law: for a crowd, with some absent entities, the same as a loop over all of it; also if several threads ask at once.
 TEST(Queries, CrowdsAgreeWithBruteForce) {
   Dice dice("crowd");
   World world;

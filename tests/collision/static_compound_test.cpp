@@ -80,7 +80,7 @@ TEST(StaticCompound, AnAnswerHoldsForFiveCentimeters) {
   EXPECT_TRUE(near(compound, {2.5, 1.3, 0.5}, 0.351, tests)) << "the margin is in it";
   std::int64_t before = tests;
   EXPECT_TRUE(near(compound, {2.549, 1.3, 0.5}, 0.351, tests));
-  EXPECT_EQ(tests, before) << "nobody asked again";
+  EXPECT_EQ(tests, before) << "no repeated test";
   EXPECT_FALSE(near(compound, {2.551, 1.3, 0.5}, 0.351, tests));
   EXPECT_GT(tests, before);
 }

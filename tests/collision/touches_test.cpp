@@ -1,4 +1,4 @@
-// What is listed of contacts that are as they are: who touches whom, seen from either side.
+// List of the present contacts: pairs of entities, seen from either side.
 #include "murosimf/collision/touches.h"
 
 #include <gtest/gtest.h>

@@ -99,7 +99,7 @@ TEST(Collide, PointsLieInTheMiddleOfTheOverlap) {
                1e-4);
 }
 
-// Law: who is called A and who B makes no difference but the sign of the normal.
+// Law: the order of A and B has no effect except on the sign of the normal.
 TEST(Collide, SwappedPairsGiveTheSame) {
   for_pairs("swap", 100, [&](const Shape& a, const Transformd& at_a, const Shape& b, const Transformd& at_b) {
     Manifold one, other;

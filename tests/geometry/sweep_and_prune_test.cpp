@@ -74,7 +74,7 @@ TEST(SweepAndPrune, FollowsMotion) {
   }
 }
 
-// Law: numbers of any size, infinite ones and those that are none disturb nobody else.
+// Law: numbers of any size, infinite ones and NaN do not affect other spheres.
 TEST(SweepAndPrune, AnyNumberIsAllowed) {
   const double numbers[] = {0,     -0.0,  1,      -1,    1e-170, 3e-162,    1e-300,   1e80,
                             -2e80, 1e149, -3e150, 7e155, 1e300,  -infinity, infinity, no_number};
@@ -111,7 +111,7 @@ TEST(SweepAndPrune, TouchingIsNotLostByRounding) {
   EXPECT_LT(touching, 19000);
 }
 
-// A row along each axis: neighbors only are tested, and one who is far away does not change that.
+// A row along each axis: neighbors only are tested, and a distant one does not change that.
 TEST(SweepAndPrune, TestsGrowWithNeighborsOnly) {
   for (int axis = 0; axis < 3; ++axis) {
     Spheres spheres;

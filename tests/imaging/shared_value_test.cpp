@@ -1,4 +1,4 @@
-// What equal cameras share: one object for equal keys, as long as somebody has it.
+// Shared data of equal cameras: one object for equal keys, as long as it is in use.
 #include "murosimf/imaging/shared_value.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What follows from a model is worked out once, whoever asks; a changed copy of the model begins anew.
+// Data derived from a model are computed once for all users; a changed copy of the model starts anew.
 #include "murosimf/model/derived_data.h"
 
 #include <gtest/gtest.h>

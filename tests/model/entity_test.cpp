@@ -30,7 +30,7 @@ struct Letter {
 void append_hash(Hasher& hasher, const Letter& value) { hasher.add(static_cast<std::uint64_t>(value.letter)); }
 constexpr Property<Letter> letter{{"letter", "-", "-", "for this test", Scope::base}};
 
-// Rule: a column exists once somebody asks for it; then it is always the same one.
+// Rule: a column exists once it is requested; then it is always the same one.
 TEST(EntityTest, ColumnsOnDemand) {
   Entity entity("blue1", robot());
   EXPECT_EQ(entity.find(joint_position), nullptr);
@@ -55,7 +55,7 @@ TEST(EntityTest, RowsFollowTheScope) {
 
 // Rule: one name, one type; the message names both sides.
 TEST(EntityTest, TypeClash) {
-  constexpr Property<Vec3d> other{{"joint_position", "m", "-", "somebody else's"}};
+  constexpr Property<Vec3d> other{{"joint_position", "m", "-", "of another owner"}};
   Entity entity("blue1", robot());
   entity.column(joint_position);
   EXPECT_TRUE(says(error_of([&] { entity.column(other); }), {"entity 'blue1'", "different type", "'joint_position'"}));
@@ -71,7 +71,7 @@ TEST(EntityTest, FrozenColumns) {
   EXPECT_EQ(entity.find(joint_velocity), nullptr);
 }
 
-// Rule: what nobody writes is seen at once in debug builds (NaN), and is zero in release builds, for every number of
+// Rule: columns that no algorithm writes show at once in debug builds (NaN), and is zero in release builds, for every number of
 // a row, rotations included.
 TEST(EntityTest, FreshColumns) {
   Entity entity("blue1", robot());

@@ -99,7 +99,7 @@ TEST(Material, StandardTable) {
 }
 
 // Rule: the table knows every pair of things that can meet: bodies with bodies, bodies with grounds. Only the pile of
-// grass leans, and it does so for everybody.
+// grass leans, for all bodies alike.
 TEST(Material, StandardTableIsComplete) {
   const MaterialTable table = MaterialTable::standard();
   const double stranger = 99;  // friction that a pair has only if it is not in the table

@@ -1,4 +1,4 @@
-// Registries: what is added is found, by its name and for good, whoever reads meanwhile.
+// Registries: entries are found by their names, for good, also by concurrent readers.
 #include "murosimf/model/registry.h"
 
 #include <gtest/gtest.h>

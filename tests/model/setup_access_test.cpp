@@ -69,7 +69,7 @@ TEST_F(SetupAccess, DeclaredTwice) {
   EXPECT_EQ(set.all().size(), 2u);
 }
 
-// Rule: an input has its start value until somebody sets it; taking it again does not set it back.
+// Rule: an input has its start value until it is set; taking it again does not reset it.
 TEST_F(SetupAccess, InputHasAStartValue) {
   AccessSet set;
   murosimf::Setup setup(world_, blue_, set);
@@ -82,7 +82,7 @@ TEST_F(SetupAccess, InputHasAStartValue) {
   EXPECT_EQ(second[0], 0.5);
 }
 
-// Rule: the start value of an input also stands if somebody else has read the column before: the order of attaching
+// Rule: the start value of an input also holds if another algorithm has read the column earlier: the order of attaching
 // decides nothing about values.
 TEST_F(SetupAccess, InputHasAStartValueAfterAReader) {
   AccessSet set;
@@ -153,7 +153,7 @@ TEST_F(SetupAccess, ConflictInOneOfMany) {
   EXPECT_TRUE(conflict(b, a));
 }
 
-// Rule: what is read must be written or be an input of somebody; the message names reader, property, entity and the
+// Rule: a column that is read must be written or be an input of an algorithm; the message names reader, property, entity and the
 // algorithms that write other things there.
 TEST_F(SetupAccess, EveryReadIsWritten) {
   const AccessSet reader = declare([](murosimf::Setup& s) { (void)s.read(joint_position); });

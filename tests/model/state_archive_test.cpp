@@ -62,7 +62,7 @@ TEST(StateArchive, LoadsWhatItSaved) {
   EXPECT_EQ(saved(loaded), empty) << "what is not there goes";
 }
 
-// Wherever bytes end, somebody says so; no size that they name is believed.
+// Truncated bytes are reported wherever they end; sizes that they contain are checked.
 TEST(StateArchive, NoticesThatBytesEnd) {
   const auto bytes = saved(full);
   for (std::size_t size = 0; size < bytes.size(); ++size) {

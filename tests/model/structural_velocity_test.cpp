@@ -33,7 +33,7 @@ TEST(StructuralObjects, MoveAsPointsOfTheirLink) {
   EXPECT_LT(fixtures::difference(hand.get(properties::orientation), R * rotation_x(0.4)), 1e-15);
   EXPECT_LT(fixtures::difference(hand.get(properties::linear_velocity), v + cross(w, arm)), 1e-15);
   EXPECT_LT(fixtures::difference(hand.get(properties::angular_velocity), w), 1e-15);
-  // by name the same, and nobody has written anything: others may read at the same time
+  // by name the same, and nothing has been written: others may read at the same time
   const Vec3d place = hand.get(properties::position);
   EXPECT_EQ(hand.get("position").numbers, (std::vector<double>{place.x, place.y, place.z}));
   EXPECT_EQ(hand.get("orientation").numbers.size(), 9u);

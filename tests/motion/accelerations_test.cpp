@@ -182,7 +182,7 @@ std::uint64_t hash_of_walk(const std::string& extra, Vec3d& last) {
   return scene.simulation().state_hash();
 }
 
-// Rule: who looks changes nothing, and a loaded state goes on with the accelerations of its own.
+// Rule: observation changes nothing, and a loaded state goes on with the accelerations of its own.
 TEST(Accelerations, LookingChangesNothing) {
   Vec3d loaded, none;
   EXPECT_EQ(hash_of_walk("accelerations = true\n", loaded), hash_of_walk("", none));

@@ -78,7 +78,7 @@ TEST(JointReferenceEnds, ExactGoesNoFartherThanTheEnd) {
   EXPECT_TRUE(reference.part->advance(reference.columns, h));
   EXPECT_EQ(reference.q("limited"), 0.8);
   EXPECT_DOUBLE_EQ(reference.qd("limited"), 0.8 / h);
-  EXPECT_DOUBLE_EQ(reference.q("follower"), -2 * 0.4 + 0.1) << "whoever follows goes along";
+  EXPECT_DOUBLE_EQ(reference.q("follower"), -2 * 0.4 + 0.1) << "followers move along";
   EXPECT_TRUE(reference.part->advance(reference.columns, h));
   EXPECT_EQ(reference.q("limited"), 0.8);
   EXPECT_EQ(reference.qd("limited"), 0);

@@ -125,7 +125,7 @@ TEST(JointStopNumbers, ALeaderMovesItsFollowersToo) {
     return joint_stop(model, model.object_index(joint), -infinity, 1, coupled.pairs()).implicit.stiffness;
   };
   EXPECT_NEAR(firmness("leader") / (inertia * frequency * frequency), 1, 1e-12);
-  EXPECT_NEAR(firmness("second") / (finger * frequency * frequency), 1, 1e-12) << "it leads nobody";
+  EXPECT_NEAR(firmness("second") / (finger * frequency * frequency), 1, 1e-12) << "it leads no joint";
 }
 
 }  // namespace

@@ -143,7 +143,7 @@ TEST_P(LoopsAtLevel, CrankGoesWhereTheCommandedRockerTakesIt) {
   EXPECT_LT(rocker_error(robot), 1e-8);
   const double before = q(robot, "crank");
   robot.object("rocker").set(properties::joint_target, -0.5);
-  robot.object("crank").set(properties::joint_target, 1.0);  // nobody asks it
+  robot.object("crank").set(properties::joint_target, 1.0);  // without effect
   rig.run(2);
   EXPECT_NEAR(q(robot, "rocker"), -0.5, 1e-3);
   EXPECT_GT(std::abs(q(robot, "crank") - before), 0.3);

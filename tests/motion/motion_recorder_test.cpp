@@ -176,7 +176,7 @@ TEST(MotionRecorder, FullDutyIsTheShareOfTimeInWhichAServoGivesAll) {
   EXPECT_NEAR(share(-0.181, 3.99), 0.25, 1e-12);
   EXPECT_NEAR(share(0.1, -4), 0.75, 1e-12);
   EXPECT_NEAR(share(0.2, 4), 0.75, 1e-12);
-  EXPECT_EQ(record([](double) { return Moment{.torque = 9, .q = 9}; }).full_duty, 0) << "nobody watches";
+  EXPECT_EQ(record([](double) { return Moment{.torque = 9, .q = 9}; }).full_duty, 0) << "not watched";
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ TEST(VelocityJoints, AreThoseWhoseServosHaveNoPositionGain) {
 
 TEST(VelocityJoints, KnowTheirTargets) {
   Joints joints;
-  EXPECT_EQ(joints.part->target(joints.index("lift")), 0) << "nobody said anything";
+  EXPECT_EQ(joints.part->target(joints.index("lift")), 0) << "no target set";
   joints.object("wheel").set(properties::joint_velocity_target, 4);
   joints.object("reel").set(properties::joint_velocity_target, -3);
   EXPECT_EQ(joints.part->target(joints.index("wheel")), 4);

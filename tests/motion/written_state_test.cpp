@@ -1,4 +1,4 @@
-// Whoever writes into a level's columns, by whatever means: the next step goes on from there.
+// Changes of a level's columns by any means: the next step continues from them.
 #include "murosimf/motion/written_state.h"
 
 #include <cmath>

@@ -12,7 +12,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// A wall clock that moves only when told to, or when somebody sleeps.
+/// A wall clock that advances only by explicit calls, or by sleeping.
 class FakeTime final : public WallTime {
  public:
   explicit FakeTime(Duration& now) : now_(now) {}
@@ -105,7 +105,7 @@ TEST(Clock, SaysNothingWhileNobodyIsLate) {
   EXPECT_FALSE(told);
 }
 
-// A step that takes a thousand seconds of wall time is left soon after somebody asks for that.
+// A step that takes a thousand seconds of wall time ends soon after a request to stop.
 TEST(Clock, StopsWaitingWhenAsked) {
   Paced p(1e-6);
   p.clock.wait_until(1ms, [&] { return p.wall >= 7s; });

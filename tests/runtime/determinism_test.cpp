@@ -55,7 +55,7 @@ TEST(Determinism, SharingWavesOrNotIsTheSame) {
   EXPECT_EQ(hash(2, Sharing::if_it_pays), one);
 }
 
-/// Pairs of robots that walk into each other, some of whom cannot be pushed and touch two pairs.
+/// Pairs of robots that walk into each other, some of which cannot be pushed and touch two pairs.
 std::string pairs() {
   std::string text =
       "[defaults]\nmodel = \"kid21\"\nlevel = \"articulated_dynamics\"\ncontroller = \"walk\"\ncommand = [0.2, 0, 0]\n";
@@ -84,7 +84,7 @@ TEST(Determinism, ManyIslandsOnManyThreads) {
   for (const int threads : {2, 3, 8}) EXPECT_EQ(hash_after(threads), one) << threads << " threads";
 }
 
-// Adding a robot changes nobody else's start: jitter comes from streams named by robot, not drawn one by one.
+// Adding a robot does not change the start of the others: jitter comes from streams named by robot, not drawn one by one.
 TEST(Determinism, StartPlacesDoNotDependOnOtherRobots) {
   const std::string file = std::string(MUROSIMF_SOURCE_DIR) + "/scenes/three_on_three.toml";
   std::stringstream text;

@@ -119,7 +119,7 @@ TEST(LaneJobs, EveryThreadHasThoseThatAreAtHomeThere) {
 
 TEST(LaneJobs, ThreadsWithoutWork) {
   const Jobs jobs(std::vector<int>(6, 1), 16);
-  EXPECT_EQ(jobs.sizes(), Sizes(6, 1)) << "a thread for everybody";
+  EXPECT_EQ(jobs.sizes(), Sizes(6, 1)) << "a thread for each";
   EXPECT_EQ(jobs.ends().size(), 16);
   EXPECT_EQ(jobs.ends().back(), 6);
   EXPECT_EQ(Jobs(std::vector<int>(1, 1), 16).sizes(), (Sizes{1}));

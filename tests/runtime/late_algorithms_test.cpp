@@ -14,7 +14,7 @@ using fixtures::says;
 
 constexpr Property<double> counter{{"counter", "1", "-", "calls so far", Scope::base}};
 constexpr Property<double> doubled{{"doubled", "1", "-", "twice the calls", Scope::base}};
-constexpr Property<double> request{{"request", "1", "-", "what somebody wants", Scope::base}};
+constexpr Property<double> request{{"request", "1", "-", "an input", Scope::base}};
 
 class Count final : public Algorithm {
  public:
@@ -104,8 +104,8 @@ TEST_F(LateAlgorithms, KeepWhatStandsInTheirInputs) {
     const double &counter_, &wish_;
   };
   const Other& other = simulation.attach<Other>("other", dot, 1000);
-  EXPECT_EQ(dot.base().get(counter), 5) << "written by somebody";
-  EXPECT_EQ(dot.base().get(request), 8) << "set by somebody";
+  EXPECT_EQ(dot.base().get(counter), 5) << "written by an algorithm";
+  EXPECT_EQ(dot.base().get(request), 8) << "set by a user";
   simulation.step();
   EXPECT_EQ(other.sum, 14);
 }
@@ -191,7 +191,7 @@ TEST_F(LateAlgorithms, ComeInTheOrderOfPhases) {
   };
   simulation.attach<Add>("add", other, 1000);
   simulation.step();
-  EXPECT_EQ(dot.base().get(doubled), 2 * 102) << "before those who look on";
+  EXPECT_EQ(dot.base().get(doubled), 2 * 102) << "before the observers";
 }
 
 }  // namespace

@@ -91,7 +91,7 @@ TEST(LockStep, ARequestToStopEndsTheWaiting) {
   simulation.attach<Count>("count", dot, 1000);
   int asked = 0;
   simulation.stop_if([&] { return ++asked > 3; });
-  simulation.run(1s, pacer);  // nobody allows anything
+  simulation.run(1s, pacer);  // without permission
   EXPECT_EQ(simulation.now(), Duration{});
 }
 

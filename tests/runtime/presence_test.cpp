@@ -14,7 +14,7 @@ using fixtures::says;
 
 constexpr Property<double> ticks{{"ticks", "1", "-", "calls so far", Scope::base}};
 constexpr Property<double> total{{"total", "1", "-", "of the ticks of all", Scope::base}};
-constexpr Property<double> nobodys{{"nobodys", "1", "-", "what nobody writes", Scope::base}};
+constexpr Property<double> nobodys{{"nobodys", "1", "-", "that no algorithm writes", Scope::base}};
 
 class Tick final : public Algorithm {
  public:
@@ -144,7 +144,7 @@ TEST_F(Presence, BelongsToTheState) {
   simulation.load(without);
   EXPECT_FALSE(one.present());
   simulation.step();
-  EXPECT_EQ(ticks_of(one), 101) << "and who is not there is not executed";
+  EXPECT_EQ(ticks_of(one), 101) << "and an absent entity is not executed";
 }
 
 TEST_F(Presence, OfTheStartComesBackWithAReset) {
@@ -198,7 +198,7 @@ TEST_F(Presence, OfANewOneIsNotNeededAtOnce) {
   EXPECT_EQ(sum(), 206);
 }
 
-// Law: whoever is refused leaves no trace, wherever it was refused.
+// Law: a rejected entity leaves no trace, wherever it was rejected.
 TEST_F(Presence, OfSomebodyRefusedLeavesNoTrace) {
   simulation.run(3ms);
   const auto bytes = simulation.save();

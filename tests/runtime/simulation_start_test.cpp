@@ -11,7 +11,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Property<double> sum{{"sum", "1", "-", "of requests", Scope::base}};
-constexpr Property<double> request{{"request", "1", "-", "what somebody wants", Scope::base}};
+constexpr Property<double> request{{"request", "1", "-", "an input", Scope::base}};
 
 /// Adds the request and a random number in every step; remembers in a member how often.
 class Add final : public Algorithm {

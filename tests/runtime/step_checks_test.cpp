@@ -69,7 +69,7 @@ TEST(StepChecksDeathTest, LookingUpWhatIsNotDeclared) {
                "has not declared");
 }
 
-// Rule: between steps everybody may look.
+// Rule: between steps every access is allowed.
 TEST(StepChecks, BetweenStepsEverybodyMayLook) {
   Simulation simulation;
   Entity& entity = simulation.world().add("a", std::make_shared<const Model>("dot", Chain{}.base("base")));
@@ -79,7 +79,7 @@ TEST(StepChecks, BetweenStepsEverybodyMayLook) {
   EXPECT_EQ(entity.base().get(other), 3);
 }
 
-// Rule: what changes in a wave must be declared by somebody of it, however it was reached.
+// Rule: what changes in a wave must be declared by an algorithm of the wave, however it was reached.
 TEST(StepChecksDeathTest, ChangingWhatIsNotDeclared) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   const auto meddle = [] {

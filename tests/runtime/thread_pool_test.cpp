@@ -114,7 +114,7 @@ TEST(ThreadPool, FallsBackToOneThreadAndComesBack) {
   EXPECT_GT(waves.shared(second, 6'000), 0.95);
 }
 
-// Who cuts waves otherwise for one thread learns from shares() when; those waves are timed as the others.
+// Callers that cut waves differently for one thread test shares(); those waves are timed as the others.
 TEST(ThreadPool, AsksForWavesOfOneThreadWhileItDoesNotShare) {
   ThreadPool pool(2, Sharing::if_it_pays, WorthSharing([] { return WorthSharing::Time(wall_ns.load()); }));
   const std::vector<std::size_t> ends{1, 2};

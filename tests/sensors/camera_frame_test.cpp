@@ -1,4 +1,4 @@
-// Frames stand in columns of their robot: who wants them, which cameras there are, their hash, and what is refused.
+// Frames are in columns of their robot: requests, lists of cameras, their hash, and what is refused.
 #include "murosimf/sensors/camera_frame.h"
 
 #include <gtest/gtest.h>

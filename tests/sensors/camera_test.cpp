@@ -40,7 +40,7 @@ TEST(Camera, LooksFromItsPlaceAlongItsXAxis) {
   EXPECT_EQ(frame.number, 1u);
   EXPECT_EQ(frame.color.width(), 40);
   EXPECT_EQ(frame.color.height(), 30);
-  EXPECT_TRUE(frame.depth.empty() && frame.labels.empty() && frame.mosaic.empty()) << "nobody asked for them";
+  EXPECT_TRUE(frame.depth.empty() && frame.labels.empty() && frame.mosaic.empty()) << "not requested";
   const auto intrinsics = rig.reading->output("intrinsics");
   EXPECT_NEAR(intrinsics[0], 20 / std::tan(0.5), 1e-9);
   EXPECT_EQ(intrinsics[2], 19.5);
@@ -113,7 +113,7 @@ struct Blind final : ViewSource {
   void draw(const Perspective&, const Layers&, double, View&) noexcept override {}
 };
 
-// Rule: pictures have their size and only the layers that are wanted, also where who draws could not: black then.
+// Rule: pictures have their size and only the layers that are wanted, also where the source could not draw: black then.
 TEST(Camera, PicturesHaveTheirSizeThoughNothingWasDrawn) {
   for (const double exposure_time : {0.0, 0.01}) {
     for (const char* mosaic : {"", "rggb"}) {

@@ -102,7 +102,7 @@ TEST(ContactLoad, LeavesOutThePushOnEveryBody) {
   EXPECT_LT(difference(Vec3d{force[0], force[1], force[2]}, {0, 0, 5}), 1e-12);
 }
 
-// Rule: 0.1 N unless somebody says otherwise, and more than that: exactly as much is nothing yet.
+// Rule: the threshold is 0.1 N by default, exclusive.
 TEST(ContactThreshold, IsATenthOfANewton) {
   Block<ContactSwitch> block({.name = "s"});
   EXPECT_EQ(block.under({0, 0, 0.1})[0], 0);

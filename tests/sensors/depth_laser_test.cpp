@@ -97,7 +97,7 @@ struct Asked final : ViewSource {
   bool only_depth = true;
 };
 
-/// What a laser asks of who draws, and what it shows.
+/// Requests of a laser to its source of pictures, and its output.
 struct Looked {
   explicit Looked(const std::map<std::string, double>& numbers) {
     box = &rig.add_box("box");

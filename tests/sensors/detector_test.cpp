@@ -158,7 +158,7 @@ TEST(Detector, WallsHideToo) {
   EXPECT_TRUE(sees(reading, "ball"));
 }
 
-// Somebody walks through the line of sight, and on.
+// A robot walks through the line of sight, and on.
 TEST(Detector, WhatMovesHidesWhereItIsNow) {
   RangeRig rig;
   Entity& robot = rig.add_box("robot");

@@ -67,7 +67,7 @@ TEST(Accelerometer, ItsFirstSampleIsOfAFirstPeriod) {
   }
 }
 
-// Before there is a sample, who reads it all the same must not see a body that falls, or no axes at all.
+// Before there is a sample, a reader must not see a body that falls, or no axes at all.
 TEST(Accelerometer, BeforeTheFirstSampleItShowsRest) {
   const auto leaning = [](double) { return test::BodyMotion{.orientation = rotation_y(0.3)}; };
   test::SensorRig<Imu> rig(leaning, {.name = "imu", .rate = 100});

@@ -1,4 +1,4 @@
-/// painter.h - a camera's stand-in for who draws: it paints where and when it was asked to look.
+/// painter.h - a test double of a camera's source of pictures: it paints the requested pose and time.
 #pragma once
 
 #include <cmath>

@@ -21,7 +21,7 @@ TEST(SensorRange, DistancesAreShownWithinTheRange) {
 }
 
 TEST(SensorRange, HasSomethingBetween) {
-  EXPECT_EQ(checked(Range{}).max, infinity) << "everything, if nobody says anything";
+  EXPECT_EQ(checked(Range{}).max, infinity) << "unlimited by default";
   EXPECT_EQ(checked(Range{0.06, 30}).min, 0.06);
   EXPECT_EQ(fixtures::error_of([] {
               (void)checked(Range{4, 4});

@@ -1,4 +1,4 @@
-// What all sensors share: instants of samples, delay, names, and noise that nobody else changes.
+// Common behavior of sensors: instants of samples, delay, names, and noise that is independent of other sensors.
 #include "murosimf/sensors/sensor.h"
 
 #include <cmath>

@@ -52,7 +52,7 @@ TEST(WorldQueries, ReadPosesOfAllThatMoves) {
   EXPECT_NEAR(hit->distance, 0.9, 1e-12);
 }
 
-// Rule: one scene for each kind of volume, whoever asks; it is as old as the last step of its algorithm.
+// Rule: one scene for each kind of volume, for all users; it is as old as the last step of its algorithm.
 TEST(WorldQueries, OneSceneForAll) {
   Three three;
   AccessSet others;
@@ -79,7 +79,7 @@ TEST(WorldQueries, OneSceneForAll) {
   queries.step({});
   EXPECT_NEAR(scene.cast(ray)->distance, 0.9, 1e-12);
   ball[0] = {-0.5, 0, 0};
-  EXPECT_NEAR(view.now().cast(ray)->distance, 0.9, 1e-12) << "who shares one does not refresh it";
+  EXPECT_NEAR(view.now().cast(ray)->distance, 0.9, 1e-12) << "users of a shared one do not refresh it";
   queries.step({});
   EXPECT_NEAR(view.now().cast(ray)->distance, 0.4, 1e-12);
 }

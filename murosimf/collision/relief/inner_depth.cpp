@@ -7,6 +7,7 @@
 #include "murosimf/geometry/ray.h"
 #include "murosimf/geometry/traversal.h"
 #include "murosimf/geometry/volume_overlap.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::collision {
 namespace {
@@ -58,6 +59,7 @@ geometry::BoundingTree<Aabb> tree_of(std::span<const ReliefTriangle> triangles) 
 
 std::vector<InnerDepth> inner_depths(std::span<const ReliefTriangle> triangles, double most) {
   constexpr double to_corner = 0.95;  // [1] of the way there from the middle
+  MUROSIMF_ASSERT(most > 0);
   const auto tree = tree_of(triangles);
   std::vector<InnerDepth> depths;
   depths.reserve(triangles.size());
@@ -81,6 +83,7 @@ std::vector<InnerDepth> inner_depths(std::span<const ReliefTriangle> triangles, 
       depth.least = std::min(depth.least, depth_from(middle + to_corner * (corner - middle)));
     }
   }
+  MUROSIMF_ASSERT(depths.size() == triangles.size());
   return depths;
 }
 

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "murosimf/collision/relief/inner_depth.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::collision {
@@ -120,6 +121,7 @@ void Relief::find_vertices() {
       }
     }
   }
+  MUROSIMF_ASSERT(vertex_edges_.size() == first_edge_.back());
   for (Vec3d& normal : vertex_normals_) normal = unit(normal);
 }
 

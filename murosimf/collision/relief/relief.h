@@ -1,7 +1,7 @@
-/// relief.h - uneven ground as triangles that know their neighbors: height fields, and meshes that need not be convex.
+/// relief.h - uneven ground as triangles with their neighbors: height fields, and meshes that need not be convex.
 ///
-/// The solid below a triangle is a prism, the shape that rays, regions and trees of volumes see. Contact goes by the triangles
-/// (relief_contact.h), so that the edges inside of a flat or hollow part are none to it.
+/// The solid below a triangle is a prism, the shape for rays, regions and trees of volumes. Contacts are those of the triangles
+/// (relief_contact.h), so that edges within flat or concave parts have no effect.
 #pragma once
 
 #include <array>
@@ -25,7 +25,7 @@ struct ReliefEdge {
   Vec3d neighbor_outward;   ///< [1] the same of the neighbor; at a border the normal
   Vec3d normal_limit;       ///< [1] the neighbor's normal; at a border `outward`
   Vec3d wall;           ///< [1] unit, of the plane through the edge up to which the triangle's space reaches, out of it
-  bool is_own = false;  ///< of two triangles, one looks after their edge
+  bool is_own = false;  ///< of two triangles, one tests their common edge
 };
 
 struct ReliefTriangle {
@@ -33,9 +33,9 @@ struct ReliefTriangle {
   Vec3d normal;                  ///< [1] unit, outwards
   std::array<ReliefEdge, 3> edges;
   std::array<std::uint32_t, 3> vertices{};  ///< of Relief::mesh()
-  std::array<bool, 3> owns_corner{};        ///< of all triangles around it, one looks after a corner that is_exposed
-  double depth = 0;                         ///< [m] what is farther below, along the normal, is not in it
-  double prism_depth = 0;                   ///< [m] of the solid that others see below it
+  std::array<bool, 3> owns_corner{};        ///< of all triangles around it, one tests a corner that is_exposed
+  double depth = 0;                         ///< [m] extent of its space below it, along the normal
+  double prism_depth = 0;                   ///< [m] of the prism below it
 };
 
 class Relief {

@@ -10,6 +10,7 @@
 #include "murosimf/geometry/segments.h"
 #include "murosimf/geometry/spread.h"
 #include "murosimf/geometry/support.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/math/insertion_sort.h"
 
 namespace murosimf::collision {
@@ -203,6 +204,7 @@ void find_relief_contacts(const Shape& shape, const Transformd& at, const Relief
   const Transformd inside = in_frame(at_relief, at);
   const double reach = bounding_radius(shape);
   for (const int i : triangles) {
+    MUROSIMF_ASSERT(i >= 0 && static_cast<std::size_t>(i) < relief.triangles().size());
     const ReliefTriangle& triangle = relief.triangles()[i];
     if (dot(triangle.normal, inside.position - triangle.corners[0]) < reach) {
       TriangleContact(relief, i, shape, inside, found).find();
