@@ -8,10 +8,10 @@
 
 namespace murosimf::robot_formats::urdf {
 
-/// By tag. Of blocks themselves "gazebo" only; what they say is read by urdf_gazebo.h.
+/// Rules by tag. Of blocks themselves "gazebo" only; their contents are read by urdf_gazebo.h.
 [[nodiscard]] const files::XmlVocabulary& gazebo_schema();
 
-/// For people: the words of URDF (urdf_schema.h), and those of gazebo blocks as "gazebo//imu".
+/// For printing: the words of URDF (urdf_schema.h), and those of gazebo blocks as "gazebo//imu".
 [[nodiscard]] const files::XmlVocabulary& urdf_words();
 
 }  // namespace murosimf::robot_formats::urdf
