@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/sensors/camera.h"
 #include "murosimf/sensors/contact_sensors.h"
 #include "murosimf/sensors/depth_laser.h"
@@ -89,6 +90,7 @@ namespace {
 
 sensors::Sensor& attach(Simulation& simulation, Entity& robot, const sensors::SensorSpec& spec,
                         const sensors::SensorSurroundings& surroundings, double step_rate) {
+  MUROSIMF_ASSERT(step_rate > 0);
   const SensorType& type = sensor_types().find(spec.type);
   sensors::check_rate(spec, step_rate);
   if (!(spec.delay >= 0 && spec.delay <= 10)) {
