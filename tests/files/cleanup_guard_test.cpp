@@ -1,4 +1,4 @@
-// What is taken away when a signal ends the program: noted files and children, nothing else.
+// Removal when a signal ends the program: registered files and children, nothing else.
 #include "murosimf/files/cleanup_guard.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ TEST(CleanupGuards, FilesAreThereUntilTheyAreRemoved) {
   done.reset();
   run_cleanup();
   EXPECT_FALSE(fs::exists(half));
-  EXPECT_TRUE(fs::exists(whole)) << "it is nobody's leftover any more";
+  EXPECT_TRUE(fs::exists(whole)) << "it is complete, and no leftover any more";
   fs::remove(whole);
 }
 
