@@ -38,7 +38,6 @@ struct Motions {
     if (body.parent >= 0) behind[b] = behind[body.parent];
     for (const JointDescription& joint : body.joints) {
       const Vec3d axis = places[b].orientation * ((1.0 / norm(joint.axis)) * joint.axis);
-      MUROSIMF_ASSERT(norm(joint.axis) > 0);
       const Vec3d anchor = places[b].position + places[b].orientation * joint.anchor;
       behind[b].push_back(all.size());
       // As a twist at the common origin, so that motions of different bodies add up.

@@ -255,7 +255,6 @@ void drop_idle_controls(MjcfActuators& actuators, robot_formats::RobotDescriptio
 
 void set_torque_range(Servo& servo, double one, double other) {
   const auto [lowest, highest] = std::minmax(one, other);
-  MUROSIMF_ASSERT(lowest <= highest);
   servo.stall_torque = std::max(std::abs(lowest), std::abs(highest));
   if (!(servo.stall_torque > 0)) return;
   servo.lowest_share = lowest / servo.stall_torque;

@@ -24,7 +24,7 @@ std::optional<SymMat3d> read_inertia(const Node& physics) {
 }
 
 double read_mass(const Node& physics, double volume) {
-  MUROSIMF_ASSERT(volume >= 0);
+  MUROSIMF_ASSERT(!(volume < 0));
   const double mass = physics.number("mass", -1), density = physics.number("density", usual_density);
   if (mass >= 0) return mass;  // -1, the default, stands for "by density"
   if (mass != -1) physics.fail(fmt::format("mass {} kg is negative; correct it", mass), physics.find("mass"));
