@@ -1,6 +1,6 @@
 /// text_encoding.h - converts text files of every Unicode encoding to UTF-8: spreadsheets and editors of some systems write UTF-16.
 ///
-/// UTF-8, UTF-16 and UTF-32 are told apart by their byte order mark, or, without one, by the zero bytes that characters of ASCII
+/// UTF-8, UTF-16 and UTF-32 are distinguished by their byte order mark, or, without one, by the zero bytes that characters of ASCII
 /// have at the beginning of a file. The mark itself is left out. Source: The Unicode Standard, ch. 2.6 and 23.8; Extensible Markup
 /// Language (XML) 1.0, appendix F.
 #pragma once

@@ -21,7 +21,7 @@ struct ObjectiveOptions {
   double duty_per_gain = 0;  ///< [1/rad] duty cycle per firmware gain and angle of error
   double duty_limit = 1;     ///< [1]
   double current_limit = 0;  ///< [A]; 0: none
-  double window_share = 0;   ///< s, 0 to 1; window_choice.h says which
+  double window_share = 0;   ///< s, 0 to 1; chosen by window_choice.h
   double step = 2.5e-3;      ///< [s] of the simulation
 };
 

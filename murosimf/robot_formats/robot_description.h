@@ -108,7 +108,7 @@ struct MeshDescription {
 struct SensorDescription {
   std::string kind, name, frame, where;  ///< kind as the file calls it; frame: site, body, link or joint
   Transformd place;                      ///< in that frame
-  double rate = 0;                       ///< [Hz] 0: the file does not say
+  double rate = 0;                       ///< [Hz] 0: the file has none
   std::string object_kind{};             ///< of `frame` in MJCF: site, xbody, body, joint, ...
   std::map<std::string, sensors::SignalSpec> signals{};  ///< by output of the sensor that it becomes; "": of all
   std::map<std::string, double> numbers{};               ///< SensorSpec::numbers

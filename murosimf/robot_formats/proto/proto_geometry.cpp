@@ -17,7 +17,7 @@ namespace murosimf::robot_formats::proto {
 namespace {
 
 constexpr std::size_t most_nodes = 100'000;  // a node that is used in many places counts in each
-constexpr double standard_friction = 1.0;    // [1] coulombFriction where no ContactProperties says more
+constexpr double standard_friction = 1.0;    // [1] coulombFriction without ContactProperties
 
 PlacedShape placed_shape(const Shape& shape, const Transformd& place, bool collides) {
   PlacedShape placed;

@@ -1,6 +1,6 @@
 /// gazebo_schema.h - the elements and attributes of `gazebo` blocks of URDF, and of the sensors and collisions in them.
 ///
-/// What is not in it is a warning, not an error: blocks are full of what only plugins know.
+/// Elements that it lacks are warnings, not errors: blocks have many elements that only plugins use.
 /// Sources: SDFormat documentation, "URDF in Gazebo" and "sensor".
 #pragma once
 

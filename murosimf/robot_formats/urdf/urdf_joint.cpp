@@ -104,7 +104,7 @@ Transformd read_place(const UrdfJoint& joint) {
   const Transformd origin = read_origin(joint.element);
   if (joint.held_at == 0) return origin;
   const Vec3d axis = read_axis(joint);
-  // The type says `fixed` for a joint that is held: the element has the original one.
+  // The type is `fixed` for a joint that is held: the element has the original one.
   if (joint.element.attribute("type") == "prismatic") return origin * Transformd{joint.held_at * axis, {}};
   return origin * Transformd{{}, rotation(axis, joint.held_at)};
 }
