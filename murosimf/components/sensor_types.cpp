@@ -28,6 +28,7 @@ std::unique_ptr<sensors::Sensor> make(Setup& setup, const sensors::SensorSpec& s
   return std::make_unique<S>(setup, spec, surroundings);
 }
 
+// Most sensors measure at their samples only; Watch::always is for those that need the steps in between.
 std::vector<SensorType> built_in_types() {
   return {
       SensorType{"accelerometer", "specific force: +9.81 up at rest, 0 in free fall", "", Watch::always,
@@ -96,6 +97,7 @@ sensors::Sensor& attach(Simulation& simulation, Entity& robot, const sensors::Se
   if (!(spec.delay >= 0 && spec.delay <= 10)) {
     throw SetupError(fmt::format("the delay of sensor '{}' is {} s; it must be from 0 to 10", spec.name, spec.delay));
   }
+  // Errors in the constructor get the sensor's name: specs of a robot may have no place in a file.
   const auto make = [&](Setup& setup) -> std::unique_ptr<Algorithm> {
     return murosimf::with_context(spec.name, [&] { return type.make(setup, spec, surroundings); });
   };
