@@ -9,6 +9,7 @@
 
 #include "murosimf/files/input_file.h"
 #include "murosimf/files/text_encoding.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::components {
@@ -17,7 +18,7 @@ namespace {
 using imaging::Lens;
 using imaging::LensSpec;
 
-/// The fields of one file, which every message names.
+/// The fields of one file; every message has the file's name.
 class Fields {
  public:
   explicit Fields(const std::filesystem::path& file) : file_(file.string()), root_(load(file_)) {
@@ -38,6 +39,7 @@ class Fields {
     if (!data.IsSequence()) fail(data, fmt::format("data of '{}' must be a list of numbers", key));
     std::vector<double> found;
     for (const YAML::Node& node : data) found.push_back(number(node, key));
+    // Rows and columns are checked as well: numbers copied from another matrix show there.
     const int rows = as<int>(matrix, "rows", "a whole number"), cols = as<int>(matrix, "cols", "a whole number");
     if (rows < 0 || cols < 0 || static_cast<double>(rows) * cols != static_cast<double>(found.size())) {
       fail(data, fmt::format("'{}' has {} numbers in data, but {} rows and {} cols", key, found.size(), rows, cols));
@@ -81,6 +83,7 @@ class Fields {
     }
   }
   [[nodiscard]] double number(const YAML::Node& node, const char* key) const {
+    // Infinite and missing numbers are refused by one message.
     try {
       const auto value = node.as<double>();
       if (std::isfinite(value)) return value;
@@ -105,13 +108,14 @@ void read_matrix(const Fields& fields, LensSpec& lens) {
       fmt::format("{}: 'camera_matrix' must be [fx, skew, cx, 0, fy, cy, 0, 0, 1]", fields.where("camera_matrix")));
 }
 
-/// Throws what Lens has against the numbers that are read so far, with the line of `key`.
+/// Throws the errors of Lens for the numbers read so far, with the line of `key`.
 void check(const Fields& fields, const char* key, const LensSpec& lens) {
   with_context(fields.where(key), [&] { static_cast<void>(Lens(lens)); });
 }
 
 LensSpec read_lens(const Fields& fields) {
   LensSpec lens{.fx = 1, .fy = 1};
+  // One number after the other, so that an error names the line that causes it.
   lens.width = fields.whole_number("image_width");
   check(fields, "image_width", lens);
   lens.height = fields.whole_number("image_height");
@@ -120,13 +124,15 @@ LensSpec read_lens(const Fields& fields) {
   check(fields, "camera_matrix", lens);
   lens.model = fields.text("distortion_model");
   lens.coefficients = fields.numbers("distortion_coefficients");
+  // An unknown model is reported at its own line, wrong coefficients at theirs.
   const bool known = std::ranges::find(imaging::lens_models(), lens.model) != imaging::lens_models().end();
   check(fields, known ? "distortion_coefficients" : "distortion_model", lens);
   return lens;
 }
 
-/// Numbers with as many digits as they need.
+/// Writes a matrix; numbers with as many digits as they need.
 void put_matrix(YAML::Emitter& out, const char* key, std::size_t rows, const std::vector<double>& numbers) {
+  MUROSIMF_ASSERT(rows > 0 && numbers.size() % rows == 0);
   out << YAML::Key << key << YAML::Value << YAML::BeginMap;
   out << YAML::Key << "rows" << YAML::Value << rows;
   out << YAML::Key << "cols" << YAML::Value << numbers.size() / rows;
@@ -135,7 +141,7 @@ void put_matrix(YAML::Emitter& out, const char* key, std::size_t rows, const std
   out << YAML::EndSeq << YAML::EndMap;
 }
 
-/// The model and coefficients that other readers know for the same lens.
+/// Uses the model and coefficients that other readers support for the same lens.
 void make_common(LensSpec& lens) {
   struct Count {
     std::string_view model;
@@ -154,6 +160,7 @@ CameraCalibration read_camera_info(const std::filesystem::path& file) {
   const Fields fields(file);
   CameraCalibration info{{}, read_lens(fields)};
   if (fields.has("camera_name")) info.name = fields.text("camera_name");
+  // Checked although not used: errors there show that a file was changed by hand.
   if (fields.has("rectification_matrix")) static_cast<void>(fields.numbers("rectification_matrix", 9));
   if (fields.has("projection_matrix")) static_cast<void>(fields.numbers("projection_matrix", 12));
   return info;

@@ -12,6 +12,7 @@
 
 #include "murosimf/files/input_file.h"
 #include "murosimf/files/text_encoding.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::components {
@@ -33,12 +34,12 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-/// Statements NAME = VALUE of the names that are read. A list goes on until its bracket closes, over lines too.
+/// Statements NAME = VALUE of the names that are read. A list continues until its bracket closes, also over lines.
 class MatlabFile {
  public:
   explicit MatlabFile(const std::filesystem::path& file) : file_(file.string()) {
     const std::string text = files::read_text_file(file_, files::most_yaml_bytes);
-    Value* open = nullptr;  // a list that goes on
+    Value* open = nullptr;  // a list that continues in the next line
     int number = 0;
     for (std::size_t begin = 0; begin <= text.size(); ++number) {
       const std::size_t end = std::min(text.find('\n', begin), text.size());
@@ -51,6 +52,7 @@ class MatlabFile {
 
   [[nodiscard]] bool has(std::string_view name) const { return values_.contains(name); }
   [[nodiscard]] std::string where(std::string_view name) const {
+    MUROSIMF_ASSERT(has(name));
     return fmt::format("{}:{}", file_, values_.find(name)->second.line);
   }
 
@@ -72,9 +74,10 @@ class MatlabFile {
   }
 
  private:
-  /// The list that goes on after this line, or null.
+  /// The list that continues after this line, or null.
   Value* take(std::string_view line, int number, Value* open) {
     const std::size_t equals = line.find('=');
+    // An assignment inside of a list means that its bracket is missing.
     if (open && equals != std::string_view::npos) fail_open(*open);
     if (open) return add(*open, line);
     if (equals == std::string_view::npos) return nullptr;
@@ -96,7 +99,7 @@ class MatlabFile {
     if (found == values_.end()) throw SetupError(fmt::format("{}: '{}' is missing", file_, name));
     return found->second;
   }
-  /// Takes it from the front of `rest`, with what parts it from the next one.
+  /// Removes a number from the front of `rest`, with the separators behind it.
   double next_number(std::string_view name, int line, std::string_view& rest) const {
     constexpr std::string_view between = " \t\r;,";
     const std::string_view word = rest.substr(0, rest.find_first_of(between));
@@ -118,7 +121,7 @@ class MatlabFile {
   std::map<std::string, Value, std::less<>> values_;
 };
 
-/// Throws what a lens has against the numbers that are read so far, with the line of `name`.
+/// Throws the errors of Lens for the numbers read so far, with the line of `name`.
 void check(const MatlabFile& file, std::string_view name, const LensSpec& lens) {
   with_context(file.where(name), [&] { static_cast<void>(imaging::Lens(lens)); });
 }
@@ -128,11 +131,13 @@ void check(const MatlabFile& file, std::string_view name, const LensSpec& lens) 
 CameraCalibration read_calib_results(const std::filesystem::path& path) {
   const MatlabFile file(path);
   LensSpec lens{.model = "perspective", .fx = 1, .fy = 1};
+  // One number after the other, so that an error names the line that causes it.
   lens.width = file.whole_number("nx");
   check(file, "nx", lens);
   lens.height = file.whole_number("ny");
   check(file, "ny", lens);
   const std::vector<double> focal = file.numbers("fc", 2, 2), center = file.numbers("cc", 2, 2);
+  MUROSIMF_ASSERT(focal.size() == 2 && center.size() == 2);
   lens.fx = focal[0];
   lens.fy = focal[1];
   check(file, "fc", lens);
@@ -140,6 +145,7 @@ CameraCalibration read_calib_results(const std::filesystem::path& path) {
   lens.cy = center[1];
   check(file, "cc", lens);
   if (file.has("alpha_c")) {
+    // The toolbox gives the skew as a share of the focal length.
     lens.skew = file.number("alpha_c") * lens.fx;
     check(file, "alpha_c", lens);
   }

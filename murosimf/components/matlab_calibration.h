@@ -10,7 +10,7 @@
 ///
 /// With x, y = X/Z, Y/Z the toolbox sees a point at KK [x_d; y_d; 1], KK = [fc(1) alpha_c fc(1) cc(1); 0 fc(2) cc(2); 0 0 1],
 /// where x_d, y_d are those of plumb_bob with k1 k2 p1 p2 k3 = kc. Everything else in the file (uncertainties, places of the
-/// calibration pattern) is not read. It is no program here: values are numbers and lists of numbers.
+/// calibration pattern) is not read. The file is not executed: values are numbers and lists of numbers.
 /// Source: Bouguet, Camera Calibration Toolbox for Matlab, "Description of the calibration parameters".
 #pragma once
 

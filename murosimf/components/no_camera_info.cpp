@@ -1,4 +1,4 @@
-// Stands in for the reader and writer of calibrations where yaml-cpp is missing.
+// Replaces the reader and writer of calibrations where yaml-cpp is missing.
 #include "murosimf/components/camera_info.h"
 #include "murosimf/model/error.h"
 

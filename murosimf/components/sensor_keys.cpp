@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/math/roll_pitch_yaw.h"
 #include "murosimf/model/error.h"
 
@@ -21,7 +22,7 @@ constexpr double latest_phase = 0.999;
 constexpr double lowest_rate = 1e-3, highest_rate = 1e6;  // [Hz] nanoseconds count them exactly
 constexpr double longest_delay = 10;                      // [s]
 
-/// As an option has it; lists that are no vector have no place there.
+/// A value in the type of an option; lists that are not vectors are refused.
 OptionValue option_value(const OptionInfo& option, const SensorValue& value) {
   if (const double* number = std::get_if<double>(&value.is)) return *number;
   if (const bool* truth = std::get_if<bool>(&value.is)) return *truth;
@@ -78,6 +79,7 @@ std::vector<std::string> names_of(const std::string& key, const SensorValue& val
   const auto* names = std::get_if<std::vector<std::string>>(&value.is);
   if (!names) fail(value.where, fmt::format("'{}' must be a list of names, like [\"a\", \"b\"]", key));
   if (names->empty()) fail(value.where, fmt::format("'{}' names nothing; leave it out for all there are", key));
+  // A name twice would give two outputs for one object.
   for (auto name = names->begin(); name != names->end(); ++name) {
     if (std::find(names->begin(), name, *name) != name) {
       fail(value.where, fmt::format("'{}' stands twice in '{}'", *name, key));
@@ -119,6 +121,7 @@ const std::vector<OptionInfo>& signal_keys() {
 
 void change_signal(SignalSpec& signal, const SensorValues& values) {
   if (values.contains("range")) take_range(signal, values);
+  // A part may give one of both; the table's own key replaces it.
   if (values.contains("bits") && !values.contains("resolution")) signal.resolution = 0;
   if (values.contains("resolution") && !values.contains("bits")) signal.bits = 0;
   OptionValues given;
@@ -133,11 +136,13 @@ void change_signal(SignalSpec& signal, const SensorValues& values) {
 std::string signal_toml(const SignalSpec& signal) {
   const std::vector<OptionInfo>& keys = sensors::signal_options().infos();
   const std::vector<OptionValue> values = sensors::signal_options().values(signal);
+  MUROSIMF_ASSERT(keys.size() == values.size());
   const bool symmetric = signal.lowest == -signal.highest && std::isfinite(signal.highest);
   std::string text;
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const bool bound = keys[i].name == "lowest" || keys[i].name == "highest";
     const double number = std::get<double>(values[i]);
+    // `range` stands for both bounds where they are symmetric.
     if (number != std::get<double>(keys[i].fallback) && !(bound && symmetric)) {
       text += fmt::format("{} = {}\n", keys[i].name, number);
     }

@@ -1,7 +1,7 @@
-/// sensor_keys.h - the keys of a sensor's table (sensor_table.h) that all types have: of the sensor, and those that say what becomes
-/// of its true values (sensors/signal_spec.h).
+/// sensor_keys.h - the keys of a sensor's table (sensor_table.h) that all types have: of the sensor, and of the errors that are applied
+/// to its true values (sensors/signal_spec.h).
 ///
-/// What takes a value throws SetupError with the place of that value.
+/// Functions that read a value throw SetupError with the place of that value.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ namespace murosimf::components {
 
 [[noreturn]] void fail(std::string_view where, std::string_view message);
 
-/// A value of the option's type that it may have. Texts are not empty.
+/// A value within the bounds of the option, in its type. Texts are not empty.
 [[nodiscard]] OptionValue checked_value(const OptionInfo& option, const SensorValue& value);
 [[nodiscard]] double finite_number(const std::string& key, const SensorValue& value);
 [[nodiscard]] std::string name_of(const std::string& key, const SensorValue& value);
@@ -28,10 +28,10 @@ namespace murosimf::components {
 /// Keys of an output: those of sensors::signal_options, and `range`, short for lowest = -range, highest = range.
 [[nodiscard]] const std::vector<OptionInfo>& signal_keys();
 
-/// Refuses unknown keys, and numbers that are impossible by themselves. `bits` and `resolution` take each other's place.
+/// Applies the keys of a signal. Refuses unknown keys, and impossible numbers. `bits` and `resolution` replace each other.
 void change_signal(sensors::SignalSpec& signal, const SensorValues& values);
 
-/// Lines "key = number" of what is not as in a perfect signal, in the order of signal_keys.
+/// Lines "key = number" of numbers that differ from a perfect signal, in the order of signal_keys.
 [[nodiscard]] std::string signal_toml(const sensors::SignalSpec& signal);
 
 }  // namespace murosimf::components

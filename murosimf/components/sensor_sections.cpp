@@ -40,6 +40,7 @@ std::string numbers_of(const SensorSpec& spec) {
   const SensorType& type = sensor_types().find(spec.type);
   std::string text;
   for (const auto& [key, number] : spec.numbers) {
+    // Flags are stored as numbers.
     const OptionInfo* option = find_option(type.options, key);
     const bool is_flag = option && std::holds_alternative<bool>(option->fallback);
     text += is_flag ? fmt::format("{} = {}\n", key, number != 0) : fmt::format("{} = {}\n", key, number);
@@ -56,6 +57,7 @@ std::string section(const SensorSpec& spec) {
   text += objects_of(spec);
   text += numbers_of(spec);
   if (const auto all = spec.signals.find(""); all != spec.signals.end()) text += signal_toml(all->second);
+  // Single outputs follow the numbers of all outputs, which they replace.
   for (const auto& [output, signal] : spec.signals) {
     if (output.empty()) continue;
     const bool of_number = output.find('.') != std::string::npos;  // in quotes, so that the dot begins no table

@@ -8,7 +8,7 @@
 
 namespace murosimf::components {
 
-/// A section [sensors.NAME] for each. Numbers of a part are written down as the sensor's own, for all of its outputs.
+/// A section [sensors.NAME] for each. Numbers of a part are written as the sensor's own, for all of its outputs.
 [[nodiscard]] std::string sensor_sections(const std::vector<sensors::SensorSpec>& sensors);
 
 }  // namespace murosimf::components

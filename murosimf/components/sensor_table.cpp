@@ -10,6 +10,7 @@
 #include "murosimf/components/sensor_toml.h"
 #include "murosimf/components/sensor_types.h"
 #include "murosimf/files/data_path.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/sensors/camera_spec.h"
 
@@ -21,7 +22,7 @@ using Names = std::vector<std::string_view>;
 
 bool contains(const Names& names, std::string_view name) { return std::ranges::find(names, name) != names.end(); }
 
-/// Writes what a table says into a spec whose type is known.
+/// Applies a table to a spec of known type.
 class Changer {
  public:
   explicit Changer(SensorSpec& spec) : spec_(spec), type_(sensor_types().find(spec.type)) {}
@@ -30,7 +31,7 @@ class Changer {
   void take(const SensorTable& table, const Names& keys, const std::filesystem::path& beside) {
     check_keys(table, keys);
     if (const auto file = table.values.find("calibration"); file != table.values.end()) {
-      take_calibration(table, file->second, beside);  // first: the keys beside it win
+      take_calibration(table, file->second, beside);  // first: the keys beside it replace its numbers
     }
     SensorValues signal;
     for (const auto& [key, value] : table.values) {
@@ -52,6 +53,7 @@ class Changer {
       if (of_part && !known) spec_.part_outputs.insert(output);
       if (!of_part) spec_.part_outputs.erase(output);
       change_signal(spec_.signals.try_emplace(output, spec_.signal(output)).first->second, values);
+      // A table of a vector also changes the tables of its components.
       for (auto& [number, signal] : spec_.signals) {
         if (number.starts_with(output + ".")) change_signal(signal, values);
       }
@@ -70,12 +72,12 @@ class Changer {
     }
   }
 
-  /// The type has a key of this name.
+  /// Whether the type has a key of this name.
   [[nodiscard]] bool is_own(std::string_view key) const {
     return (!type_.objects.empty() && key == type_.objects) || find_option(type_.options, key);
   }
 
-  /// The numbers of a calibration file; scaled, if the table asks for another size of the picture.
+  /// Applies the numbers of a calibration file; scaled, if the table gives another size of the picture.
   void take_calibration(const SensorTable& table, const SensorValue& value, const std::filesystem::path& beside) {
     const std::string name = name_of("calibration", value);
     const auto file = with_context(value.where, [&] { return find_lens_file(name, beside); });
@@ -85,6 +87,7 @@ class Changer {
       return other == table.values.end() ? 1 : finite_number(key, other->second) / size;
     };
     const double x = scale("width", lens.width), y = scale("height", lens.height);
+    // Coefficients of another lens model must not remain.
     for (const std::string_view model : imaging::lens_models()) {
       for (const std::string& key : sensors::lens_coefficients(model)) spec_.numbers.erase(key);
     }
@@ -108,6 +111,7 @@ class Changer {
     } else if (const OptionInfo* own = find_option(type_.options, key)) {
       if (key != "calibration") take_own(key, checked_value(*own, value));  // that one is taken already
     } else if (key != "type" && key != "part") {                            // so are these
+      MUROSIMF_ASSERT(find_option(sensor_keys().infos(), key) != nullptr);
       const OptionInfo& common = *find_option(sensor_keys().infos(), key);
       sensor_keys().apply({{key, checked_value(common, value)}}, spec_);
     }
@@ -147,18 +151,19 @@ void check_signals(const SensorSpec& spec) {
   }
 }
 
-/// The type that a table says, if it says one.
+/// The type that a table gives, if any.
 std::optional<std::string> type_of(const SensorTable& table) {
   const auto type = text_of(table, "type");
   if (type) with_context(table.values.at("type").where, [&] { (void)sensor_types().find(*type); });
   return type;
 }
 
-/// The sensor as it is before keys are taken over: `old`, or a new one. Null: there is none of that name.
+/// The sensor before keys are applied: `old`, or a new one. `old` is null if there is none of that name.
 SensorSpec begin(const SensorSpec* old, const SensorTable& table, const std::optional<SensorTable>& part) {
   auto type = type_of(table);
   SensorSpec spec;
   if (old && !type) spec = *old;
+  // A part may give the type where the table does not.
   if (!old && !type && part) type = type_of(*part);
   if (type) spec.type = *type;
   if (spec.type.empty()) fail(table.where, fmt::format("sensor '{}' needs type = \"...\"", table.name));
@@ -174,6 +179,7 @@ SensorSpec changed(const SensorSpec* old, const SensorTable& table, const std::f
   SensorSpec spec = begin(old, table, part);
   Changer changer(spec);
   if (part) {
+    // A part replaces all earlier numbers: a mixture of two data sheets describes no sensor.
     spec.part = part->name;
     spec.signals.clear();
     spec.numbers.clear();
@@ -207,6 +213,7 @@ bool is_sensor_name(std::string_view name) {
 void change_sensors(std::vector<SensorSpec>& sensors, const std::vector<SensorTable>& tables,
                     const std::filesystem::path& beside) {
   for (const SensorTable& table : tables) {
+    // In the order of the tables: a later one may change or remove the result of an earlier one.
     const auto found = std::ranges::find(sensors, table.name, &SensorSpec::name);
     const bool known = found != sensors.end();
     if (table.removes) {

@@ -1,4 +1,4 @@
-/// sensor_table.h - what a TOML file says about sensors: tables [sensors.NAME], and how they make and change sensors.
+/// sensor_table.h - tables [sensors.NAME] of TOML files, and how they make and change sensors.
 ///
 ///     [sensors.imu]
 ///     type = "imu"               # components/sensor_types.h; with it the table is a sensor of its own, without it changes one
@@ -8,12 +8,12 @@
 ///     part = "mpu6050"           # a ready-made part to start from: parts/mpu6050.toml, or a file beside this one
 ///     rate = 500                 # [Hz] of samples; without it: one in every step
 ///     delay = 0.002              # [s] from the sample until control software can read it
-///     [sensors.imu.gyroscope]    # what becomes of the true values, by output (sensors/signal_spec.h)
+///     [sensors.imu.gyroscope]    # errors of the true values, by output (sensors/signal_spec.h)
 ///     range = 34.9               # short for lowest = -34.9, highest = 34.9
 ///     noise_density = 1e-4
 ///
 /// Keys of SensorType::options and objects stand beside these. Keys of signals may stand directly in
-/// [sensors.NAME]: they hold for all outputs. NAME = false removes a sensor.
+/// [sensors.NAME]: they apply to all outputs. NAME = false removes a sensor.
 #pragma once
 
 #include <filesystem>
@@ -35,7 +35,7 @@ struct SensorValue {
 
 using SensorValues = std::map<std::string, SensorValue>;
 
-/// One table as it stands; nothing in it is checked yet.
+/// One table of a file, unchecked.
 struct SensorTable {
   std::string name, where;
   bool removes = false;  ///< NAME = false
@@ -43,19 +43,19 @@ struct SensorTable {
   std::map<std::string, SensorValues> outputs;
 };
 
-/// What a scene does to the sensors that a robot has from its files.
+/// Changes that a scene makes to the sensors of a robot's files.
 struct SensorChanges {
-  bool none = false;  ///< takes all of them away first
+  bool none = false;  ///< removes all of them first
   std::vector<SensorTable> tables;
 };
 
-/// Makes, changes and removes sensors as the tables say, one after the other. A table with `type` takes the place of a
-/// sensor of that name. `part` puts the part's signals and numbers in the place of all earlier ones; the table's own keys
-/// win over the part's. Parts are looked for in `beside`, too. Throws SetupError with file:line:column.
+/// Makes, changes and removes sensors by the tables, one after the other. A table with `type` replaces a
+/// sensor of that name. `part` replaces all earlier signals and numbers by those of the part; the table's own keys
+/// precede the part's. Parts are also searched for in `beside`. Throws SetupError with file:line:column.
 void change_sensors(std::vector<sensors::SensorSpec>& sensors, const std::vector<SensorTable>& tables,
                     const std::filesystem::path& beside);
 
-/// Letters, digits, _ and -: a name that can stand in "robot.sensor.output".
+/// Whether the name consists of letters, digits, _ and -: it can stand in "robot.sensor.output".
 [[nodiscard]] bool is_sensor_name(std::string_view name);
 
 /// All parts that come with the program, in alphabetical order.

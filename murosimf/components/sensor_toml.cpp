@@ -7,6 +7,7 @@ namespace {
 
 SensorValue list_of(const std::string& key, const toml::array& array) {
   const std::string place = files::where(array.source());
+  // An empty list has no type of elements; it is read as one of names.
   if (!array.empty() && array.front().is_number()) {
     if (auto numbers = files::numbers_of(array)) return {*std::move(numbers), place};
   }
@@ -29,7 +30,7 @@ SensorValue value_of(const std::string& key, const toml::node& node) {
   files::fail_at(node.source(), fmt::format("'{}' is a date or time; no key of a sensor is", key));
 }
 
-/// Tables that --set has made stand nowhere: then the place of the first value.
+/// Sets the place of a table. Tables made by --set have none: they get the place of their first value.
 void take_place(SensorTable& table, const toml::source_region& source) {
   if (source.begin.line > 0) {
     table.where = files::where(source);
@@ -90,6 +91,7 @@ SensorTable read_part_file(const std::filesystem::path& file) {
 void read_sensor_changes(const toml::node* node, SensorChanges& changes) {
   if (!node) return;
   if (const auto* all = node->as_boolean()) {
+    // true and false replace the changes of [defaults]; tables add to them.
     changes = {!all->get(), {}};
     return;
   }

@@ -10,14 +10,14 @@
 
 namespace murosimf::components {
 
-/// The tables of [sensors], in alphabetical order. Throws SetupError with file:line:column for what is no table.
+/// The tables of [sensors], in alphabetical order. Throws SetupError with file:line:column for other values.
 [[nodiscard]] std::vector<SensorTable> read_sensor_tables(const toml::table& sensors);
 
 /// The file of a ready-made part, as one table.
 [[nodiscard]] SensorTable read_part_file(const std::filesystem::path& file);
 
-/// The key `sensors` of a robot of a scene, on top of what `changes` has from [defaults]: false (none), true (all of its
-/// files), or tables. Null: nothing is said.
+/// Reads the key `sensors` of a robot of a scene, in addition to the `changes` of [defaults]: false (none), true (all of its
+/// files), or tables. Null: no such key.
 void read_sensor_changes(const toml::node* node, SensorChanges& changes);
 
 }  // namespace murosimf::components

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/sensors/camera.h"
 #include "murosimf/sensors/contact_sensors.h"
 #include "murosimf/sensors/depth_laser.h"
@@ -27,6 +28,7 @@ std::unique_ptr<sensors::Sensor> make(Setup& setup, const sensors::SensorSpec& s
   return std::make_unique<S>(setup, spec, surroundings);
 }
 
+// Most sensors measure at their samples only; Watch::always is for those that need the steps in between.
 std::vector<SensorType> built_in_types() {
   return {
       SensorType{"accelerometer", "specific force: +9.81 up at rest, 0 in free fall", "", Watch::always,
@@ -89,11 +91,13 @@ namespace {
 
 sensors::Sensor& attach(Simulation& simulation, Entity& robot, const sensors::SensorSpec& spec,
                         const sensors::SensorSurroundings& surroundings, double step_rate) {
+  MUROSIMF_ASSERT(step_rate > 0);
   const SensorType& type = sensor_types().find(spec.type);
   sensors::check_rate(spec, step_rate);
   if (!(spec.delay >= 0 && spec.delay <= 10)) {
     throw SetupError(fmt::format("the delay of sensor '{}' is {} s; it must be from 0 to 10", spec.name, spec.delay));
   }
+  // Errors in the constructor get the sensor's name: specs of a robot may have no place in a file.
   const auto make = [&](Setup& setup) -> std::unique_ptr<Algorithm> {
     return murosimf::with_context(spec.name, [&] { return type.make(setup, spec, surroundings); });
   };

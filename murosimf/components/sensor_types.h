@@ -1,4 +1,4 @@
-/// sensor_types.h - names of sensors, as files use them, and how to attach what they mean.
+/// sensor_types.h - names of sensors in files, and how to attach them.
 ///
 /// A new sensor is one more line in sensor_types.cpp; programs and plug-ins add to the registry.
 #pragma once
@@ -17,7 +17,7 @@ namespace murosimf::components {
 
 struct SensorType {
   std::string name, meaning;
-  std::string objects;  ///< key of SensorSpec::objects: "joints", "bodies", "entities"; empty: it has none
+  std::string objects;  ///< key of SensorSpec::objects: "joints", "bodies", "entities"; empty: none
   sensors::Watch watch;
   std::function<std::unique_ptr<sensors::Sensor>(Setup&, const sensors::SensorSpec&,
                                                  const sensors::SensorSurroundings&)>
@@ -25,9 +25,9 @@ struct SensorType {
   std::vector<OptionInfo> options{};  ///< keys of its own: the table that reads them (sensors/sensor_options.h)
 };
 
-/// Those of the library in alphabetical order, then what was added.
+/// Types of the library in alphabetical order, then added ones.
 [[nodiscard]] Registry<SensorType>& sensor_registry();
-/// The same to read.
+/// The same, read-only.
 [[nodiscard]] const Registry<SensorType>& sensor_types();
 
 /// Attaches the sensor to a robot. Throws SetupError with the spec's place in its file: unknown type, frame or object,

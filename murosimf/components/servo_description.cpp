@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/files/data_path.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::components {
@@ -66,7 +67,7 @@ constexpr std::array numbers{Number{"voltage", of_servo<&Servo::voltage>},
                              Number{"derating_temperature", of_heat<&ServoHeat::derating_temperature>},
                              Number{"temperature_limit", of_heat<&ServoHeat::temperature_limit>}};
 
-/// What a servo law needs, and what means nothing to it.
+/// Keys that a servo law needs, and keys without meaning for it.
 struct Law {
   std::string_view name;
   Names needed, useless;
@@ -82,7 +83,10 @@ const std::array<Law, 2>& laws() {
            "ambient_temperature", "derating_temperature", "temperature_limit"}}};
   return all;
 }
-const Law& law_of(const Servo& servo) { return *std::ranges::find(laws(), servo.law, &Law::name); }
+const Law& law_of(const Servo& servo) {
+  MUROSIMF_ASSERT(std::ranges::find(laws(), servo.law, &Law::name) != laws().end());
+  return *std::ranges::find(laws(), servo.law, &Law::name);
+}
 
 bool contains(const Names& names, std::string_view name) { return std::ranges::find(names, name) != names.end(); }
 
@@ -93,7 +97,7 @@ Names known_keys(const Names& others) {
   return keys;
 }
 
-/// Numbers beyond these were meant in another unit.
+/// Bounds: larger numbers were meant in another unit.
 struct Largest {
   std::string_view key;
   double value;
@@ -108,6 +112,7 @@ constexpr std::array largest{Largest{"command_delay", 1, "is in seconds; more th
                              Largest{"dead_band", 0.5, "is in radians; more than 0.5 is no dead band"}};
 
 double read_temperature(std::string_view key, const toml::node& node) {
+  // 1e9 stands for values that are not numbers: it fails the check below.
   const double number = node.is_number() ? node.value_or(1e9) : 1e9;
   if (!(std::abs(number) <= 200)) {  // NaN is not either
     files::fail_at(node.source(), fmt::format("'{}' must be a temperature in degrees Celsius, at most 200", key));
@@ -142,7 +147,7 @@ double read_number(std::string_view key, const toml::node& node) {
   return number;
 }
 
-/// Says what is missing or impossible in thermal numbers; empty: nothing.
+/// Returns what is missing or impossible in thermal numbers; empty: nothing.
 std::string complaint_about_heat(const Servo& servo) {
   const ServoHeat& heat = servo.heat;
   const bool derates = heat.derating_temperature != 0 || heat.temperature_limit != 0;
@@ -163,11 +168,13 @@ ServoDescription::ServoDescription(const Servo& servo) : servo_(servo) {
   for (const Number& number : numbers) {
     if (number.of(servo_) != 0) given_.emplace(number.key);
   }
+  // A complete servo has all numbers that its law needs, also those that are 0.
   for (const std::string_view key : law_of(servo_).needed) given_.emplace(key);
 }
 
 void ServoDescription::take(const toml::table& table, const Names& others) {
   take_law(table);
+  // The voltage first: it scales the numbers of the ready-made servo, not those of this table.
   if (const toml::node* voltage = table.get("voltage"); voltage && !given_.empty()) {
     scale_to(read_number("voltage", *voltage), voltage->source());
   }
@@ -178,6 +185,7 @@ void ServoDescription::take(const toml::table& table, const Names& others) {
       files::fail_at(node.source(), "[fit] says where the numbers come from: a table");
     if (key != "law" && key != "fit" && !contains(others, key.str())) take_number(key, node);
   }
+  // Both limit the torque: an error in one of them would be invisible.
   if (table.contains("torque_limit") && table.contains("current_limit")) {
     files::fail_at(table.get("current_limit")->source(), "'current_limit' and 'torque_limit' limit the same; keep one");
   }
@@ -201,6 +209,7 @@ void ServoDescription::scale_to(double voltage, const toml::source_region& sourc
                                "add it there",
                                servo_.type));
   }
+  MUROSIMF_ASSERT(servo_.voltage > 0);
   const double ratio = voltage / servo_.voltage;
   servo_.stall_torque *= ratio;
   servo_.no_load_speed *= ratio;
@@ -208,6 +217,7 @@ void ServoDescription::scale_to(double voltage, const toml::source_region& sourc
 }
 
 void ServoDescription::take_number(const toml::key& key, const toml::node& node) {
+  // A key without effect is an error: its user expects one.
   if (contains(law_of(servo_).useless, key.str())) {
     files::fail_at(key.source(), fmt::format("'{}' means nothing to servo law '{}'; remove it", key.str(), servo_.law));
   }
@@ -215,6 +225,7 @@ void ServoDescription::take_number(const toml::key& key, const toml::node& node)
   if (key == "current_limit") {
     current_limit_ = value;
   } else {
+    MUROSIMF_ASSERT(std::ranges::find(numbers, key.str(), &Number::key) != numbers.end());
     std::ranges::find(numbers, key.str(), &Number::key)->of(servo_) = value;
     if (key == "torque_limit") current_limit_.reset();
   }
@@ -237,11 +248,13 @@ Servo ServoDescription::finish(std::string_view name, const toml::source_region&
   if (current_limit_) {
     if (servo.voltage <= 0)
       files::fail_at(source, fmt::format("servo '{}' needs voltage, because of current_limit", name));
+    // Torque per current is the torque constant, voltage / no_load_speed.
     servo.torque_limit = *current_limit_ * servo.voltage / servo.no_load_speed;
   }
   if (const std::string complaint = complaint_about_heat(servo); !complaint.empty()) {
     files::fail_at(source, fmt::format("servo '{}' {}", name, complaint));
   }
+  // Products of finite numbers may overflow.
   for (const Number& number : numbers) {
     if (!std::isfinite(number.of(servo))) {
       files::fail_at(source,

@@ -1,4 +1,4 @@
-/// servo_description.h - a servo while it is read from TOML: the numbers of a ready-made one, then what a robot says instead.
+/// servo_description.h - a servo while it is read from TOML: the numbers of a ready-made one, then those of a robot.
 ///
 /// Only for .cpp files: it brings toml++ in. The keys are those of docs/robots.md, "Servos"; a table [fit] (fitted_servo.h) is skipped.
 #pragma once
@@ -22,10 +22,10 @@ class ServoDescription {
   /// A complete servo, to be changed.
   explicit ServoDescription(const Servo& servo);
 
-  /// Takes over the law and the numbers of `table`, which win over earlier ones. If it changes the voltage of earlier
+  /// Applies the law and the numbers of `table`, which replace earlier ones. If it changes the voltage of earlier
   /// numbers, then stall torque, no-load rate and position gain follow in proportion, because a duty cycle is a share
   /// of the supply. Keys in `others` are the caller's. Throws SetupError with file:line:column for unknown keys and
-  /// laws, impossible numbers, and keys that mean nothing to the law.
+  /// laws, impossible numbers, and keys without meaning for the law.
   void take(const toml::table& table, const std::vector<std::string_view>& others = {});
 
   /// The servo; torque_limit = current_limit voltage / no_load_speed. Throws SetupError at `source`, where the servo

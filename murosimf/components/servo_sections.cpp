@@ -8,13 +8,14 @@
 #include <fmt/format.h>
 
 #include "murosimf/files/xml_element.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::components {
 namespace {
 
 constexpr std::size_t line_length = 100;
 
-/// What tells drives apart: gains, limits and losses of a joint.
+/// Numbers that distinguish drives: gains, limits and losses of a joint.
 struct Drive {
   bool guessed = false;
   double stall_torque = 0, position_gain = 0, velocity_gain = 0;
@@ -29,6 +30,7 @@ struct Group {
 };
 
 Drive drive_of(const robot_formats::JointDescription& joint) {
+  MUROSIMF_ASSERT(joint.servo.has_value());
   const Servo& servo = *joint.servo;
   return {
       servo.type == guessed_servo, servo.stall_torque,   servo.position_gain, servo.velocity_gain, servo.lowest_share,
@@ -37,6 +39,7 @@ Drive drive_of(const robot_formats::JointDescription& joint) {
 
 std::vector<Group> groups_of(const robot_formats::RobotDescription& description) {
   std::set<std::string> followers;
+  // Joints that follow others have no servo of their own.
   for (const robot_formats::MimicDescription& mimic : description.mimics) followers.insert(mimic.joint);
   std::vector<Group> groups;
   for (const robot_formats::BodyDescription& body : description.bodies) {
@@ -67,6 +70,7 @@ std::string joint_list(const std::vector<std::string>& joints) {
   std::string text = "joints = [\n", row = " ";
   for (const std::string& joint : joints) {
     const std::string item = " " + toml_quoted(joint) + ",";
+    // Lines of limited length: a robot may have dozens of joints of one kind.
     if (row.size() + item.size() > line_length && row.size() > 1) {
       text += row + "\n";
       row = " ";

@@ -8,14 +8,14 @@
 
 namespace murosimf::components {
 
-/// Servo::type of servos whose gains are guessed (role_inference.h).
+/// Servo::type of servos with guessed gains (role_inference.h).
 inline constexpr const char* guessed_servo = "guessed";
 
-/// Text in quotes, as TOML has it.
+/// Text in quotes, escaped for TOML.
 [[nodiscard]] std::string toml_quoted(const std::string& text);
 
-/// A section [servos.NAME] for each kind of drive, with the joints that have it: law ideal_pd, with the numbers of actuator
-/// and joint, because such a servo stands for both. Guessed gains say so. Joints that nothing drives, or
+/// A section [servos.NAME] for each kind of drive, with its joints: law ideal_pd, with the numbers of actuator
+/// and joint, because such a servo stands for both. Guessed gains have a comment. Joints without a drive, or
 /// that follow others, have none. NAME is `name` and a number.
 [[nodiscard]] std::string servo_sections(const robot_formats::RobotDescription& description,
                                          std::string_view name = "servo");

@@ -9,10 +9,10 @@
 
 namespace murosimf::components {
 
-/// The servo called `type`, for example "mx64", or the one in a file of that path. Throws SetupError.
+/// The servo of type `type`, for example "mx64", or the one in a file of that path. Throws SetupError.
 [[nodiscard]] Servo read_servo(std::string_view type);
 
-/// All that come with the program, in alphabetical order.
+/// All types that come with the program, in alphabetical order.
 [[nodiscard]] std::vector<std::string> servo_types();
 
 }  // namespace murosimf::components

@@ -9,7 +9,7 @@
 ///     1 3 x y z r RGB SET0                sphere
 ///     1 4 n RGBA (x y z) n times SET0     polygon
 ///     2 0 x y z RGB TEXT0 SET0            text
-///     2 1 AGENT RGB TEXT0, 2 2 AGENT      text at a robot, and none any more
+///     2 1 AGENT RGB TEXT0, 2 2 AGENT      text at a robot, and its removal
 ///     3 AGENT                             select a robot: ignored
 ///
 /// where numbers are 6 ASCII characters, colors bytes, texts end with a zero, and AGENT is the robot's number in its team less 1, plus 128

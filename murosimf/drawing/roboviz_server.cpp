@@ -32,6 +32,7 @@ int bound_socket(const wire::Address& address) {
   }
   const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> places(found, &freeaddrinfo);
   int trouble = EADDRNOTAVAIL;
+  // The first address that can be bound: a host may have one of version 6 and one of version 4.
   for (const addrinfo* place = found; place; place = place->ai_next) {
     const int number = ::socket(place->ai_family, place->ai_socktype | SOCK_CLOEXEC, place->ai_protocol);
     if (number < 0) continue;
@@ -65,6 +66,7 @@ RobovizServer::RobovizServer(const wire::Address& address)
 
 RobovizServer::~RobovizServer() {
   ends_ = true;
+  // The thread waits in poll() without a limit: the event ends that.
   (void)::eventfd_write(wake_, 1);
   thread_.join();
   ::close(wake_);

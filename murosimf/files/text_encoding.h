@@ -1,6 +1,6 @@
 /// text_encoding.h - converts text files of every Unicode encoding to UTF-8: spreadsheets and editors of some systems write UTF-16.
 ///
-/// UTF-8, UTF-16 and UTF-32 are told apart by their byte order mark, or, without one, by the zero bytes that characters of ASCII
+/// UTF-8, UTF-16 and UTF-32 are distinguished by their byte order mark, or, without one, by the zero bytes that characters of ASCII
 /// have at the beginning of a file. The mark itself is left out. Source: The Unicode Standard, ch. 2.6 and 23.8; Extensible Markup
 /// Language (XML) 1.0, appendix F.
 #pragma once
@@ -15,7 +15,7 @@ namespace murosimf::files {
 /// with the file's name: it is UTF-16 or UTF-32 with a character that does not exist, or that is cut off.
 [[nodiscard]] std::string to_utf8(std::string bytes, const std::filesystem::path& file);
 
-/// The same for an XML file whose first line declares ISO-8859-1, Latin-1, ASCII or Windows-1252. Throws SetupError also if it
+/// The same for an XML file that declares in its first line ISO-8859-1, Latin-1, ASCII or Windows-1252. Throws SetupError also if it
 /// declares another encoding than these and Unicode's, and has characters that are not ASCII.
 [[nodiscard]] std::string xml_to_utf8(std::string bytes, const std::filesystem::path& file);
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::identification {
 namespace {
 
@@ -19,16 +21,18 @@ multibody::Bench<double> bench_of(const ServoLog& log, double duty_per_gain) {
           .gain = duty_per_gain * log.firmware_gain};
 }
 
-/// Goal, voltage and switch of a log at growing times: goal and switch are held.
+/// Goal, voltage and switch of a log at growing times: goal and switch are held, the voltage is interpolated.
 class InputReader {
  public:
   explicit InputReader(const Piece& piece) : samples_(piece.log->samples), i_(piece.first) {}
 
   ServoSample at(double time) {
+    // Times grow from call to call, so the search continues where it ended.
     while (i_ + 1 < samples_.size() && samples_[i_ + 1].time <= time) ++i_;
     ServoSample sample = samples_[i_];
     if (i_ + 1 == samples_.size()) return sample;
     const ServoSample& next = samples_[i_ + 1];
+    MUROSIMF_ASSERT(next.time > sample.time);
     const double share = (time - sample.time) / (next.time - sample.time);
     sample.voltage += share * (next.voltage - sample.voltage);
     return sample;
@@ -41,14 +45,19 @@ class InputReader {
 
 }  // namespace
 
-Piece whole(const ServoLog& log) { return {&log, 0, log.samples.size() - 1, log.samples.front().rate}; }
+Piece whole(const ServoLog& log) {
+  MUROSIMF_ASSERT(log.samples.size() >= 2);
+  return {&log, 0, log.samples.size() - 1, log.samples.front().rate};
+}
 
 BenchLogs::BenchLogs(std::vector<Piece> pieces, double duty_per_gain, double step)
     : pieces_(std::move(pieces)), step_(step), packs_((pieces_.size() + lanes_per_pack - 1) / lanes_per_pack) {
+  MUROSIMF_ASSERT(step > 0);
   for (std::size_t p = 0; p < packs_.size(); ++p) {
     const std::size_t first = p * lanes_per_pack, last = std::min(pieces_.size(), first + lanes_per_pack);
     double longest = 0;
     for (std::size_t i = first; i < last; ++i) longest = std::max(longest, duration_of(pieces_[i]));
+    // As many steps as the longest piece of the pack needs; shorter ones run on and are not read there.
     const auto steps = static_cast<std::size_t>(std::ceil(longest / step_));
     packs_[p].inputs.resize(steps);
     packs_[p].positions.resize(steps + 1);
@@ -59,6 +68,7 @@ BenchLogs::BenchLogs(std::vector<Piece> pieces, double duty_per_gain, double ste
 }
 
 void BenchLogs::fill_lane(Lanes& lanes, int lane, const Piece& piece, double duty_per_gain) const {
+  MUROSIMF_ASSERT(lane >= 0 && lane < Pack8::lanes && piece.first <= piece.last);
   const ServoLog& log = *piece.log;
   const auto bench = bench_of(log, duty_per_gain);
   lanes.bench.inertia.set_lane(lane, bench.inertia);
@@ -68,6 +78,7 @@ void BenchLogs::fill_lane(Lanes& lanes, int lane, const Piece& piece, double dut
   lanes.start.rate.set_lane(lane, piece.rate);
   InputReader reader(piece);
   for (std::size_t k = 0; k < lanes.inputs.size(); ++k) {
+    // Inputs in the middle of the step: a quadrature of second order.
     const ServoSample sample = reader.at(start_of(piece) + (static_cast<double>(k) + 0.5) * step_);
     multibody::BenchInput<Pack8>& input = lanes.inputs[k];
     input.goal.set_lane(lane, sample.goal);
@@ -77,6 +88,7 @@ void BenchLogs::fill_lane(Lanes& lanes, int lane, const Piece& piece, double dut
 }
 
 void BenchLogs::simulate(const multibody::BenchServo& servo, Lanes& lanes) const {
+  MUROSIMF_ASSERT(lanes.positions.size() == lanes.inputs.size() + 1);
   multibody::BenchState<Pack8> state = lanes.start;
   lanes.positions[0] = state.position;
   for (std::size_t k = 0; k < lanes.inputs.size(); ++k) {
@@ -86,6 +98,7 @@ void BenchLogs::simulate(const multibody::BenchServo& servo, Lanes& lanes) const
 }
 
 double BenchLogs::position_at(std::size_t piece, double time) const {
+  MUROSIMF_ASSERT(piece < pieces_.size() && time >= 0);
   const Lanes& lanes = packs_[piece / lanes_per_pack];
   const auto lane = static_cast<int>(piece % lanes_per_pack);
   const double steps = time / step_;
@@ -95,6 +108,7 @@ double BenchLogs::position_at(std::size_t piece, double time) const {
 }
 
 void BenchLogs::errors(const multibody::BenchServo& servo, std::span<double> errors) {
+  MUROSIMF_ASSERT(errors.size() == pieces_.size());
   for (Lanes& lanes : packs_) simulate(servo, lanes);
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const Piece& piece = pieces_[i];
@@ -108,6 +122,7 @@ void BenchLogs::errors(const multibody::BenchServo& servo, std::span<double> err
 }
 
 std::vector<double> BenchLogs::positions(std::size_t i) const {
+  MUROSIMF_ASSERT(i < pieces_.size());
   const Piece& piece = pieces_[i];
   std::vector<double> positions;
   for (std::size_t k = piece.first; k <= piece.last; ++k) {

@@ -1,4 +1,4 @@
-/// bench_logs.h - logs made ready for simulation: eight of them step through one kernel.
+/// bench_logs.h - simulates logs of servos on a bench: eight of them step through one kernel.
 ///
 /// Every log, or piece of one, is run open loop: it starts at the measured state, then only goal, voltage and torque
 /// switch of the log go in, sampled on the grid of the simulation's steps: goal and switch as of the last entry, since a servo
@@ -14,14 +14,14 @@
 
 namespace murosimf::identification {
 
-/// Which entries of a log to simulate: first to last.
+/// Entries of a log to simulate: first to last.
 struct Piece {
   const ServoLog* log = nullptr;
   std::size_t first = 0, last = 0;
   double rate = 0;  ///< [rad/s] at the first
 };
 
-/// All entries.
+/// All entries of a log.
 [[nodiscard]] Piece whole(const ServoLog& log);
 
 class BenchLogs {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "murosimf/identification/parameter.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::identification {
@@ -14,6 +15,7 @@ void check(const Servo& servo) {
   }
 }
 
+/// Rounds to six digits: a fit is never that exact.
 double six_digits(double x) {
   if (x == 0) return 0;
   const double scale = std::pow(10.0, 5 - std::floor(std::log10(std::fabs(x))));
@@ -44,11 +46,13 @@ multibody::BenchServo bench_servo(const Servo& servo, double encoder_offset) {
 
 Servo servo_of(const multibody::BenchServo& found, const Servo& base) {
   check(base);
+  MUROSIMF_ASSERT(found.torque_constant > 0 && found.resistance > 0);
   Servo servo = base;
   const double k_t = found.torque_constant;
   servo.stall_torque = six_digits(k_t * base.voltage / found.resistance);
   servo.no_load_speed = six_digits(base.voltage / k_t);
   servo.position_gain = duty_per_gain(base) * base.firmware_gain * servo.stall_torque;
+  // The current limit stays the same; the torque at it follows the torque constant.
   servo.torque_limit = base.torque_limit * base.no_load_speed / base.voltage * k_t;
   servo.rotor_inertia = six_digits(found.rotor_inertia);
   multibody::BenchServo rounded = found;

@@ -7,12 +7,13 @@
 
 #include "murosimf/identification/contact_fit.h"
 #include "murosimf/identification/least_squares.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::identification {
 namespace {
 
-constexpr double least_swing = 0.03;         // [1] of the whole height: lower bounces are not looked at
+constexpr double least_swing = 0.03;         // [1] of the whole height: lower bounces are ignored
 constexpr double lowest_used = 0.25;         // [1] of a flight's height: below, the ball may touch the ground
 constexpr double highest_used = 0.85;        // [1] of the first fall: above, a hand may hold the ball
 constexpr std::size_t fewest_in_flight = 4;  // in a flight
@@ -25,11 +26,12 @@ struct Flight {
   double height = 0, speed = 0;   // [m], [m/s] there
   double gravity = 0, drag = 0;   // [m/s^2], [1/m]
   double variance_per_speed = 0;  // [1/s^2] variance of the speed per variance of a place
-  double squares = 0;             // [m^2] what is left, summed up
+  double squares = 0;             // [m^2] sum of squared residuals
   std::size_t samples = 0;
 
-  /// [m] what -k w |w| does to the way, w = speed - g s: integrated twice.
+  /// [m] Displacement by the drag -k w |w|, w = speed - g s: integrated twice.
   [[nodiscard]] double shift(double s) const {
+    MUROSIMF_ASSERT(gravity > 0);
     const double w = speed - gravity * s, cubed = std::abs(w * w * w), cubed_before = std::abs(speed * speed * speed);
     return drag / (3 * gravity) * ((speed * cubed_before - w * cubed) / (4 * gravity) - cubed_before * s);
   }
@@ -43,14 +45,16 @@ struct Flight {
   }
 };
 
-/// Samples of the lowest points, and the first and last one as they are.
+/// Numbers of the samples at the lowest points.
 std::vector<std::size_t> lowest_samples(const std::vector<double>& z) {
+  MUROSIMF_ASSERT(!z.empty());
   const auto [low, high] = std::ranges::minmax_element(z);
   const double swing = least_swing * (*high - *low);
   std::vector<std::size_t> found;
   std::size_t extreme = 0;
   bool falls = true;
   for (std::size_t i = 1; i < z.size(); ++i) {
+    // A turn counts when the height has left its extreme by the least swing: noise makes no bounces.
     if (falls ? z[i] <= z[extreme] : z[i] >= z[extreme]) {
       extreme = i;
     } else if (std::abs(z[i] - z[extreme]) > swing) {
@@ -66,11 +70,13 @@ struct Samples {
   const std::vector<double>&t, &z;
 };
 
-/// Least squares over samples first to last - 1.
+/// Fits a flight by least squares over samples first to last - 1.
 Flight fit_flight(const Samples& samples, std::size_t first, std::size_t last, double gravity, double drag) {
+  MUROSIMF_ASSERT(first < last && last <= samples.t.size());
   Flight flight{.gravity = gravity, .drag = drag};
   const double n = static_cast<double>(last - first);
   for (std::size_t i = first; i < last; ++i) flight.middle += samples.t[i] / n;
+  // The drag depends on the speeds that are sought: it is corrected by those of the last pass.
   for (int pass = 0; pass < (drag > 0 ? corrections : 1); ++pass) {
     const Flight before = flight;
     NormalEquations sums;
@@ -93,9 +99,10 @@ Flight fit_flight(const Samples& samples, std::size_t first, std::size_t last, d
   return flight;
 }
 
-/// Of the samples from `begin` to before `end` those that certainly fly, above a floor. The first fall has no sample near its top.
+/// Fits the samples from `begin` to before `end` that certainly fly, above a floor. The first fall has no sample near its top.
 std::optional<Flight> flight_in(const Samples& samples, std::size_t begin, std::size_t end, double floor,
                                 bool first_fall, double gravity, double drag) {
+  MUROSIMF_ASSERT(begin < end && end <= samples.z.size());
   const auto highest = std::max_element(samples.z.begin() + static_cast<std::ptrdiff_t>(begin),
                                         samples.z.begin() + static_cast<std::ptrdiff_t>(end));
   const double height = *highest - floor;
@@ -113,7 +120,7 @@ std::optional<Flight> flight_in(const Samples& samples, std::size_t begin, std::
   return fit_flight(samples, first, last, gravity, drag);
 }
 
-/// [s] when the body leaves one flight and begins the other; near `guess`.
+/// [s] Time at which the body leaves one flight and begins the next, by Newton's method from `guess`.
 double meeting(const Flight& before, const Flight& after, double guess) {
   double t = guess;
   for (int i = 0; i < newton_steps; ++i) {
@@ -124,7 +131,7 @@ double meeting(const Flight& before, const Flight& after, double guess) {
   return t;
 }
 
-/// Sums over all bounces, of e = after / before.
+/// Sums over all bounces for e = after / before.
 struct BounceSums {
   double products = 0, squares = 0, afters = 0, unknown = 0;
   int count = 0;
@@ -171,6 +178,7 @@ Bouncing fit_bounces(const Track& track, double gravity, double drag) {
   }
   const double variance = left / std::max(1.0, used - 2 * static_cast<double>(flights.size()));  // [m^2] of a place
   BounceSums sums;
+  // Least squares through the origin: fast bounces are measured best, and weigh most.
   for (std::size_t k = 0; k + 1 < flights.size(); ++k) {
     const double t = meeting(flights[k], flights[k + 1], track.times[lows[k]]);
     const double before = -flights[k].velocity(t), after = flights[k + 1].velocity(t);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/identification/least_squares.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/math/scalar.h"
 #include "murosimf/model/error.h"
 
@@ -14,18 +15,19 @@ namespace murosimf::identification {
 namespace {
 
 constexpr std::size_t fewest_in_run = 8;
-constexpr double most_without_stop = 0.98;  // [1] of the way: what a start of the search takes for unbroken motion
+constexpr double most_without_stop = 0.98;  // [1] of the way that the start of the search uses as unbroken motion
 constexpr double least_rate = 1e-9;         // [m/s^2]
 
 [[noreturn]] void refuse(const Track& track, const std::string& why) {
   throw SetupError(fmt::format("{}: {}", track.name, why));
 }
 
-/// Start, speed and rate of a body that brakes.
+/// Start, speed and rate of a body that slows down.
 struct Brake {
   double start = 0, speed = 0, rate = 0;  // [m], [m/s], [m/s^2]
 
   [[nodiscard]] double at(double t, double drag) const {
+    MUROSIMF_ASSERT(t >= 0);
     const double a = std::max(rate, least_rate);
     if (drag == 0) {
       const double until = std::clamp(speed / a, 0.0, t);
@@ -37,7 +39,7 @@ struct Brake {
   }
 };
 
-/// Times from the first sample on, and the way along the line from the first place to the last.
+/// Times from the first sample on, and distances along the line from the first place to the last.
 struct Way {
   std::vector<double> times, ways;
   Vec3d direction;
@@ -58,8 +60,9 @@ Way way_of(const Track& track) {
   return way;
 }
 
-/// A parabola through all that lies before the end of the way.
+/// Fits a parabola to the samples before the end of the way.
 Brake parabola_of(const Track& track, const Way& way) {
+  MUROSIMF_ASSERT(way.times.size() == way.ways.size());
   NormalEquations sums;
   std::size_t used = 0;
   for (std::size_t i = 0; i < way.times.size(); ++i) {
@@ -71,6 +74,7 @@ Brake parabola_of(const Track& track, const Way& way) {
   if (used < fewest_in_run)
     refuse(track, fmt::format("{} samples before it stops; {} are needed", used, fewest_in_run));
   const Vec3d found = sums.solution();
+  // Without curvature the search would have no gradient: a little is assumed.
   return {found.x, found.y, std::max(found.z, 1e-3 * found.y * found.y / way.ways.back())};
 }
 
@@ -88,12 +92,14 @@ Braking fit_braking(const Track& track, double drag) {
 }
 
 double known_error(std::span<const Estimate> runs) {
+  MUROSIMF_ASSERT(!runs.empty());
   double squares = 0;
   for (const Estimate& run : runs) squares += run.error * run.error;
   return std::sqrt(squares) / static_cast<double>(runs.size());
 }
 
 Estimate mean_of(std::span<const Estimate> runs) {
+  MUROSIMF_ASSERT(!runs.empty());
   const double n = static_cast<double>(runs.size());
   Estimate mean;
   double scatter = 0, squares = 0;
@@ -115,6 +121,7 @@ std::optional<Lean> fit_lean(std::span<const Braking> runs) {
     headings.push_back(std::atan2(run.direction.y, run.direction.x));
     sums.add({1, -run.direction.x, -run.direction.y}, run.value);
   }
+  // Directions must surround the origin: otherwise mean and lean cannot be separated.
   std::ranges::sort(headings);
   double widest_gap = headings.empty() ? 2 * pi : headings.front() + 2 * pi - headings.back();
   for (std::size_t i = 1; i < headings.size(); ++i) widest_gap = std::max(widest_gap, headings[i] - headings[i - 1]);

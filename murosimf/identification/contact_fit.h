@@ -28,14 +28,14 @@ struct Track {
   std::vector<Vec3d> places;  ///< [m] at these times; z upwards
 };
 
-/// A number that was found.
+/// A fitted number.
 struct Estimate {
   double value = 0;
   double error = 0;     ///< one standard deviation
-  double residual = 0;  ///< [m] root of the mean square of what the fit leaves of the places
+  double residual = 0;  ///< [m] root mean square of the residuals of the places
 };
 
-/// How a body comes to rest on level ground: `value` is a [m/s^2].
+/// Deceleration of a body on level ground: `value` is a [m/s^2].
 struct Braking : Estimate {
   double speed = 0;  ///< [m/s] at the first sample
   Vec3d direction;   ///< [1] of its way, in x and y
@@ -50,13 +50,13 @@ struct Bouncing : Estimate {
 };
 
 /// `gravity` g [m/s^2], `drag` k [1/m] of the air. Throws SetupError if it does not bounce, has too few samples in a flight, or
-/// wins energy.
+/// gains energy.
 [[nodiscard]] Bouncing fit_bounces(const Track& track, double gravity, double drag);
 
-/// Of one number by several runs: their mean. Its error is what the runs scatter by, or what each of them does not know, whatever
-/// is more.
+/// The mean of one number from several runs. Its error is the scatter of the runs, or that which follows from their own errors,
+/// whichever is larger.
 [[nodiscard]] Estimate mean_of(std::span<const Estimate> runs);
-/// Of that mean, by what each of them does not know alone.
+/// Error of that mean from the errors of the single runs alone.
 [[nodiscard]] double known_error(std::span<const Estimate> runs);
 
 /// Friction or rolling by direction: c (1 - g cos a), a from the lean of the pile to the way; g is friction_anisotropy
@@ -64,10 +64,10 @@ struct Bouncing : Estimate {
 struct Lean {
   double mean = 0;        ///< c [1]
   double anisotropy = 0;  ///< g [1]
-  Vec3d direction;        ///< [1] where the pile leans, in x and y
+  Vec3d direction;        ///< [1] in which the pile leans, in x and y
 };
 
-/// From runs whose values are that number. Nothing if their directions do not tell c from g: at least three that do not lie
+/// Fits the values of runs in several directions. Nothing if their directions do not separate c from g: at least three that do not lie
 /// within half a turn.
 [[nodiscard]] std::optional<Lean> fit_lean(std::span<const Braking> runs);
 

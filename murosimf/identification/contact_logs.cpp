@@ -8,6 +8,7 @@
 
 #include "murosimf/files/csv_file.h"
 #include "murosimf/files/json_document.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/material.h"
 
@@ -18,7 +19,7 @@ using identification::Estimate;
 using identification::Track;
 using nlohmann::json;
 
-/// The column called "x", or "something.x". Null: there is none.
+/// The column called "x", or "something.x"; null if there is none.
 const files::CsvColumn* column_of(const files::CsvTable& table, const std::string& axis, const std::string& file) {
   const files::CsvColumn* found = nullptr;
   for (const files::CsvColumn& column : table.columns) {
@@ -55,10 +56,11 @@ void put_in(Track& track, const files::CsvColumn* column, double Vec3d::*axis) {
     throw SetupError(
         fmt::format("{}: '{}' has cells at other times than the columns before", track.name, column->name));
   }
+  MUROSIMF_ASSERT(column->values.size() == track.places.size());
   for (std::size_t i = 0; i < column->values.size(); ++i) track.places[i].*axis = column->values[i];
 }
 
-/// `needed`: "x" of runs along the ground, "z" of drops.
+/// Reads a track. `needed`: "x" for runs along the ground, "z" for drops.
 Track read_track(const std::string& file, const std::string& needed) {
   const files::CsvTable table = files::read_csv(file);
   const files::CsvColumn* column = column_of(table, needed, file);
@@ -71,7 +73,7 @@ Track read_track(const std::string& file, const std::string& needed) {
   return track;
 }
 
-/// `factor`: the number for a rate of braking.
+/// Fits runs that slow down. `factor` turns a deceleration into the number.
 void add_braking(ContactFit& fit, const std::string& key, const std::vector<std::string>& runs, double factor,
                  double drag) {
   if (runs.empty()) return;
@@ -85,7 +87,7 @@ void add_braking(ContactFit& fit, const std::string& key, const std::vector<std:
   FittedNumber number{.key = key, .estimate = {}, .runs = runs, .of_runs = {found.begin(), found.end()}, .lean = {}};
   number.estimate = identification::mean_of(number.of_runs);
   number.lean = identification::fit_lean(found);
-  if (number.lean) {  // what the runs scatter by is their direction
+  if (number.lean) {  // the scatter of the runs is then an effect of their direction
     number.estimate.value = number.lean->mean;
     number.estimate.error = identification::known_error(number.of_runs);
   }
@@ -180,6 +182,7 @@ std::string to_text(const ContactFit& fit) {
         fmt::format("{:<28} {:<12} {:>9.4g} {:>9.2g} {:>9.2g} mm\n", name, key, of.value, of.error, 1e3 * of.residual);
   };
   for (const FittedNumber& number : fit.numbers) {
+    MUROSIMF_ASSERT(number.runs.size() == number.of_runs.size());
     for (std::size_t i = 0; i < number.runs.size(); ++i) row(number.runs[i], number.key, number.of_runs[i]);
     row(fmt::format("{} and {}", fit.body, fit.ground), number.key, number.estimate);
   }

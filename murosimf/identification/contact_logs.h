@@ -1,4 +1,4 @@
-/// contact_logs.h - recorded rolls, slides and drops, what they say of a pair of materials, and how that is told.
+/// contact_logs.h - fits numbers of a pair of materials to recorded rolls, slides and drops, and reports them.
 #pragma once
 
 #include <optional>
@@ -38,7 +38,7 @@ struct ContactFit {
 /// Throws SetupError with the file's name: what read_csv and the fits refuse, a missing column, a unit that is no length.
 [[nodiscard]] ContactFit fit_contact_logs(const ContactLogs& logs, const ContactFitOptions& options);
 
-/// A section [[materials]] with all numbers of the pair: those that were not fitted are the table's.
+/// A section [[materials]] with all numbers of the pair: numbers that were not fitted are the table's.
 [[nodiscard]] std::string to_toml(const ContactFit& fit);
 [[nodiscard]] std::string to_text(const ContactFit& fit);
 /// One JSON object: pair [2], numbers [{key, value, error, residual_m, runs [{file, value, error, residual_m}],

@@ -1,4 +1,4 @@
-/// fit_report.h - what a fit or a replay of servo logs has shown: for people as a table, for programs as JSON.
+/// fit_report.h - reports of a fit or a replay of servo logs: as a table, and as JSON.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ struct UnseenGroup {
   std::vector<LogError> logs;
 };
 
-/// A share of windows that was tried, and what fits with it foresaw.
+/// A share of windows that was tried, and the error of its predictions.
 struct TriedWindows {
   double share = 0;
   double error = 0;  ///< [rad] mean of all logs, each by the fit that has not seen its trajectory
@@ -29,7 +29,7 @@ struct FitReport {
   std::vector<double> costs;                 ///< [rad] that the starts of the search reached
   std::vector<LogError> validated;           ///< logs that were not fitted
   std::vector<UnseenGroup> cross_validated;  ///< each by a fit of its own to the other logs
-  bool stopped = false;                      ///< before the search was over: the servo is the best so far
+  bool stopped = false;                      ///< before the search ended: the servo is the best so far
 };
 
 struct ReplayReport {

@@ -1,4 +1,4 @@
-/// fitted_servo.h - servo files that a fit wrote: an ordinary servo, and where it comes from in the table [fit].
+/// fitted_servo.h - servo files written by a fit: an ordinary servo, and its origin in the table [fit].
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace murosimf::identification {
 
-/// One log and how well the servo explains it.
+/// One log and the error of the servo's simulation of it.
 struct LogError {
   std::string log, trajectory;
   double firmware_gain = 0;
@@ -18,9 +18,9 @@ struct LogError {
 
 struct FittedServo {
   Servo servo;
-  std::string friction_model;    ///< "m1" to "m6"; empty if the file is no fit's
+  std::string friction_model;    ///< "m1" to "m6"; empty if no fit wrote the file
   double encoder_offset = 0;     ///< [rad] of the bench that the logs come from, not of the servo
-  std::string base, prior;       ///< servo type that firmware and voltage come from; name of the prior
+  std::string base, prior;       ///< servo type of firmware and voltage; name of the prior
   std::vector<LogError> fitted;  ///< logs that it was fitted to
 };
 

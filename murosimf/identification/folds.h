@@ -1,4 +1,4 @@
-/// folds.h - what to leave out of a fit, to see how well it speaks of what it has not seen.
+/// folds.h - logs that are left out of a fit, to measure its predictions.
 #pragma once
 
 #include <span>

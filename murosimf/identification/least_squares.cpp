@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::identification {
 namespace {
 
@@ -14,6 +16,7 @@ using Curve = std::function<double(const Vec3d&, double)>;
 
 double sum_of_squares(const Curve& model, const Vec3d& p, std::span<const double> times,
                       std::span<const double> values) {
+  MUROSIMF_ASSERT(times.size() == values.size());
   double sum = 0;
   for (std::size_t i = 0; i < times.size(); ++i) {
     const double left = values[i] - model(p, times[i]);
@@ -49,7 +52,7 @@ void NormalEquations::add(const Vec3d& row, double value) {
   right_ += value * row;
 }
 
-/// Unknowns without a row get one in the diagonal, which the right side makes zero.
+/// Inverse of the matrix. Unknowns without a row get one in the diagonal, which the right side makes zero.
 SymMat3d NormalEquations::inverse_matrix() const {
   SymMat3d filled = matrix_;
   for (double SymMat3d::*entry : {&SymMat3d::xx, &SymMat3d::yy, &SymMat3d::zz}) {
@@ -62,11 +65,13 @@ Vec3d NormalEquations::solution() const { return inverse_matrix() * right_; }
 
 LeastSquares fit_curve(const Curve& model, const Vec3d& start, std::span<const double> times,
                        std::span<const double> values) {
+  MUROSIMF_ASSERT(times.size() == values.size() && !times.empty());
   Vec3d p = start;
   double sum = sum_of_squares(model, p, times, values);
   for (int step = 0; step < most_steps; ++step) {
     Vec3d change = equations(model, p, times, values).solution();
     double next = sum_of_squares(model, p + change, times, values);
+    // The step of Gauss and Newton may overshoot: it is halved until it helps.
     for (int i = 0; i < most_halvings && !(next < sum); ++i) {
       change = 0.5 * change;
       next = sum_of_squares(model, p + change, times, values);

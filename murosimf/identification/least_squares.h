@@ -8,7 +8,7 @@
 
 namespace murosimf::identification {
 
-/// sum_i (row_i . p - value_i)^2 is to be least. Unknowns that are not needed have zeros in all rows.
+/// Minimizes sum_i (row_i . p - value_i)^2. Unknowns that are not needed have zeros in all rows.
 class NormalEquations {
  public:
   void add(const Vec3d& row, double value);
@@ -23,12 +23,12 @@ class NormalEquations {
 
 struct LeastSquares {
   Vec3d parameters;
-  SymMat3d covariance;  ///< of these, by what the fit leaves; zero for unknowns that change nothing
-  double residual = 0;  ///< root of the mean square of what the fit leaves
+  SymMat3d covariance;  ///< of the parameters, from the residuals; zero for parameters without effect
+  double residual = 0;  ///< root mean square of the residuals
 };
 
-/// The parameters of model(parameters, time) that explain `values` at `times` best, searched from `start` on. Steps that do not make
-/// it better are halved; it ends when none does.
+/// The parameters of model(parameters, time) that fit `values` at `times` best, searched from `start` on. Steps that do not reduce
+/// the residuals are halved; the search ends when no step does.
 [[nodiscard]] LeastSquares fit_curve(const std::function<double(const Vec3d&, double)>& model, const Vec3d& start,
                                      std::span<const double> times, std::span<const double> values);
 

@@ -1,4 +1,4 @@
-// Stands in for the search where NLopt is missing.
+// Replaces the search where NLopt is missing.
 #include "murosimf/identification/search.h"
 #include "murosimf/model/error.h"
 

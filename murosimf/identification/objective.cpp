@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::identification {
 namespace {
 
@@ -11,12 +13,14 @@ constexpr double rate_interval = 0.015;  // [s] before and after, over which a s
 constexpr double scale_of_windows = 4;
 
 std::size_t entry_at(const ServoLog& log, double time) {
+  MUROSIMF_ASSERT(!log.samples.empty());
   const auto later = std::ranges::lower_bound(log.samples, time, {}, &ServoSample::time);
   return static_cast<std::size_t>(std::min(later, log.samples.end() - 1) - log.samples.begin());
 }
 
-/// From the encoder: the servo's own estimate of its rate lags by 20 ms.
+/// [rad/s] From the encoder: the servo's own estimate of its rate lags by 20 ms.
 double rate_at(const ServoLog& log, std::size_t entry) {
+  MUROSIMF_ASSERT(entry < log.samples.size());
   const double time = log.samples[entry].time;
   const ServoSample& before = log.samples[entry_at(log, time - rate_interval)];
   const ServoSample& after = log.samples[entry_at(log, time + rate_interval)];
@@ -29,7 +33,7 @@ std::vector<Piece> whole_logs(std::span<const ServoLog> logs) {
   return pieces;
 }
 
-/// One after the other. A log shorter than one has none.
+/// Windows of the logs, one after the other. A log shorter than one has none.
 std::vector<Piece> windows_of(std::span<const ServoLog> logs) {
   std::vector<Piece> pieces;
   for (const ServoLog& log : logs) {
@@ -61,6 +65,7 @@ Objective::Objective(const FrictionModel& model, const Prior& prior, std::span<c
 }
 
 multibody::BenchServo Objective::servo_at(std::span<const double> places) const {
+  MUROSIMF_ASSERT(places.size() == parameters_.size());
   multibody::BenchServo servo{.duty_limit = options_.duty_limit, .current_limit = options_.current_limit};
   for (std::size_t i = 0; i < places.size(); ++i) {
     parameters_[i].set(servo, value_at(parameters_[i], places[i]));
@@ -69,8 +74,10 @@ multibody::BenchServo Objective::servo_at(std::span<const double> places) const 
 }
 
 double Objective::operator()(std::span<const double> places) {
+  MUROSIMF_ASSERT(places.size() == parameters_.size());
   const multibody::BenchServo servo = servo_at(places);
   double cost = 0;
+  // The prior costs in the unit of the errors, so that both add up.
   for (std::size_t i = 0; i < places.size(); ++i) {
     cost += cost_of(prior_, parameters_[i], value_at(parameters_[i], places[i]));
   }

@@ -1,4 +1,4 @@
-/// objective.h - how badly a servo with given numbers explains logs.
+/// objective.h - the cost of a servo's numbers: how badly they explain logs.
 ///
 ///     (1 - s) mean error of whole logs + 4 s mean error of windows + cost of the prior        [rad]
 ///
@@ -16,12 +16,12 @@
 
 namespace murosimf::identification {
 
-/// What is known of the servo's firmware, and how errors are counted.
+/// Data of the servo's firmware, and the weights of errors.
 struct ObjectiveOptions {
   double duty_per_gain = 0;  ///< [1/rad] duty cycle per firmware gain and angle of error
   double duty_limit = 1;     ///< [1]
   double current_limit = 0;  ///< [A]; 0: none
-  double window_share = 0;   ///< s, 0 to 1; window_choice.h says which
+  double window_share = 0;   ///< s, 0 to 1; chosen by window_choice.h
   double step = 2.5e-3;      ///< [s] of the simulation
 };
 
@@ -31,11 +31,11 @@ class Objective {
   Objective(const FrictionModel& model, const Prior& prior, std::span<const ServoLog> logs,
             const ObjectiveOptions& options);
 
-  /// For places of the parameters between their bounds, each 0 to 1.
+  /// The cost for places of the parameters between their bounds, each 0 to 1.
   double operator()(std::span<const double> places);
 
   [[nodiscard]] multibody::BenchServo servo_at(std::span<const double> places) const;
-  /// Those of the model, with bounds that the prior narrows.
+  /// Parameters of the model, with bounds that the prior narrows.
   [[nodiscard]] const std::vector<Parameter>& parameters() const { return parameters_; }
   [[nodiscard]] const Prior& prior() const { return prior_; }
 

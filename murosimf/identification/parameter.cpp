@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::identification {
@@ -19,7 +20,7 @@ template <auto member>
 double get_motor(const BenchServo& servo) {
   return servo.*member;
 }
-/// One number for one or two terms of the friction.
+/// Sets one number for one or two terms of the friction.
 template <auto member, auto other = member>
 void set_friction(BenchServo& servo, double value) {
   servo.friction.*member = value;
@@ -61,11 +62,14 @@ constexpr std::array all{
     Parameter{"quadratic_external_load_friction", "1/(N m)", 0, 0.1, false, set_friction<&F::quadratic_external_load>,
               get_friction<&F::quadratic_external_load>}};
 
-/// The first six of `all` are in every model; `more` are places in `all`.
+/// The first six of `all` belong to every model; `more` are further places in `all`.
 FrictionModel model_of(std::string_view name, std::string_view meaning, const std::vector<std::size_t>& more) {
   FrictionModel model{name, meaning, {}};
   for (std::size_t i = 0; i < 6; ++i) model.parameters.push_back(&all[i]);
-  for (const std::size_t i : more) model.parameters.push_back(&all[i]);
+  for (const std::size_t i : more) {
+    MUROSIMF_ASSERT(i < all.size());
+    model.parameters.push_back(&all[i]);
+  }
   return model;
 }
 
@@ -95,12 +99,14 @@ const FrictionModel& friction_model(std::string_view name) {
 }
 
 double place_of(const Parameter& p, double value) {
+  MUROSIMF_ASSERT(p.low < p.high && (!p.by_ratio || p.low > 0));
   const double place = p.by_ratio ? std::log(value / p.low) / std::log(p.high / p.low)  //
                                   : (value - p.low) / (p.high - p.low);
   return std::clamp(place, 0.0, 1.0);
 }
 
 double value_at(const Parameter& p, double place) {
+  MUROSIMF_ASSERT(p.low <= p.high);
   return p.by_ratio ? p.low * std::pow(p.high / p.low, place) : p.low + (p.high - p.low) * place;
 }
 

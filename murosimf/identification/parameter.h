@@ -1,4 +1,4 @@
-/// parameter.h - the numbers of a servo that a fit looks for, and the friction models that are made of them.
+/// parameter.h - the numbers of a servo that a fit determines, and the friction models that use them.
 #pragma once
 
 #include <span>
@@ -9,12 +9,12 @@
 
 namespace murosimf::identification {
 
-/// One number of a servo. Search bounds are wide: they keep a search from what no servo is like.
+/// One number of a servo. Search bounds are wide: they only exclude impossible servos.
 struct Parameter {
   std::string_view name;  ///< as in servo files where there is one
   std::string_view unit;
   double low, high;
-  bool by_ratio;  ///< looked for by ratios, not by differences: a positive number of unknown size
+  bool by_ratio;  ///< searched by ratios, not by differences: a positive number of unknown size
   void (*set)(multibody::BenchServo&, double);
   double (*get)(const multibody::BenchServo&);
 };
@@ -33,7 +33,7 @@ struct FrictionModel {
 /// All parameters of all models. Load friction of M3 and M4 is one parameter for motor and load.
 [[nodiscard]] std::span<const Parameter> parameters();
 
-/// Where between its bounds a parameter's value lies, 0 to 1, and back.
+/// Place of a parameter's value between its bounds, 0 to 1, and back.
 [[nodiscard]] double place_of(const Parameter& parameter, double value);
 [[nodiscard]] double value_at(const Parameter& parameter, double place);
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::identification {
 namespace {
 
@@ -19,6 +21,7 @@ const Expectation* find(const Prior& prior, const Parameter& parameter) {
 double cost_of(const Prior& prior, const Parameter& parameter, double value) {
   const Expectation* expected = find(prior, parameter);
   if (!expected) return 0;
+  MUROSIMF_ASSERT(expected->width > 0);
   const double away = expected->relative ? std::log(value / expected->value) : value - expected->value;
   return cost_of_a_width * (away / expected->width) * (away / expected->width);
 }
@@ -37,6 +40,7 @@ Parameter narrowed(const Prior& prior, const Parameter& parameter) {
   const double high = expected->relative ? expected->value * std::exp(reach) : expected->value + reach;
   narrow.low = std::max(parameter.low, low);
   narrow.high = std::min(parameter.high, high);
+  MUROSIMF_ASSERT(narrow.low <= narrow.high);
   return narrow;
 }
 

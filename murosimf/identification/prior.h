@@ -1,8 +1,8 @@
-/// prior.h - what is known of a servo before a log is looked at.
+/// prior.h - knowledge about a servo before a fit.
 ///
-/// Each number that is known has a value and a width, as the standard deviation of a normal distribution has, of the
+/// Each known number has a value and a width, like the standard deviation of a normal distribution, of the
 /// number or of its logarithm. A width away costs as much as 0.5 mrad more error of position; the cost grows with the
-/// square. So logs decide what they can tell, and the prior what they cannot.
+/// square. So logs decide what they determine, and the prior decides the rest.
 #pragma once
 
 #include <optional>
@@ -22,13 +22,13 @@ struct Expectation {
 
 using Prior = std::vector<Expectation>;
 
-/// [rad] what the value of a parameter costs; 0 if nothing is expected of it.
+/// [rad] The cost of a parameter's value; 0 if the prior does not name it.
 [[nodiscard]] double cost_of(const Prior& prior, const Parameter& parameter, double value);
 
-/// What is expected of the parameter; nothing if the prior does not name it.
+/// The expected value of the parameter; nothing if the prior does not name it.
 [[nodiscard]] std::optional<double> expected_value(const Prior& prior, const Parameter& parameter);
 
-/// The parameter with bounds at most five widths from what is expected: a search need not look farther.
+/// The parameter with bounds at most five widths from the expected value: a search need not go farther.
 [[nodiscard]] Parameter narrowed(const Prior& prior, const Parameter& parameter);
 
 }  // namespace murosimf::identification

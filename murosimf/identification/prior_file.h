@@ -1,4 +1,4 @@
-/// prior_file.h - what is known of a servo before a fit: the files `servos/priors/<type>.toml`.
+/// prior_file.h - priors of servos: the files `servos/priors/<type>.toml`.
 ///
 ///     [torque_constant]       # a parameter of identification/parameter.h
 ///     value = 0.37            # in its unit

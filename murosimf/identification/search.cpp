@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/math/random.h"
 #include "murosimf/model/error.h"
 
@@ -22,7 +23,7 @@ namespace {
 constexpr int evaluations_per_report = 100;
 constexpr double global_share = 0.75;  // of the evaluations; the rest polishes
 
-/// What all starts together have done.
+/// Progress of all starts together.
 class Board {
  public:
   Board(const Progress& progress, int evaluations) : progress_(progress), evaluations_(evaluations) {}
@@ -64,9 +65,10 @@ double evaluate(unsigned count, const double* places, double* /*gradient*/, void
   return cost;
 }
 
-/// From start.places on; the best point is left there.
+/// Minimizes from start.places on; the best point is stored there.
 void minimize(Start& start, nlopt_algorithm algorithm, double evaluations) {
   const auto count = static_cast<unsigned>(start.places.size());
+  MUROSIMF_ASSERT(count > 0 && evaluations >= 0);
   const std::unique_ptr<nlopt_opt_s, void (*)(nlopt_opt)> search(nlopt_create(algorithm, count), nlopt_destroy);
   nlopt_set_lower_bounds1(search.get(), 0);
   nlopt_set_upper_bounds1(search.get(), 1);
@@ -76,12 +78,13 @@ void minimize(Start& start, nlopt_algorithm algorithm, double evaluations) {
   nlopt_set_xtol_rel(search.get(), 1e-6);
   nlopt_set_initial_step1(search.get(), 0.03);
   start.search = search.get();
+  // NLopt returns its last point; evaluate() keeps the best one.
   std::vector<double> point = start.places;
   double cost = 0;
   nlopt_optimize(search.get(), point.data(), &cost);
 }
 
-/// What is expected, where something is, and chance for the rest.
+/// The expected value of each parameter that the prior names, and random values for the others.
 std::vector<double> first_point(const Objective& objective, std::uint64_t seed) {
   const RandomStream dice(seed, "first point of a fit");
   std::vector<double> places;
@@ -94,6 +97,7 @@ std::vector<double> first_point(const Objective& objective, std::uint64_t seed) 
 }
 
 void run(Start& start, const SearchOptions& options, std::uint64_t number) {
+  // Each start has its own seed, independent of the number of threads.
   const std::uint64_t seed = options.seed * 1000003 + number;
   nlopt_srand(static_cast<unsigned long>(seed));  // of this thread
   start.places = first_point(start.objective, seed);
@@ -102,8 +106,9 @@ void run(Start& start, const SearchOptions& options, std::uint64_t number) {
   minimize(start, NLOPT_LN_SBPLX, (1 - global_share) * options.evaluations);
 }
 
-/// Calls work(i) for every i below `count`, each in a thread of its own; throws SetupError if the system does not give so many.
+/// Calls work(i) for every i below `count`, each in its own thread; throws SetupError if the system does not provide so many.
 void in_threads(int count, const std::function<void(std::size_t)>& work) {
+  MUROSIMF_ASSERT(count >= 0);
   std::vector<std::jthread> threads;  // join when they go
   try {
     for (int i = 0; i < count; ++i) threads.emplace_back(work, static_cast<std::size_t>(i));
@@ -119,6 +124,7 @@ Found search(const Objective& objective, const SearchOptions& options, const Pro
   Board board(progress, options.starts * options.evaluations);
   std::vector<Start> starts(static_cast<std::size_t>(options.starts), Start{objective, board, options.stop, {}});
   const auto work = [&](std::size_t first) {
+    // Starts are distributed by their numbers: results do not depend on the threads.
     for (std::size_t i = first; i < starts.size(); i += static_cast<std::size_t>(options.threads)) {
       if (options.stop && options.stop()) return;
       run(starts[i], options, i);
@@ -136,8 +142,8 @@ Found search(const Objective& objective, const SearchOptions& options, const Pro
 }
 
 Found refine(const Found& found, const Objective& objective, int evaluations, const std::function<bool()>& stop) {
-  const Progress nobody;
-  Board board(nobody, evaluations);
+  const Progress none;
+  Board board(none, evaluations);
   Start start{objective, board, stop, found.places};
   minimize(start, NLOPT_LN_SBPLX, evaluations);
   return {objective.servo_at(start.places), start.places, start.cost, found.costs};

@@ -1,4 +1,4 @@
-/// search.h - the numbers that explain the logs best.
+/// search.h - searches for the numbers that explain the logs best.
 ///
 /// The objective is rugged and has many minima, so several searches start from different points: each a controlled random
 /// search (CRS2 with local mutation, Kaelo and Ali 2006) and, from what it found, a subspace simplex (Rowan 1990), both of
@@ -18,7 +18,7 @@ struct SearchOptions {
   int starts = 4;
   int evaluations = 8000;  ///< of the objective, per start
   int threads = 1;
-  std::function<bool()> stop{};  ///< true: end with the best so far; asked from any thread
+  std::function<bool()> stop{};  ///< true: end with the best so far; called from any thread
 };
 
 struct Found {
@@ -34,11 +34,11 @@ using Progress = std::function<void(double share, double best)>;
 /// Throws SetupError in a build without NLopt. A search that was stopped before any evaluation has an infinite cost.
 [[nodiscard]] Found search(const Objective& objective, const SearchOptions& options, const Progress& progress = {});
 
-/// A local search with another objective of the same parameters, one with finer steps, from where `found` is.
+/// A local search with another objective of the same parameters, such as one with finer steps, from the point of `found`.
 [[nodiscard]] Found refine(const Found& found, const Objective& objective, int evaluations,
                            const std::function<bool()>& stop = {});
 
-/// Throws SetupError in a build without NLopt: found out before logs are read.
+/// Throws SetupError in a build without NLopt: to be called before logs are read.
 void check_search();
 
 }  // namespace murosimf::identification

@@ -1,4 +1,4 @@
-/// servo_log.h - what was recorded while a servo swung a pendulum.
+/// servo_log.h - a recording of a servo that swings a pendulum.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace murosimf::identification {
 struct ServoSample {
   double time = 0;      ///< [s] from the first entry; grows from entry to entry
   double position = 0;  ///< [rad] of the encoder
-  double rate = 0;      ///< [rad/s] what the servo says: filtered, it lags
+  double rate = 0;      ///< [rad/s] as the servo reports it: filtered, it lags
   double voltage = 0;   ///< [V] of the supply, > 0
   double goal = 0;      ///< [rad]
   bool enabled = true;  ///< false: torque is off, the bridge is open
@@ -18,8 +18,8 @@ struct ServoSample {
 
 struct ServoLog {
   std::string name;                  ///< of the file, without folder and extension
-  std::string motor;                 ///< as the log calls it; may be empty
-  std::string trajectory;            ///< as the log calls it; may be empty
+  std::string motor;                 ///< name in the log; may be empty
+  std::string trajectory;            ///< name in the log; may be empty
   double mass = 0;                   ///< [kg] at the end of the arm
   double length = 0;                 ///< [m] of the arm
   double arm_mass = 0;               ///< [kg] of the arm, a uniform rod

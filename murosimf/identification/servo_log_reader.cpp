@@ -8,6 +8,7 @@
 
 #include "murosimf/files/input_file.h"
 #include "murosimf/files/text_encoding.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::identification {
@@ -20,11 +21,12 @@ using nlohmann::json;
 
 constexpr double longest_log = 3600;  // [s]; more is an error in the unit
 
-/// "line 3: 'NaN' is ..." for the place where the parser stopped.
+/// Message "line 3: 'NaN' is ..." for the place where the parser stopped.
 std::string what_is_wrong(const std::string& text, std::size_t byte) {
   const auto place = text.begin() + static_cast<std::ptrdiff_t>(std::min(byte, text.size()));
   const auto line = 1 + std::count(text.begin(), place, '\n');
   const std::string around(place - std::min<std::ptrdiff_t>(4, place - text.begin()), place);
+  // Python writes NaN and Infinity, which are not JSON: a frequent case with its own advice.
   const bool no_number = around.find('N') != std::string::npos || around.find('I') != std::string::npos;
   return fmt::format("line {}: {}", line,
                      no_number ? "a value is NaN or infinite; leave that entry out" : "this is no JSON");
@@ -106,6 +108,7 @@ std::vector<ServoSample> samples_of(const json& entries) {
   if (samples.back().time > longest_log) {
     throw SetupError(fmt::format("it lasts {} s; 'timestamp' is in seconds", samples.back().time));
   }
+  MUROSIMF_ASSERT(samples.size() >= 2 && samples.front().time == 0);
   return samples;
 }
 

@@ -16,8 +16,8 @@ namespace murosimf::identification {
 /// impossible, fewer than two entries, time stamps that do not grow.
 [[nodiscard]] identification::ServoLog read_servo_log(const std::filesystem::path& file);
 
-/// The logs that `names` mean, in this order: a file is itself, a folder all its *.json in alphabetical order. Throws
-/// SetupError for what is not there, a folder without logs, and as above.
+/// The logs of `names`, in this order: a file is itself, a folder all its *.json in alphabetical order. Throws
+/// SetupError for missing files, a folder without logs, and as above.
 [[nodiscard]] std::vector<identification::ServoLog> read_servo_logs(const std::vector<std::string>& names);
 
 }  // namespace murosimf::identification

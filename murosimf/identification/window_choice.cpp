@@ -1,9 +1,10 @@
 #include "murosimf/identification/window_choice.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <numeric>
+
+#include "murosimf/math/assert.h"
 
 namespace murosimf::identification {
 namespace {
@@ -14,7 +15,7 @@ double mean_of(const std::vector<double>& numbers) {
 
 /// Whether the errors of `other` are lower than those of `one` by more than chance explains.
 bool clearly_lower(const std::vector<double>& other, const std::vector<double>& one) {
-  assert(other.size() == one.size());
+  MUROSIMF_ASSERT(other.size() == one.size());
   const auto count = static_cast<double>(one.size());
   std::vector<double> lower;
   for (std::size_t i = 0; i < one.size(); ++i) lower.push_back(one[i] - other[i]);
@@ -29,6 +30,7 @@ bool clearly_lower(const std::vector<double>& other, const std::vector<double>& 
 double mean_error(const WindowTrial& trial) { return mean_of(trial.errors); }
 
 std::size_t best_trial(std::span<const WindowTrial> trials, std::size_t usual) {
+  MUROSIMF_ASSERT(usual < trials.size());
   std::size_t best = usual;
   for (std::size_t i = 0; i < trials.size(); ++i) {
     if (!clearly_lower(trials[i].errors, trials[usual].errors)) continue;

@@ -1,7 +1,7 @@
-/// window_choice.h - whether a fit should look at windows of the logs, by what fits foresee.
+/// window_choice.h - decides whether a fit uses windows of the logs, by its predictions.
 ///
-/// Fits with each share of windows (objective.h) are made to the logs of all trajectories but one, and asked for those that
-/// were left out. A model has a usual share, and other shares have to be clearly better: of those whose errors on the same
+/// Fits with each share of windows (objective.h) are made to the logs of all trajectories but one, and predict those that
+/// were left out. A model has a usual share, and other shares have to be clearly better: of those with errors on the same
 /// logs are lower by more than two standard errors of the mean difference, the one with the lowest mean error is taken.
 /// Source of the rule: the paired t-test, and the habit of not leaving what cannot be told apart (Breiman et al.,
 /// "Classification and Regression Trees", 1984, 3.4.3).
@@ -18,7 +18,7 @@ namespace murosimf::identification {
 
 inline constexpr std::array window_shares{0.0, 0.5, 0.8};  ///< that are tried
 
-/// What fits with one share of windows foresaw.
+/// Errors of the predictions with one share of windows.
 struct WindowTrial {
   double share = 0;            ///< 0 to 1
   std::vector<double> errors;  ///< [rad] of each log, by the fit that has not seen its trajectory
@@ -27,7 +27,7 @@ struct WindowTrial {
 /// [rad]
 [[nodiscard]] double mean_error(const WindowTrial& trial);
 
-/// Index of the trial to go by; `usual` is that of the usual share. All have the errors of the same logs, in the same order.
+/// Index of the best trial; `usual` is that of the usual share. All have the errors of the same logs, in the same order.
 [[nodiscard]] std::size_t best_trial(std::span<const WindowTrial> trials, std::size_t usual);
 
 /// One of window_shares: 0.8 for models in which friction follows the load, otherwise 0. Such friction shows in every part of

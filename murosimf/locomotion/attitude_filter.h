@@ -5,7 +5,7 @@
 ///
 ///     e = f x u            u' = u x (w - b + e/T)            b' = -e/T_b^2
 ///
-/// f is not made a unit vector: specific force is gravity plus the acceleration, whose mean over the steps of a walk at constant speed
+/// f is not made a unit vector: specific force is gravity plus the acceleration, with a mean over the steps of a walk at constant speed
 /// is zero; the mean of its direction is not, as hard footfalls point along the leg. Linearised at rest the poles are those of
 /// s^2 + s/T + 1/T_b^2. A filter without b is off by b T: 0.005 rad/s and 8 s are 2.3 degrees.
 /// While the robot does not move, f is gravity and w is b: both are followed with the short time constant `still`.

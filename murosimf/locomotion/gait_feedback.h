@@ -21,7 +21,7 @@
 
 namespace murosimf::locomotion {
 
-/// Defaults are those of kid21, whose thigh and shin are 0.24 m long.
+/// Defaults are those of kid21, with thigh and shin of 0.24 m.
 struct GaitFeedback {
   // the gait itself at a speed
   double stride_gain = 0.96327;        ///< [1] of the strides

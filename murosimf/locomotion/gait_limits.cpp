@@ -82,7 +82,7 @@ double used_rate_at_full_speed(const std::array<Leg, 2>& legs, const Rates& larg
 }  // namespace
 
 void fit_to_reach(const std::array<Leg, 2>& legs, WalkParameters& p) {
-  // Bounded loops: a robot whose legs never reach keeps its parameters, and the simulation starts.
+  // Bounded loops: a robot with legs that never reach keeps its parameters, and the simulation starts.
   constexpr double lower = 0.99;
   constexpr int heights = 12, lengths = 12;
   WalkParameters tried = p;

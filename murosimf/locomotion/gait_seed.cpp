@@ -15,7 +15,7 @@ namespace murosimf::locomotion {
 namespace {
 
 constexpr double gravity = 9.81;  // [m/s^2]
-/// [1] Steps are quicker than kid21's, whose soft servos come late; so the sway does not lead either.
+/// [1] Steps are quicker than kid21's, which has soft servos that lag; so the sway does not lead either.
 constexpr double quicker = 0.7;
 
 double leg_length(const std::array<Leg, 2>& legs) { return legs[0].thigh + legs[0].shin; }

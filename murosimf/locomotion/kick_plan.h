@@ -1,6 +1,6 @@
 /// kick_plan.h - selects the kick of a robot that sends a ball in a direction, and the walk to where it kicks.
 ///
-/// A kick whose ball lies at k and goes in direction d, both seen from the robot, sends a ball at b in direction a from
+/// A kick of a ball that lies at k and goes in direction d, both seen from the robot, sends a ball at b in direction a from
 ///     heading  h = a - d        place  b - Rz(h) k
 /// where b is not known, from where the robot stands, turned by h. Of all kicks, the one with the least
 ///     (sqrt((x/vx)^2 + (y/vy)^2) + |h|/wz) (1 + 2 |sin d|)          vx, vy, wz: the fastest walk

@@ -1,6 +1,6 @@
 /// leg_shape.h - finds hip, knee and ankle in a chain of hinges.
 ///
-/// The knee is the hinge whose axis keeps the greatest distance from both ends of the leg: the larger of the smaller of
+/// The knee is the hinge with the axis at the greatest distance from both ends of the leg: the larger of the smaller of
 /// its distances from the first hinge and from the sole. Hinges before it are the hip's, those behind it the ankle's;
 /// their centers are the points nearest to their axes (a leg without an ankle has its sole there). All at angles 0.
 #pragma once

@@ -70,7 +70,7 @@ MotionEngine::MotionEngine(Setup& setup, const Vec3d& command, const MotionEngin
     with_context(motion.name, [&] { add_motion(setup.model(), motion); });
   named_ = motions_.size();
   MUROSIMF_ASSERT(named_ <= most_motions);
-  // Wide steps come behind the named motions, whose numbers are those of the requests.
+  // Wide steps come after the named motions, which have the numbers of the requests.
   for (const std::size_t side : {0, 1}) {
     add_motion(setup.model(), {"wide_step", wide_step(legs_, seeded_parameters(setup.model()), side)});
     for (std::size_t i = 0; i < named_; ++i) {

@@ -3,8 +3,8 @@
 /// Modes (motion_state.h), later ones precede earlier ones:
 ///     walk      stands or walks with the velocity in `walk_command` (balanced_gait.h); without a command and undisturbed it stands,
 ///               its feet as far apart as where key frames begin
-///     play      a key-frame motion that `motion_request` asked for (motion_state.h). It begins when the robot has stopped, a dive at once;
-///               a kick that `kick_request` asked for, when the robot has walked to where it sends the ball there (kick_plan.h)
+///     play      a key-frame motion of a `motion_request` (motion_state.h). It begins when the robot has stopped, a dive at once;
+///               a kick of a `kick_request`, when the robot has walked to where it sends the ball there (kick_plan.h)
 ///     protect   it falls (leans over 35 degrees): plays protect_front, _back, _left or _right, if the robot has it
 ///     lie       it has fallen (60 degrees): waits until it lies still
 ///     get_up    plays get_up_front, _back, _left or _right by the side that it lies on, and again if it does not stand then

@@ -17,7 +17,7 @@ struct MotionReport {
   Activity activity = Activity::stand;
   int motion = -1;      ///< number among the robot's motions of the one that is played; -1: none
   double phase = 0;     ///< [1] of that motion, 0 while the joints come to its beginning, 1 at its end
-  bool fallen = false;  ///< it lies or gets up, or the torso leans over 60 degrees as its own sensors say
+  bool fallen = false;  ///< it lies or gets up, or the torso leans over 60 degrees by its own sensors
 };
 
 /// `amplitude` [1] of the gait. Without an engine: a robot that stands.

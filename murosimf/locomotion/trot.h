@@ -1,7 +1,7 @@
 /// trot.h - algorithm: a four-legged robot trots with a walking velocity; joint targets for each control cycle.
 ///
 /// Diagonal pairs of feet step together: with the phase ph in [0, 2 pi), front left and hind right stand during (0, pi).
-/// A foot whose place at rest is n, seen from the middle of the feet, follows the ground along its stride (stride.h):
+/// A foot with n as its place at rest, seen from the middle of the feet, follows the ground along its stride (stride.h):
 ///
 ///     foot = n + xi Ts (v + w x n) + lift hz z         Ts = T (pi + 2 d)/(2 pi)
 ///

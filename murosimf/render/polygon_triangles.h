@@ -1,6 +1,6 @@
 /// polygon_triangles.h - a flat polygon, which may be concave, as triangles: ear clipping.
 ///
-/// An ear is a corner whose triangle with its neighbors has no other corner in it; ears are cut off one after the other. Source: Meisters,
+/// An ear is a corner that forms, with its neighbors, a triangle without other corners in it; ears are cut off one after the other. Source: Meisters,
 /// "Polygons have ears", Amer. Math. Monthly 82 (1975).
 #pragma once
 
@@ -18,7 +18,7 @@ namespace murosimf::render {
 /// Takes time as n for convex ones, as n times the concave corners for most others, as n^3 at worst.
 [[nodiscard]] std::vector<std::array<std::uint32_t, 3>> polygon_triangles(std::span<const Vec3d> corners);
 
-/// Whether no corner turns the other way, for a flat polygon whose border does not cross itself.
+/// Whether no corner turns the other way, for a flat polygon with a border that does not cross itself.
 [[nodiscard]] bool is_convex(std::span<const Vec3d> corners);
 
 }  // namespace murosimf::render

@@ -5,17 +5,20 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Dense>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::robot_formats {
 namespace {
 
-/// How a degree of freedom moves what is behind it: rate [rad/s] of turning and velocity [m/s] of the point at the world's origin.
+/// Motion of the bodies behind a degree of freedom: rate [rad/s] of turning and velocity [m/s] of the point at the world's origin.
 struct Motion {
   Vec3d turn, shift;
 };
 
-/// Of the base, if it is free, then of all joints, in the frame of the base.
+/// Motions of the base, if it is free, then of all joints, in the frame of the base.
 struct Motions {
   explicit Motions(const RobotDescription& description) : behind(description.bodies.size()) {
+    // The base's six degrees of freedom come first: `base` separates them from the joints.
     if (!description.fixed_base) {
       for (const Vec3d& axis : {Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}}) {
         all.push_back({axis, {}});
@@ -26,15 +29,18 @@ struct Motions {
     armature.resize(base);
     for (std::size_t i = 0; i < base; ++i) behind[0].push_back(i);
     for (std::size_t b = 0; b < description.bodies.size(); ++b) add(description.bodies[b], b);
+    MUROSIMF_ASSERT(all.size() == armature.size() && places.size() == description.bodies.size());
   }
 
   void add(const BodyDescription& body, std::size_t b) {
+    MUROSIMF_ASSERT(body.parent < static_cast<int>(b));
     places.push_back(body.parent < 0 ? Transformd{} : places[body.parent] * body.place);
     if (body.parent >= 0) behind[b] = behind[body.parent];
     for (const JointDescription& joint : body.joints) {
       const Vec3d axis = places[b].orientation * ((1.0 / norm(joint.axis)) * joint.axis);
       const Vec3d anchor = places[b].position + places[b].orientation * joint.anchor;
       behind[b].push_back(all.size());
+      // As a twist at the common origin, so that motions of different bodies add up.
       all.push_back(joint.kind == Kind::prismatic ? Motion{{}, axis} : Motion{axis, -cross(axis, anchor)});
       armature.push_back(joint.armature);
     }
@@ -42,9 +48,9 @@ struct Motions {
 
   std::vector<Transformd> places;  // of bodies
   std::vector<Motion> all;
-  std::vector<double> armature;                  // [kg m^2 | kg] of each
-  std::vector<std::vector<std::size_t>> behind;  // numbers of those that move a body
-  std::size_t base = 0;                          // how many are the base's
+  std::vector<double> armature;                  // [kg m^2 | kg] of each motion
+  std::vector<std::vector<std::size_t>> behind;  // by body: the motions that move it
+  std::size_t base = 0;                          // number of the base's motions
 };
 
 /// M = sum over bodies of J^T I J.
@@ -55,6 +61,7 @@ Eigen::MatrixXd inertia_matrix(const RobotDescription& description, const Motion
     matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)) = motions.armature[i];
   for (std::size_t b = 0; b < description.bodies.size(); ++b) {
     const MassProperties solid =
+        // Moved to the frame of the base, in which the twists are given.
         moved(description.bodies[b].solid, motions.places[b].position, motions.places[b].orientation);
     for (const std::size_t i : motions.behind[b]) {
       const Motion& one = motions.all[i];
@@ -74,6 +81,7 @@ Eigen::MatrixXd inertia_matrix(const RobotDescription& description, const Motion
 std::vector<double> free_inertias(const RobotDescription& description) {
   const Motions motions(description);
   const Eigen::LLT<Eigen::MatrixXd> factor(inertia_matrix(description, motions));
+  // A joint that moves no mass makes the matrix singular: the caller gets no inertias instead of infinite ones.
   if (factor.info() != Eigen::Success) return {};
   const auto size = static_cast<Eigen::Index>(motions.all.size());
   const Eigen::MatrixXd inverse = factor.solve(Eigen::MatrixXd::Identity(size, size));
@@ -92,18 +100,21 @@ double reference_of(const RobotDescription& description, const std::string& name
 }
 
 double reflected_inertia(const RobotDescription& description, std::size_t body, const JointDescription& joint) {
+  MUROSIMF_ASSERT(body < description.bodies.size() && norm(joint.axis) > 0);
   const Vec3d axis = (1.0 / norm(joint.axis)) * joint.axis;
   std::vector<std::optional<Transformd>> places(
       description.bodies.size());  // in the frame of `body`; none: not behind it
   places[body] = Transformd{};
   double inertia = joint.armature;
   for (std::size_t b = body; b < description.bodies.size(); ++b) {
+    // One pass suffices: parents precede their children.
     const BodyDescription& moved_body = description.bodies[b];
     if (b != body && moved_body.parent >= 0 && places[moved_body.parent]) {
       places[b] = *places[moved_body.parent] * moved_body.place;
     }
     if (!places[b]) continue;
     const MassProperties solid = moved(moved_body.solid, places[b]->position, places[b]->orientation);
+    MUROSIMF_ASSERT(moved_body.parent < static_cast<int>(b));
     const SymMat3d at_anchor = solid.inertia + solid.mass * inertia_of_point(solid.center - joint.anchor);
     inertia += joint.kind == Kind::prismatic ? solid.mass : dot(axis, at_anchor * axis);
   }

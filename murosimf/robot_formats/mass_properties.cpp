@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "murosimf/geometry/mesh_mass.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::robot_formats {
 namespace {
@@ -28,7 +29,7 @@ struct Volume {
 };
 
 // Source: tables of moments of inertia of homogeneous solids, as in Goldstein, Classical Mechanics, or any
-// handbook of mechanics; the capsule is a cylinder and two half balls, whose centers lie 3/8 r behind their flat side.
+// handbook of mechanics; the capsule is a cylinder and two half balls, with centers 3/8 r from their flat side.
 struct UnitInertia {
   SymMat3d operator()(const Sphere& s) const { return diagonal(0.4 * s.radius * s.radius); }
   SymMat3d operator()(const Box& s) const { return from_squares(1.0 / 3.0, s.half_size); }
@@ -41,7 +42,7 @@ struct UnitInertia {
   SymMat3d operator()(const Capsule& s) const {
     const double r = s.radius, h = s.half_length;
     const double balls = volume(Sphere{r}) / volume(Shape{s});  // share of the mass
-    // half balls: 2/5 r^2 about the middle of their flat side, moved to the middle of the capsule
+    // Half balls: 2/5 r^2 about the middle of their flat side, moved to the middle of the capsule.
     const double across = 0.4 * r * r + h * h + 0.75 * h * r;
     const SymMat3d caps{across, across, 0.4 * r * r};
     return balls * caps + (1.0 - balls) * (*this)(Cylinder{r, h});
@@ -49,6 +50,7 @@ struct UnitInertia {
   SymMat3d operator()(const Plane&) const { return {}; }
   SymMat3d operator()(const Convex& s) const {
     const auto solid = geometry::solid_mass(*s.hull);
+    MUROSIMF_ASSERT(solid.volume != 0);
     return (1.0 / solid.volume) * solid.inertia;
   }
 };
@@ -68,10 +70,12 @@ SymMat3d unit_inertia(const Shape& shape) { return std::visit(UnitInertia{}, sha
 MassProperties combined(const std::vector<MassProperties>& parts) {
   MassProperties sum;
   for (const MassProperties& part : parts) {
+    MUROSIMF_ASSERT(!(part.mass < 0));
     sum.mass += part.mass;
     sum.center += part.mass * part.center;
   }
   if (sum.mass > 0) sum.center = (1.0 / sum.mass) * sum.center;
+  // Massless parts alone have no center; it stays at the origin.
   for (const MassProperties& part : parts) {
     sum.inertia += part.inertia + part.mass * inertia_of_point(part.center - sum.center);
   }
@@ -91,6 +95,7 @@ Vec3d principal_moments(const SymMat3d& inertia) {
 bool breaks_triangle_inequality(const Vec3d& moments) { return moments.x + moments.y < moments.z * (1.0 - 1e-5); }
 
 SymMat3d with_least_moment(const SymMat3d& inertia, double least) {
+  MUROSIMF_ASSERT(least >= 0);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(matrix_of(inertia));
   const Eigen::Vector3d moments = solver.eigenvalues().cwiseMax(least);
   const Eigen::Matrix3d m = solver.eigenvectors() * moments.asDiagonal() * solver.eigenvectors().transpose();

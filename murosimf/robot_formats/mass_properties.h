@@ -1,4 +1,4 @@
-/// mass_properties.h - mass, center and inertia of shapes, and of several parts as one.
+/// mass_properties.h - mass, center and inertia of shapes, and of several parts together.
 #pragma once
 
 #include <vector>
@@ -18,17 +18,17 @@ struct MassProperties {
 [[nodiscard]] double volume(const Shape& shape);
 /// [kg m^2] of a homogeneous solid of unit mass, at its center of mass, shape axes; zero for a plane.
 [[nodiscard]] SymMat3d unit_inertia(const Shape& shape);
-/// Several parts as one: center by weights, inertia by the parallel-axis theorem.
+/// Properties of several parts together: center by weights, inertia by the parallel-axis theorem.
 [[nodiscard]] MassProperties combined(const std::vector<MassProperties>& parts);
 
-/// Seen in the frame in which the body's stands at `position` [m] with `orientation` (body axes to the frame's axes).
+/// Properties in the frame in which the body is at `position` [m] with `orientation` (body axes to the frame's axes).
 [[nodiscard]] MassProperties moved(const MassProperties& body, const Vec3d& position, const Mat3d& orientation);
 /// [kg m^2] in rising order.
 [[nodiscard]] Vec3d principal_moments(const SymMat3d& inertia);
-/// True if the two smaller moments together are less than the largest, by more than the six digits that files have: no
-/// solid body has that. `moments` in rising order.
+/// Whether the sum of the two smaller moments is less than the largest, by more than the six digits of files: no
+/// solid body has such moments. `moments` in rising order.
 [[nodiscard]] bool breaks_triangle_inequality(const Vec3d& moments);
-/// The same principal axes; moments below `least` [kg m^2] are raised to it.
+/// A tensor with the same principal axes; moments below `least` [kg m^2] are raised to it.
 [[nodiscard]] SymMat3d with_least_moment(const SymMat3d& inertia, double least);
 
 }  // namespace murosimf::robot_formats

@@ -19,6 +19,7 @@ std::string free_name(const RobotDescription& robot, const std::string& stem) {
 MeshDescription mesh_entry(RobotDescription& robot, const std::filesystem::path& file, const Vec3d& scale,
                            const std::string& where) {
   const auto same = [&](const MeshDescription& known) { return known.file == file && is_zero(known.scale - scale); };
+  // Two shapes of one file at two scales are two meshes: hulls are made at their final size.
   const auto known = std::ranges::find_if(robot.meshes, same);
   if (known != robot.meshes.end()) return *known;
   MeshDescription entry;

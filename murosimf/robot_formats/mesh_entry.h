@@ -1,4 +1,4 @@
-/// mesh_entry.h - meshes that shapes of a robot file name by file and scale: each is one entry of the description.
+/// mesh_entry.h - entries of meshes that shapes of a robot file refer to by file and scale.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace murosimf::robot_formats {
 
-/// The entry of this file at this scale; a new one is called as the file, `<name>_2` where that is taken. `where` [file:line] names it first.
+/// The entry of this file at this scale; a new one is named after the file, `<name>_2` if that is taken. `where` [file:line] refers to it first.
 [[nodiscard]] MeshDescription mesh_entry(RobotDescription& robot, const std::filesystem::path& file, const Vec3d& scale,
                                          const std::string& where);
 

@@ -15,15 +15,15 @@ std::string line(const std::string& where, const std::string& message) {
 }  // namespace
 
 void ReaderLog::note(const std::string& where, const std::string& message) {
-  if (tell(message)) description_.notes.push_back(line(where, message));
+  if (report(message)) description_.notes.push_back(line(where, message));
 }
 
 void ReaderLog::unused(const std::string& where, const std::string& word, const std::string& message) {
-  if (tell(message)) description_.unused.push_back({files::one_line(word), line(where, message)});
+  if (report(message)) description_.unused.push_back({files::one_line(word), line(where, message)});
 }
 
 void ReaderLog::warn(const std::string& where, const std::string& message) {
-  if (tell(message)) description_.warnings.push_back(line(where, message));
+  if (report(message)) description_.warnings.push_back(line(where, message));
 }
 
 void ReaderLog::refuse(const std::string& where, const std::string& message) {

@@ -1,4 +1,4 @@
-/// reader_options.h - how robot files are read.
+/// reader_options.h - options of the readers of robot files.
 #pragma once
 
 #include <filesystem>
@@ -9,15 +9,15 @@
 namespace murosimf::robot_formats {
 
 struct ReaderOptions {
-  bool lenient = false;      ///< what is unknown or not supported becomes a warning, where a robot remains without it
-  bool guess = true;         ///< soles, frames and servos that nothing names are guessed (role_inference.h)
-  bool face_forward = true;  ///< the base of a robot that faces another way is turned (robot_heading.h)
-  std::vector<std::string> part_per_group{};  ///< meshes of OBJ files whose objects or groups are convex parts
+  bool lenient = false;      ///< unknown or unsupported parts become warnings, where a robot remains without them
+  bool guess = true;         ///< soles, frames and servos that the file does not name are guessed (role_inference.h)
+  bool face_forward = true;  ///< the base of a robot that faces another direction is turned (robot_heading.h)
+  std::vector<std::string> part_per_group{};  ///< meshes of OBJ files with convex parts as objects or groups
   std::map<std::string, std::filesystem::path> packages{};  ///< folders of "package://name/..." in URDF
   std::map<std::string, std::string> xacro{};               ///< arguments of a file with macros, by name
   std::string
-      body{};  ///< of several robots in a file (MJCF) the one with this body; "world": what is bolted to the world
-  std::vector<std::filesystem::path> search_paths{};  ///< folders in which packages are looked for, too
+      body{};  ///< of several robots in a file (MJCF) the one with this body; "world": the parts bolted to the world
+  std::vector<std::filesystem::path> search_paths{};  ///< additional folders of packages
 };
 
 }  // namespace murosimf::robot_formats

@@ -1,8 +1,8 @@
-/// robot_description.h - a robot as a file describes it, before it becomes a Model: what the readers of MJCF and URDF make,
-/// and what the checks and the converter look at.
+/// robot_description.h - a robot as a file describes it, before it becomes a Model: output of the readers of MJCF, URDF, SDF and PROTO,
+/// and input of the checks and the converter.
 ///
-/// Everything is resolved: SI units, angles in rad, classes and includes applied, meshes read. Every part knows where it
-/// is written ("robot.xml:12"), so that later complaints can say so. Names are those of the file.
+/// Everything is resolved: SI units, angles in rad, classes and includes applied, meshes read. Every part has the place where it
+/// is written ("robot.xml:12"), for later diagnostics. Names are those of the file.
 ///
 /// Bodies form a tree, parents first; body 0 is the base and has no joints. A body is placed in the frame of its parent
 /// and then moved by its joints in their order; a body without joints is welded to its parent (lump_fixed_joints).
@@ -35,12 +35,12 @@ struct JointDescription {
   double friction = 0;          ///< [N m | N] dry
   double stiffness = 0;         ///< [N m/rad | N/m] of a spring at the joint
   double spring_reference = 0;  ///< [rad | m] joint position at which that spring is at rest
-  /// [N m | N] The file's own limit of what moves the joint (URDF effort, MJCF actuatorfrcrange); 0: none.
+  /// [N m | N] The file's own limit of the drive (URDF effort, MJCF actuatorfrcrange); 0: none.
   double effort_limit = 0;
-  std::optional<Vec3d> effort_range;  ///< [N m | N] lowest, highest, 0: where that limit is not the same both ways
+  std::optional<Vec3d> effort_range;  ///< [N m | N] lowest, highest, 0: where that limit differs between directions
   double rate_limit = 0;              ///< [rad/s | m/s] URDF velocity; 0: none
   std::optional<Servo> servo;         ///< of its actuators
-  /// [rad | m] Lowest, highest, 0: what targets are held to (MJCF ctrlrange); of a servo without position gain rates.
+  /// [rad | m] Lowest, highest, 0: bounds of targets (MJCF ctrlrange); of a servo without position gain rates.
   std::optional<Vec3d> target_range;
   /// [1] Damping of its position servo over the critical one; 0: the servo's velocity_gain holds. Resolved by the reader.
   double damping_ratio = 0;
@@ -53,7 +53,7 @@ struct MimicDescription {
   double offset = 0;  ///< [rad | m]
 };
 
-/// Two frames of the robot that stand in one place, which closes a loop of its bodies.
+/// Two frames of the robot that coincide, which closes a loop of its bodies.
 struct LoopDescription {
   std::string name, where;
   std::string frame1, frame2;  ///< FrameDescription::name
@@ -68,7 +68,7 @@ struct ShapeDescription {
   Vec3d middle{};           ///< [m] of a part of a mesh: where the shape's origin is in the mesh frame
 };
 
-/// A mesh that is only looked at: it is not read until somebody draws it.
+/// A mesh that is only drawn: it is read on first use.
 struct VisualDescription {
   std::string name, where;
   std::string mesh;  ///< among the description's meshes
@@ -90,7 +90,7 @@ struct BodyDescription {
   Transformd place;  ///< in the parent's frame, joints in the pose of the file
   std::vector<JointDescription> joints;
   MassProperties solid;     ///< mass 0: massless
-  std::string solid_where;  ///< where its mass is written; empty: nowhere, or worked out from shapes
+  std::string solid_where;  ///< where its mass is written; empty: nowhere, or computed from shapes
   std::vector<ShapeDescription> shapes;
   std::vector<VisualDescription> visuals;  ///< meshes; other visual shapes are shapes that do not collide
   std::vector<FrameDescription> frames;
@@ -104,21 +104,21 @@ struct MeshDescription {
   Transformd origin;           ///< of the mesh frame, in the file's frame
 };
 
-/// A sensor or camera that the file mentions.
+/// A sensor or camera of the file.
 struct SensorDescription {
   std::string kind, name, frame, where;  ///< kind as the file calls it; frame: site, body, link or joint
   Transformd place;                      ///< in that frame
-  double rate = 0;                       ///< [Hz] 0: the file does not say
+  double rate = 0;                       ///< [Hz] 0: the file has none
   std::string object_kind{};             ///< of `frame` in MJCF: site, xbody, body, joint, ...
   std::map<std::string, sensors::SignalSpec> signals{};  ///< by output of the sensor that it becomes; "": of all
   std::map<std::string, double> numbers{};               ///< SensorSpec::numbers
   std::map<std::string, std::string> texts{};  ///< SensorSpec::texts; what names objects, by names of the file
   std::string behind{};    ///< of a sensor of forces inside the robot: the body at which it is cut; empty: none
-  std::string obstacle{};  ///< why it is not simulated; empty: nothing known
+  std::string obstacle{};  ///< why it is not simulated; empty: no reason known
   std::string becomes{};   ///< SensorSpec::name (robot_sensors.h); empty: none
 };
 
-/// A posture that the file names (MJCF key).
+/// A posture of the file (MJCF key).
 struct KeyframeDescription {
   std::string name, where;
   std::map<std::string, double> positions;  ///< [rad | m] of all joints, by name
@@ -126,17 +126,17 @@ struct KeyframeDescription {
   Transformd base;                          ///< in the world of the file
 };
 
-/// Two bodies whose shapes never touch each other (MJCF exclude).
+/// Two bodies with shapes that never touch each other (MJCF exclude).
 struct ExclusionDescription {
   std::string body1, body2, where;
 };
 
-/// Two shapes of the robot, by name, that touch each other whatever else forbids it (MJCF pair).
+/// Two shapes of the robot, by name, that touch each other regardless of other rules (MJCF pair).
 struct PairDescription {
   std::string shape1, shape2, where;
 };
 
-/// Something that the file says and that has no effect here: `murosimf check` shows the line, `murosimf run` the word.
+/// A part of the file without effect here: `murosimf check` shows the line, `murosimf run` the word.
 struct Unused {
   std::string word;  ///< "geom.condim", "option", "world geom 'floor'"
   std::string line;  ///< "robot.xml:12: attribute 'condim' of geom is not used"
@@ -156,8 +156,8 @@ struct RobotDescription {
   std::vector<PairDescription> pairs;
   std::vector<KeyframeDescription> keyframes;
   std::vector<std::string> warnings;  ///< file:line: what looks wrong, or is dropped because of `lenient`
-  std::vector<std::string> notes;     ///< file:line: what was guessed, or taken instead
-  std::vector<Unused> unused;         ///< what has no effect here, each once
+  std::vector<std::string> notes;     ///< file:line: what was guessed, or used instead
+  std::vector<Unused> unused;         ///< parts without effect here, each once
 };
 
 /// [rad | m] Position of a joint in the pose of the file; 0 if there is no such joint.

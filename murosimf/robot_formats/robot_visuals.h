@@ -6,7 +6,7 @@
 
 namespace murosimf::robot_formats {
 
-/// The visual meshes of a body of the description, in the body's frame. Left out is what stands in the robot file itself.
+/// The visual meshes of a body of the description, in the body's frame, without those with vertices in the robot file itself.
 [[nodiscard]] Visuals visuals_of(const RobotDescription& description, const BodyDescription& body);
 
 }  // namespace murosimf::robot_formats

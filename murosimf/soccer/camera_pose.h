@@ -2,7 +2,7 @@
 ///
 /// From sensors only: joint angles of the sensor `encoders`, put into the robot's model, and the orientation of the sensor
 /// `imu`. The inertial sensor defines up; the ground is as far below the base as the lowest corner of a sole. The
-/// camera is mounted as its robot's file says (CameraInfo::nominal) and the inertial sensor has the axes
+/// camera is mounted as in its robot's file (CameraInfo::nominal) and the inertial sensor has the axes
 /// of the object that it sits on: mounting errors of both, bends and delays are unknown here, and so become errors of the pose.
 /// Use only changes of the heading: a real sensor does not measure north.
 #pragma once

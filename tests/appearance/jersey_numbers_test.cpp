@@ -1,4 +1,4 @@
-// Where numbers are painted: on the trunk, in front of everything there, readable from outside.
+// Places of painted numbers: on the trunk, in front of all its parts, readable from outside.
 #include "murosimf/appearance/jersey_numbers.h"
 
 #include <cmath>
@@ -31,8 +31,8 @@ struct Robot {
   std::vector<JerseyNumber> plates;
 };
 
-/// What a ray against the plate's normal, through a point of the plate, meets before it comes to the plate, or not
-/// within 20 cm behind it.
+/// The first hit of a ray against the plate's normal, through a point of the plate, before the plate or within
+/// 20 cm behind it.
 struct Covered {
   int in_front = 0, bare = 0, points = 0;
 };
@@ -48,7 +48,7 @@ double meet(const geometry::Ray& ray, const Vec3d& a, const Vec3d& b, const Vec3
   return speed != 0 && u >= 0 && v >= 0 && w >= 0 ? t : INFINITY;
 }
 
-/// Of what is seen on the plate's own object.
+/// Of visible parts on the plate's own object.
 Covered look_at(const Robot& robot, const JerseyNumber& plate) {
   const Vec3d out = cross(plate.right, plate.up);
   Covered covered;

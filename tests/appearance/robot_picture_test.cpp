@@ -1,4 +1,4 @@
-/// robot_picture_test - a robot from four sides, each as large as its shapes say.
+/// robot_picture_test - a robot from four sides, in the size of its shapes.
 #include "murosimf/appearance/robot_picture.h"
 
 #include <vector>
@@ -10,7 +10,7 @@
 namespace murosimf::appearance {
 namespace {
 
-/// Columns or rows with something in them, from the first on.
+/// Columns or rows that are not empty, from the first on.
 struct Range {
   int first = 0, count = 0;
 };
@@ -49,7 +49,7 @@ class RobotPicture : public testing::Test {
     }
     return true;
   }
-  /// Columns of what stands side by side.
+  /// Columns of objects side by side.
   [[nodiscard]] std::vector<Range> views() const {
     std::vector<Range> found;
     bool inside = false;

@@ -1,4 +1,4 @@
-/// video_file_test - what another program is fed, and that nothing is left of videos that nobody finished.
+/// video_file_test - the input of the other program, and the removal of unfinished videos.
 #include "murosimf/appearance/video_file.h"
 
 #include <cstdlib>
@@ -96,7 +96,7 @@ TEST_F(VideoFiles, ThatNobodyFinishesLeaveNothingAndKeepWhatWasThere) {
   EXPECT_EQ(files(), 1);
 }
 
-// What a program reads is what was added.
+// The pictures that a program reads are those that were added.
 TEST_F(VideoFiles, OfNumbersLoseNothing) {
   if (std::system("ffmpeg -version >/dev/null 2>&1") != 0) GTEST_SKIP() << "no ffmpeg here";
   std::string added;

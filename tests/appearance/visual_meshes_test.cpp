@@ -1,4 +1,4 @@
-// Visual meshes: where they stand in a model, and what is drawn of it.
+// Visual meshes: their places in a model, and their drawing.
 #include "murosimf/appearance/visual_meshes.h"
 
 #include <fmt/format.h>
@@ -36,7 +36,7 @@ geometry::TriangleMesh only_mesh(const robot::RobotFile& robot, const std::strin
   return visuals && visuals->size() == 1 ? visual_triangles(visuals->at(0)) : geometry::TriangleMesh{};
 }
 
-// Rule: scale * (R(refquat)^T (v - refpos)) in the geom's frame (MuJoCo's documentation, asset/mesh), worked out by hand.
+// Rule: scale * (R(refquat)^T (v - refpos)) in the geom's frame (MuJoCo's documentation, asset/mesh), computed by hand.
 TEST(VisualMeshes, StandWhereTheMjcfFilePutsThem) {
   write("t.obj", robot_formats::urdf::urdf_files::tetrahedron());
   const robot::RobotFile robot = read_arm(

@@ -28,7 +28,7 @@ struct CalibrationFile {
     EXPECT_NE(place, std::string::npos) << old;
     return text.replace(place, old.size(), replacement);
   }
-  /// What read(file) says of a text, without the name of the folder.
+  /// The error of read(file) for a text, without the name of the folder.
   template <class Read>
   [[nodiscard]] std::string message(const std::string& text, const Read& read) const {
     try {

@@ -29,7 +29,7 @@ projection_matrix:
   data: [400, 0, 310, 0, 0, 400, 220, 0, 0, 0, 1, 0]
 )"};
 
-/// What reading says, without the name of the folder.
+/// The reader's error, without the name of the folder.
 std::string message(const std::string& text) {
   return info_file.message(text, [](const std::filesystem::path& file) { return read_camera_info(file); });
 }

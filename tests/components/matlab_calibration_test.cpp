@@ -8,7 +8,7 @@
 namespace murosimf::components {
 namespace {
 
-/// As the toolbox saves it, with numbers of our own.
+/// As the toolbox saves it, with invented numbers.
 const CalibrationFile calib_results{"Calib_Results.m", R"(% Intrinsic and Extrinsic Camera Parameters
 %
 % fc = [ 1 ; 1 ];   in a comment
@@ -41,7 +41,7 @@ est_dist = [ 1 ; 1 ; 1 ; 1 ; 0 ];
 omc_1 = [ NaN ; NaN ; NaN ];
 )"};
 
-/// What reading says, without the name of the folder.
+/// The reader's error, without the name of the folder.
 std::string message(const std::string& text) {
   return calib_results.message(text, [](const std::filesystem::path& file) { return read_calibration(file); });
 }

@@ -39,7 +39,7 @@ TEST_P(RealLens, ComesBackToTheRayOfEveryPixel) {
       const auto pixel = ray ? lens.project(*ray) : std::nullopt;
       const auto again = pixel ? lens.ray(*pixel) : std::nullopt;
       worst.see(again ? angle_between(*ray, *again) : pi, u, v);
-      // as exact in pixels, or a ray that is wrong twice would do
+      // as exact in pixels, because two equal errors of rays would cancel
       if (pixel) worst.see(std::hypot(pixel->u - u, pixel->v - v) / spec->fx, u, v);
     }
   }

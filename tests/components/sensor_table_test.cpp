@@ -1,4 +1,4 @@
-/// sensor_table_test - sensors from the TOML file beside a robot and from parts; errors are named with their place.
+/// sensor_table_test - sensors from the TOML file beside a robot and from parts; errors have their place.
 #include "murosimf/components/sensor_table.h"
 
 #include <cmath>

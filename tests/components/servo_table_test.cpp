@@ -1,4 +1,4 @@
-/// servo_table_test - every ready-made servo can be read, is plausible, and says what its comments derive.
+/// servo_table_test - every ready-made servo can be read, is plausible, and has the numbers that its comments derive.
 #include "murosimf/components/servo_table.h"
 
 #include <algorithm>
@@ -43,7 +43,7 @@ TEST(ServoTable, ShippedServosArePlausible) {
   }
 }
 
-/// What the files of the fitted servos say that their numbers are. Tolerance: they are written with four digits.
+/// Numbers in the comments of the fitted servos' files. Tolerance: they are written with four digits.
 void expect_fitted(const std::string& type, double k_t, double R, double voltage, double duty_per_rad) {
   SCOPED_TRACE(type);
   const Servo servo = read_servo(type);
@@ -65,7 +65,7 @@ TEST(ServoTable, FittedServosAreWhatTheirFilesDerive) {
   EXPECT_EQ(servo.friction.viscous, 0.01169);
 }
 
-/// Fits and data sheets come from different hands; the largest differences are 20 % (no-load rate of the xl330, without
+/// Fits and data sheets come from different sources; the largest differences are 20 % (no-load rate of the xl330, without
 /// friction in the fit and with it in the sheet) and 18 % (stall torque of the mx64).
 TEST(ServoTable, ShippedServosAgreeWithTheirDataSheets) {
   struct Sheet {

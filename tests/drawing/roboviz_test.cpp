@@ -1,4 +1,4 @@
-// What programs draw that know RoboViz: packets as they send them, made here byte by byte, and by UDP.
+// Drawings of programs that use RoboViz: packets in their form, made here byte by byte, and by UDP.
 #include <arpa/inet.h>
 #include <netinet/in.h>
 #include <sys/socket.h>

@@ -1,4 +1,4 @@
-// What control software draws: kept by name for who watches, no part of the state, and never too much.
+// Drawings of control software: kept by name for observers, no part of the state, and limited.
 #include "murosimf/drawing/sketch_pad.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ class Painter final : public connect::ControlSoftware {
 
 DrawnShape circle(double radius = 0.1) { return {.points = {{1, 2, 0}}, .size = radius}; }
 
-/// What stands there after `paint` was called with the port every 10 ms, for 50 ms.
+/// The drawings after `paint` was called with the port every 10 ms, for 50 ms.
 Drawings drawn(const std::function<void(connect::RobotPort&, Duration)>& paint, std::uint64_t* hash = nullptr) {
   test::Rig rig;
   Entity& robot = rig.add("robot", test::kid21());

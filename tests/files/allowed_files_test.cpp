@@ -1,4 +1,4 @@
-// Which files are read for those who ask over a network: none but those in the folders that a run was started with.
+// Files that are read for requests over a network: only those in the folders that a run was started with.
 #include "murosimf/files/allowed_files.h"
 
 #include <gtest/gtest.h>
@@ -73,7 +73,7 @@ TEST_F(Allowed, FoldersByAnyOfTheirNames) {
   EXPECT_TRUE(AllowedFiles({root_ / "other_name"}).allows(root_ / "other_name/scene.toml"));
 }
 
-// What is outside is neither found nor opened; whether it is there makes no difference.
+// A file outside is neither found nor opened; its existence makes no difference.
 TEST_F(Allowed, ConcernsWhoeverFindsAndOpensFiles) {
   const AllowedFiles allowed({root_ / "inside"});
   const std::string secret = (root_ / "outside/secret.toml").string(), nothing = (root_ / "outside/nothing").string();

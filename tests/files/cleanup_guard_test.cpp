@@ -1,4 +1,4 @@
-// What is taken away when a signal ends the program: noted files and children, nothing else.
+// Removal when a signal ends the program: registered files and children, nothing else.
 #include "murosimf/files/cleanup_guard.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Tables of comma-separated numbers: what is read, what is refused, what is drawn in one panel.
+// Tables of comma-separated numbers: valid ones, errors, and columns that are drawn in one panel.
 #include "murosimf/files/csv_file.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// A file that somebody writes says who.
+// A file that is being written names its writer.
 #include "murosimf/files/file_lock.h"
 
 #include <fcntl.h>

@@ -1,4 +1,4 @@
-// A result never replaces what its command reads, whatever the names are.
+// A result never replaces an input of its command, whatever the names are.
 #include "murosimf/files/file_roles.h"
 
 #include <fstream>

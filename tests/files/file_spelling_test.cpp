@@ -1,4 +1,4 @@
-// Names of files as other systems spell them.
+// Names of files as other systems write them.
 #include "murosimf/files/file_spelling.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Which files are opened for reading, and what is said about the others.
+// Files that are opened for reading, and the errors of others.
 #include "murosimf/files/input_file.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ class InputFile : public testing::Test {
     std::ofstream(folder_ / name, std::ios::binary) << text;
     return folder_ / name;
   }
-  /// A pipe into which nobody writes.
+  /// A pipe without a writer.
   fs::path pipe(const std::string& name) const {
     const fs::path path = folder_ / name;
     EXPECT_EQ(::mkfifo(path.c_str(), 0600), 0);

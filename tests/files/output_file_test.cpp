@@ -1,4 +1,4 @@
-// Results are whole or not there, and whoever cannot have them is told why.
+// Results are complete or missing, and a missing result has an error message with the reason.
 #include "murosimf/files/output_file.h"
 
 #include <fcntl.h>
@@ -87,7 +87,7 @@ TEST_F(OutputFile, GoesWhereALinkLeadsAndKeepsPermissions) {
   EXPECT_EQ(files(), 2);
 }
 
-// Standard output may be a file, which is written on, not replaced.
+// Standard output may be a file, which is appended to, not replaced.
 TEST_F(OutputFile, WritesOnToDescriptors) {
   const int descriptor = ::open(file().c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
   ASSERT_EQ(::write(descriptor, "before,", 7), 7);

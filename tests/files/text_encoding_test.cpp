@@ -1,4 +1,4 @@
-// Texts of other encodings than UTF-8: what is read, and what is said about the rest.
+// Texts in other encodings than UTF-8: those that are read, and the errors of others.
 #include "murosimf/files/text_encoding.h"
 
 #include <gtest/gtest.h>

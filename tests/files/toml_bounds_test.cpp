@@ -1,4 +1,4 @@
-// What may stand inside what in a TOML file, before the library sees it.
+// Limits of nesting in a TOML file, checked before the library parses it.
 #include "murosimf/files/toml_bounds.h"
 
 #include <gtest/gtest.h>

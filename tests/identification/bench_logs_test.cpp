@@ -78,8 +78,8 @@ TEST(BenchLogs, LogsDoNotTouchEachOther) {
   }
 }
 
-// Law: a piece starts at the measured state, and sees only its own entries. Tolerance: 1 mrad: it has less time to go
-// wrong than a whole log.
+// Law: a piece starts at the measured state, and uses only its own entries. Tolerance: 1 mrad: it has less time to
+// diverge than a whole log.
 TEST(BenchLogs, APieceStartsWhereTheRecordingIs) {
   ServoLog log = record(servo, synthetic::drops());
   log.samples.front().position = 100;
@@ -93,7 +93,7 @@ TEST(BenchLogs, APieceStartsWhereTheRecordingIs) {
   EXPECT_EQ(bench.positions(0)[0], log.samples[200].position);
 }
 
-// Law: a switch of the torque in mid log enters where it is: without it the same log is another one.
+// Law: a switch of the torque within a log is applied at its time: without it the same log is another one.
 TEST(BenchLogs, TheTorqueSwitchCounts) {
   ServoLog log = record(servo, synthetic::drops());
   for (ServoSample& sample : log.samples) sample.enabled = true;

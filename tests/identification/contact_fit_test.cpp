@@ -59,10 +59,10 @@ TEST(FitBraking, FindsTheRateOfBodiesThatStopAndThatDoNot) {
                     error, 1e-4, "m/s^2");
 }
 
-// Forgetting the air gives too much.
+// Without the drag of the air the result is too large.
 TEST(FitBraking, AirIsNotFriction) { EXPECT_GT(fit_braking(braking_track(2, 0.4, 0.05, 0, 50, 20), 0).value, 0.42); }
 
-/// Of `runs` with noise: how far the mean is off in its own standard errors, and the mean of squared deviations over squared errors.
+/// Of `runs` with noise: error of the mean in its own standard errors, and the mean of squared deviations over squared errors.
 struct Noisy {
   double worst = 0, ratio = 0;
 };
@@ -103,7 +103,7 @@ TEST(FitBraking, RefusesWhatIsNoRun) {
   EXPECT_THROW((void)fit_braking(track, 0), SetupError) << "it does not move";
 }
 
-/// A ball that is let go at 1 s, `height` above its lowest place, and bounces with e; seen for 4 s.
+/// A ball that is released at 1 s, `height` above its lowest place, and bounces with e; recorded for 4 s.
 Track dropped(double height, double e, double hz, double deviation = 0, std::uint64_t seed = 1, double k = 0) {
   constexpr double h = 1e-5;
   Track track{"drop", {}, {}};
@@ -158,7 +158,7 @@ TEST(FitBounces, RefusesWhatDoesNotBounce) {
   EXPECT_THROW((void)fit_bounces(dropped(0.5, 1.2, 60), g, 0), SetupError) << "it wins energy";
 }
 
-// Two runs that know more than they scatter, and two that scatter more than they know.
+// Two runs with larger own errors than scatter, and two with more scatter than own errors.
 TEST(MeanOf, TakesTheLargerOfScatterAndErrors) {
   const std::vector<Estimate> close{{0.30, 0.02, 0}, {0.30, 0.02, 0}}, apart{{0.2, 0.01, 3e-3}, {0.4, 0.01, 4e-3}};
   EXPECT_NEAR(mean_of(close).error, 0.02 / std::sqrt(2.0), 1e-12);

@@ -1,4 +1,4 @@
-// Recordings of the simulator's own runs give back the numbers that they were made with; bad ones are refused in one line.
+// Recordings of simulated runs return the numbers of the runs; bad ones are refused in one line.
 #include "murosimf/identification/contact_logs.h"
 
 #include <cmath>

@@ -33,7 +33,7 @@ constexpr bool sanitized = true;
 constexpr bool sanitized = false;
 #endif
 
-/// Skips where there is nothing to search with.
+/// Skips where there is no search.
 class Fit : public testing::Test {
  protected:
   void SetUp() override {
@@ -83,8 +83,8 @@ Found fit_finely(const char* model, const std::vector<ServoLog>& logs, const Sea
   return refine(fit(model, logs, options), Objective(friction_model(model), nothing, logs, finer), 600);
 }
 
-// Law: recordings with torque off and both directions in them determine all numbers. Without prior, from a point that
-// knows nothing. Tolerance: the demand.
+// Law: recordings with torque off and both directions in them determine all numbers. Without prior, from a neutral
+// point. Tolerance: the requirement.
 TEST_F(LongFit, FindsTheNumbersOfACoulombServo) {
   expect_recovered("m1", m1_servo, fit_finely("m1", recordings(m1_servo), {.starts = 1, .evaluations = 2000}).servo);
 }
@@ -92,7 +92,7 @@ TEST_F(LongFit, FindsTheNumbersOfALoadDependentServo) {
   expect_recovered("m3", m3_servo, fit_finely("m3", recordings(m3_servo), {.starts = 1, .evaluations = 2500}).servo);
 }
 
-/// [rad] how far `servo` is off on one recording.
+/// [rad] error of `servo` on one recording.
 double error_on(const ServoLog& log, const multibody::BenchServo& servo) {
   BenchLogs bench({whole(log)}, synthetic::duty_per_gain, 1e-3);
   std::vector<double> error(1);
@@ -100,8 +100,8 @@ double error_on(const ServoLog& log, const multibody::BenchServo& servo) {
   return error[0];
 }
 
-// Law: with a prior near the truth, a fit to two sines and to up and down foresees a chirp, and drops with the torque off,
-// which it has not seen. Tolerance: a tenth of the way that a perfect servo would be off there.
+// Law: with a prior near the truth, a fit to two sines and to up and down predicts a chirp, and drops with the torque off,
+// which were left out. Tolerance: a tenth of the error of a perfect servo there.
 TEST_F(LongFit, ForeseesOtherTrajectories) {
   const Prior prior{{.parameter = "resistance", .value = 3.2, .width = 0.2, .relative = true},
                     {.parameter = "viscous_friction", .value = 0.0045, .width = 0.5, .relative = true},
@@ -134,7 +134,7 @@ TEST_F(Fit, ARefinementMakesNothingWorse) {
   EXPECT_EQ(found.costs, coarse.costs) << "of the starts";
 }
 
-// Rule: the same seed finds the same servo, with any number of threads; another seed takes another way. No tolerance.
+// Rule: the same seed finds the same servo, with any number of threads; another seed searches along another path. No tolerance.
 TEST_F(Fit, TheSeedDecides) {
   const std::vector<ServoLog> logs{record(m1_servo, synthetic::two_sines(), {.duration = 2})};
   const SearchOptions options{.seed = 5, .starts = 3, .evaluations = 300};
@@ -149,7 +149,7 @@ TEST_F(Fit, TheSeedDecides) {
   }
 }
 
-// Rule: what is reported grows to the whole, and the best cost only falls.
+// Rule: the reported progress grows to the whole, and the best cost only falls.
 TEST_F(Fit, ProgressGrows) {
   const std::vector<ServoLog> logs{record(m1_servo, synthetic::two_sines(), {.duration = 1})};
   const Objective objective(friction_model("m1"), nothing, logs, of_xl330);
@@ -163,7 +163,7 @@ TEST_F(Fit, ProgressGrows) {
   EXPECT_LE(done, 1);
 }
 
-// Law: where logs say nothing, the prior decides: of k_t and R alone nothing is known while torque is on (M1). Tolerance:
+// Law: where logs have no information, the prior decides: k_t and R alone are undetermined while torque is on (M1). Tolerance:
 // the width.
 TEST_F(LongFit, ThePriorDecidesWhatLogsDoNot) {
   const std::vector<ServoLog> logs{record(m1_servo, synthetic::two_sines()), record(m1_servo, synthetic::chirp())};

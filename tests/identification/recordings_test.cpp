@@ -55,7 +55,7 @@ TEST_F(Recordings, PublishedServosAreAsFarOffAsElsewhere) {
   EXPECT_NEAR(error_of(folder + "xl330_published_m6.toml"), 0.095, 0.005);
 }
 
-// Law: a perfect servo is 539 mrad off: the recordings are read as others read them. Tolerance: rounding of that figure.
+// Law: a perfect servo is 539 mrad off: the recordings are read as by others. Tolerance: rounding of that figure.
 TEST_F(Recordings, APerfectServoIsAsFarOffAsElsewhere) {
   double sum = 0;
   for (const ServoLog& log : logs_) {
@@ -66,10 +66,10 @@ TEST_F(Recordings, APerfectServoIsAsFarOffAsElsewhere) {
   EXPECT_NEAR(sum / 8, 0.539, 0.0006);
 }
 
-// Law: the servo that comes with the program, fitted to them, explains them. Tolerance: its file says 37.3 mrad.
+// Law: the servo that comes with the program, fitted to them, explains them. Tolerance: its file has 37.3 mrad.
 TEST_F(Recordings, TheShippedServoExplainsThem) { EXPECT_LT(error_of("xl330_m4"), 0.038); }
 
-// Law: the step hardly matters: from 1 ms to 0.1 ms the error of a published servo changes by less than 1 mrad.
+// Law: the step has little influence: from 1 ms to 0.1 ms the error of a published servo changes by less than 1 mrad.
 TEST_F(Recordings, AStepOfAMillisecondIsFineEnough) {
   const std::string type = (source / "tests/data/servos/xl330_published_m4.toml").string();
   EXPECT_NEAR(error_of(type, 1e-3), error_of(type, 1e-4), 1e-3);

@@ -1,4 +1,4 @@
-// Recordings of servos: what is in them arrives, and every error is one line that names file and place.
+// Recordings of servos: all data are read, and every error is one line with file and place.
 #include "murosimf/identification/servo_log_reader.h"
 
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ class ServoLogFile : public testing::Test {
     std::ofstream(folder_ / name) << text;
     return folder_ / name;
   }
-  /// What the reader says: one line that begins with the file.
+  /// The reader's error: one line that begins with the file.
   [[nodiscard]] std::string error(const std::string& text) const {
     const fs::path file = write(text);
     try {

@@ -1,4 +1,4 @@
-/// synthetic.h - recordings of a servo whose numbers are known, made by simulation in fine steps.
+/// synthetic.h - recordings of a servo of known numbers, made by simulation in fine steps.
 #pragma once
 
 #include <cmath>
@@ -20,7 +20,7 @@ struct Course {
 
 inline bool always(double /*t*/) { return true; }
 
-/// The bench's courses: two sines, up and down, a chirp; and a swing whose torque goes off on both sides.
+/// The bench's courses: two sines, up and down, a chirp; and a swing with the torque switched off on both sides.
 inline Course two_sines() {
   return {"sin_sin", [](double t) { return pi / 2 * std::sin(t) + 0.5 * std::sin(5 * t) * std::sin(2 * t); }, always};
 }
@@ -43,7 +43,7 @@ struct Setting {
   double gain = 400, voltage = 7.4, duration = 6, period = 5e-3, mass = 0.49;
 };
 
-/// What a perfect encoder records, every `period`, or every 5 to 8 ms if that is 0. With each entry the driver sends goal and
+/// The record of a perfect encoder, every `period`, or every 5 to 8 ms if that is 0. With each entry the driver sends goal and
 /// torque switch, which the servo holds until the next.
 inline identification::ServoLog record(const multibody::BenchServo& servo, const Course& course,
                                        const Setting& setting = {}) {

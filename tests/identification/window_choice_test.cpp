@@ -11,14 +11,14 @@ std::size_t choice(const std::vector<double>& whole, const std::vector<double>& 
   return best_trial(trials, usual);
 }
 
-// Rule: of the shares that foresee clearly better than the usual one, the best; their order does not matter.
+// Rule: of the shares that predict clearly better than the usual one, the best; their order has no effect.
 TEST(WindowChoice, TakesTheBestOfWhatIsClearlyBetter) {
   EXPECT_EQ(choice({0.09, 0.10, 0.11, 0.12}, {0.06, 0.07, 0.08, 0.10}, {0.04, 0.06, 0.05, 0.08}), 2U);
   EXPECT_EQ(choice({0.09, 0.10, 0.11, 0.12}, {0.04, 0.06, 0.05, 0.08}, {0.06, 0.07, 0.08, 0.10}), 1U);
   EXPECT_EQ(choice({0.04, 0.06, 0.05, 0.08}, {0.06, 0.07, 0.08, 0.10}, {0.09, 0.10, 0.11, 0.12}, 2), 0U);
 }
 
-// Rule: what one log alone decides is chance. Differences 80, -10, -10 and 0 mrad: mean 15, standard error 21.8.
+// Rule: the result of a single log is chance. Differences 80, -10, -10 and 0 mrad: mean 15, standard error 21.8.
 TEST(WindowChoice, StaysWithTheUsualShareWhereTheDifferenceMayBeChance) {
   EXPECT_EQ(choice({0.17, 0.05, 0.06, 0.07}, {0.09, 0.06, 0.07, 0.07}, {0.18, 0.06, 0.06, 0.07}), 0U);
   EXPECT_EQ(choice({0.09, 0.06, 0.07, 0.07}, {0.18, 0.06, 0.06, 0.07}, {0.17, 0.05, 0.06, 0.07}, 2), 2U);
@@ -35,7 +35,7 @@ TEST(WindowChoice, TheBorderIsTwoStandardErrors) {
   EXPECT_EQ(choice(whole, whole, better_by(0.116)), 2U);
 }
 
-// Rule: one log says nothing of chance, and the same errors are no gain.
+// Rule: one log gives no standard error, and the same errors are no gain.
 TEST(WindowChoice, NeedsLogsToTell) {
   EXPECT_EQ(choice({0.1}, {0.05}, {0.01}), 0U);
   EXPECT_EQ(choice({0.1, 0.2}, {0.1, 0.2}, {0.1, 0.2}), 0U);

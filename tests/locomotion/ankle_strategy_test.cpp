@@ -1,4 +1,4 @@
-// Balance from sensors alone: what is withstood, how well up is known, what happens when nobody pushes.
+// Balance from sensors alone: pushes that are withstood, the accuracy of the known vertical, and standing without a push.
 #include "murosimf/locomotion/ankle_strategy.h"
 
 #include <gtest/gtest.h>
@@ -128,7 +128,7 @@ TEST(AnkleStrategy, NeedsAnInertialSensor) {
   EXPECT_NE(refusal("robot.sensors.imu.type=gyroscope").find("unknown output 'accelerometer'"), std::string::npos);
 }
 
-// Without gravity nothing falls over, and no capture point is anywhere: the robot keeps its stance, and no number is insane.
+// Without gravity nothing falls, and no capture point exists: the robot keeps its stance, and all numbers are finite.
 TEST(AnkleStrategy, StandsWithLittleGravityOrNone) {
   for (const char* gravity : {"[0, 0, 0]", "[0, 0, -1e-9]", "[0, 0, -0.05]", "[0, 0, -0.2]", "[0, 0, -1.62]"}) {
     for (const char* level : {"simplified_dynamics", "full_dynamics", "articulated_dynamics"}) {

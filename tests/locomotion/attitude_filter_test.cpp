@@ -1,4 +1,4 @@
-// Which way is up: against the exact attitude of bodies that turn, shake and carry sensors with a bias.
+// Attitude: against the exact attitude of bodies that turn, shake and carry sensors with a bias.
 #include "murosimf/locomotion/attitude_filter.h"
 
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ TEST(AttitudeFilter, FollowsATurnThatGyroscopeAndGravityAgreeOn) {
   const auto w = [](double t) { return Vec3d{0, 1.8 * std::cos(3 * t), 0}; };
   const double end = 10;
   const AttitudeFilter filter = follow(end, R, w, no_acceleration, {});
-  // Euler steps of 5 ms at 1.8 rad/s: w^2 dt^2/2 a step, most of which goes back and forth
+  // Euler steps of 5 ms at 1.8 rad/s: w^2 dt^2/2 a step, most of which cancels
   EXPECT_NEAR(filter.pitch(), angle(end), 2e-3);
   EXPECT_NEAR(norm(filter.up), 1, 1e-15);
 }
@@ -76,9 +76,9 @@ TEST(AttitudeFilter, IsNotMisledByFootfallsInStepWithAcceleration) {
     return Vec3d{4 * std::cos(phase), 0, 8 * std::cos(phase)};
   };
   const AttitudeFilter filter = follow(40, R, no_acceleration, shaken, {});
-  // What is left is the ripple of one step: a/(g T 2 pi f)
+  // The remainder is the ripple of one step: a/(g T 2 pi f)
   EXPECT_LT(std::abs(filter.pitch()), 2 * 4 / (g * 3 * 2 * pi * 4));
-  // The mean direction of the same force leans by much more: what a filter of unit vectors would go to
+  // The mean direction of the same force leans by much more: the limit of a filter of unit vectors
   double forward = 0, count = 0;
   for (double t = 0; t < 0.25; t += 1e-4, ++count) {
     const Vec3d force = shaken(t) + Vec3d{0, 0, g};

@@ -1,4 +1,4 @@
-/// chains.h - legs as teams build them, made up for tests of inverse kinematics. Left legs; lengths in meters.
+/// chains.h - legs in the forms that teams build, invented for tests of inverse kinematics. Left legs; lengths in meters.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace murosimf::test {
 
-/// A hinge of a made-up leg: its offset from the one before, its axis, its range [rad].
+/// A hinge of an invented leg: its offset from the previous one, its axis, its range [rad].
 struct TestHinge {
   Vec3d offset, axis;
   double lowest, highest;
@@ -34,14 +34,14 @@ inline Model legged(const std::string& name, const std::vector<TestHinge>& hinge
   return {name, both ? body.fork(side(1), side(-1)) : body.fork(std::vector<Chain>{side(1)})};
 }
 
-/// Hip pitch, roll, yaw whose axes pass each other by 12 to 48 mm, as large humanoids have them.
+/// Hip pitch, roll, yaw with axes that pass each other by 12 to 48 mm, as in large humanoids.
 inline std::vector<TestHinge> pitch_roll_yaw() {
   return {{{0, 0.096, -0.077}, {0, 1, 0}, -2, 2},      {{0, 0, -0.026}, {1, 0, 0}, -0.4, 1.57},
           {{0.012, 0, -0.0485}, {0, 0, 1}, -1, 1},     {{-0.014, 0, -0.117}, {0, 1, 0}, 0, 2.23},
           {{0, 0.0002, -0.245}, {0, 1, 0}, -1.2, 0.6}, {{0, 0, 0}, {1, 0, 0}, -0.5, 0.5}};
 }
 
-/// Hip yaw, roll, pitch with offsets and turned-round axes, and an ankle whose axes do not meet.
+/// Hip yaw, roll, pitch with offsets and turned-round axes, and an ankle with axes that do not meet.
 inline std::vector<TestHinge> offset_yaw_roll_pitch() {
   return {{{0, 0.055, 0}, {0, 0, -1}, -1.5, 1.5},      {{-0.026, 0, -0.046}, {-1, 0, 0}, -1.5, 1.5},
           {{0.02, 0.03, -0.02}, {0, -1, 0}, -2, 2},    {{0.004, 0, -0.169}, {0, -1, 0}, -2.9, 0},

@@ -1,4 +1,4 @@
-// A car drives where it is told to: straight, along circles of the wanted radius, and not at all.
+// A car follows its commands: straight, along circles of the requested radius, and standing.
 #include "murosimf/locomotion/drive.h"
 
 #include <gtest/gtest.h>
@@ -44,8 +44,8 @@ double radius_through(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
 class Drives : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Levels, Drives, testing::ValuesIn(test::dynamic_levels()), test::level_name);
 
-// What is left: a wheel of 6 cm scrubs while it turns, rolling resistance slips the tires a little, steering servos give
-// way by up to half a degree.
+// The remaining error: a wheel of 6 cm scrubs while it turns, rolling resistance slips the tires a little, steering servos yield
+// by up to half a degree.
 TEST_P(Drives, CirclesOfTheWantedRadius) {
   law::Worst error;
   for (const Vec3d& command : {Vec3d{1, 0, 0.5}, Vec3d{1, 0, -0.5}, Vec3d{-1, 0, 0.5}, Vec3d{0.5, 0, 0.5}}) {
@@ -97,7 +97,7 @@ TEST_P(Drives, DoesNotCreepAtSpeedZero) {
   EXPECT_LT(norm(driven.place() - start), 1e-5);
 }
 
-// Servos that hold a rate let the tires give their tension back: a millimeter.
+// Servos that hold a rate let the tires release their tension: a millimeter.
 TEST_P(Drives, StopsAndKeepsItsSteering) {
   Driven driven(GetParam(), {1, 0, 0.5});
   driven.rig.run(1.5);

@@ -1,4 +1,4 @@
-// Numbers of a walk with feedback: scaled by the legs' length, replaced by name, and every one of them acts.
+// Numbers of a walk with feedback: scaled by the legs' length, replaced by name, and each of them has an effect.
 #include "murosimf/locomotion/gait_feedback.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What a walk's numbers are worked out to, against sums over the masses by hand; and what a user gives instead.
+// Computed numbers of a walk, against sums over the masses by hand; and numbers that a user gives instead.
 #include "murosimf/locomotion/gait_seed.h"
 
 #include <gtest/gtest.h>
@@ -87,7 +87,7 @@ TEST(GaitSeed, TakesWhatIsGiven) {
   EXPECT_EQ(std::get<double>(all.at("lean")), p.pitch);
 }
 
-// kid21's own numbers stand in its TOML file, and are those of gait.h.
+// kid21's own numbers are in its TOML file, and are those of gait.h.
 TEST(GaitSeed, TheFilesOwnNumbersCount) {
   const WalkParameters seeded = seeded_parameters(*test::kid21()), found;
   EXPECT_EQ(seeded.lift, found.lift);

@@ -1,4 +1,4 @@
-// Key-frame motions: the blend, whose targets they set, feet by inverse kinematics.
+// Key-frame motions: the blend, the joints that get their targets, feet by inverse kinematics.
 #include "murosimf/locomotion/keyframe_player.h"
 
 #include <gtest/gtest.h>

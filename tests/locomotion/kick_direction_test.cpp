@@ -1,4 +1,4 @@
-// Kicks in a direction: where the ball goes, at which side, and what becomes of requests that cannot be met.
+// Kicks in a direction: the path of the ball, the side of the foot, and requests that cannot be met.
 #include <cmath>
 
 #include <gtest/gtest.h>

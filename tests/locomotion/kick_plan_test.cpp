@@ -1,4 +1,4 @@
-// Which kick sends a ball in a direction, from where, and the way there; closed forms and steps of the way.
+// The kick that sends a ball in a direction, its place, and the path there; closed forms and steps of the path.
 #include "murosimf/locomotion/kick_plan.h"
 
 #include <cmath>
@@ -14,7 +14,7 @@ const Vec3d fastest{0.4, 0.15, 1};
 /// Forward with either foot, and to the left.
 const std::vector<KickChoice> kicks{{3, {{0.2, 0.05, 0}, 0}}, {5, {{0.2, -0.05, 0}, 0}}, {8, {{0, 0.25, 0}, pi / 2}}};
 
-/// The direction [rad] in which the plan's kick sends the ball, and where it has it [m], from where the robot stands now.
+/// The direction [rad] in which the plan's kick sends the ball, and the place [m] of the ball before it, from the robot's present place.
 struct Outcome {
   double direction = 0;
   Vec3d ball;
@@ -68,7 +68,7 @@ TEST(KickPlan, IsNothingWithoutAKickOfThatSide) {
   EXPECT_FALSE(plan_kick({}, {}, fastest));
 }
 
-// A point robot that follows the velocity gets there, and never nearer to the ball than it starts or shall be.
+// A point robot that follows the velocity arrives, and is never nearer to the ball than at the start or as requested.
 TEST(KickPlan, WalksRoundTheBall) {
   constexpr double clearance = 0.18, dt = 0.01;
   for (const double direction : {-3.1, -2.0, -1.0, 0.0, 1.0, 2.0, 3.1}) {

@@ -33,7 +33,7 @@ Leg leg_of(const std::vector<TestHinge>& hinges) {
 
 double angle_between(const Mat3d& a, const Mat3d& b) { return norm(rotation_vector(from_matrix(a * transpose(b)))); }
 
-/// What `bend` is told, so that the leg gets angles q.
+/// Input of `bend` for which the leg gets angles q.
 FootTarget target_at(const Leg& leg, std::span<const double> q) {
   const ChainPose pose = pose_of(leg.chain, q);
   return {.ankle = pose.tip - leg.hip, .sole = pose.sole};
@@ -51,7 +51,7 @@ std::vector<double> random_posture(const Leg& leg, const RandomStream& random, s
   return q;
 }
 
-// From home; angles may be others than those drawn, the foot must not.
+// From home; angles may differ from those drawn, the place of the foot must not.
 TEST(LegSolver, PutsTheFootWhereDirectKinematicsHadIt) {
   for (const auto& [name, hinges] : sorts()) {
     const Leg leg = leg_of(hinges);
@@ -107,7 +107,7 @@ TEST(LegSolver, EqualsTheClosedFormForKid21) {
                     error, 1e-8, "rad");
 }
 
-// The foot goes down beyond the leg's length and up again: the leg stretches, stays, and comes back the same way.
+// The foot moves down beyond the leg's length and up again: the leg stretches, stays, and returns along the same path.
 TEST(LegSolver, AStretchedLegDoesNotJump) {
   for (const auto& [name, hinges] : sorts()) {
     const Leg leg = leg_of(hinges);

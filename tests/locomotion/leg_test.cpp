@@ -78,7 +78,7 @@ Chain leg_chain(double side, const Vec3d& knee_axis) {
       .with(properties::sole, {0.1, 0.05});
 }
 
-// Every sole of the gait's pose is where the gait wants it, on a robot with other lengths and mirrored axes.
+// Every sole of the gait's pose is where the gait puts it, on a robot with other lengths and mirrored axes.
 TEST(Gait, FeetAreLevelOnARobotWithMirroredAxes) {
   const Model model(
       "other",
@@ -128,7 +128,7 @@ TEST(Leg, WhatIsNoLegIsRefusedWithTheReason) {
   }
 }
 
-// The seed formula gives kid21 back the parameters that were found for it; the sway by the pendulum within 0.1 mm.
+// The seed formula returns the parameters that were found for kid21; the sway by the pendulum within 0.1 mm.
 TEST(Gait, SeedsGiveKid21ItsOwnParameters) {
   const WalkParameters seeded = seeded_parameters(find_legs(*test::kid21()));
   const WalkParameters found;

@@ -1,4 +1,4 @@
-// Motions for the other side: partners by geometry, for robots of several makers, and the mirrored path of what is played.
+// Motions for the other side: partners by geometry, for robots of several manufacturers, and the mirrored path of a motion.
 #include "murosimf/locomotion/mirrored_motion.h"
 
 #include <gtest/gtest.h>
@@ -73,7 +73,7 @@ TEST(MirroredMotion, IsPlayedWhereTheMotionIsForTheOtherSide) {
 
 using Rename = std::function<std::string(const std::string&)>;
 
-/// Partners of all joints are each other's, and those that names say.
+/// Partners of all joints are mutual, and those that names indicate.
 void expect_pairs(const Model& model, const Rename& other_name) {
   int sided = 0;
   for (const int joint : model.joints()) {

@@ -299,7 +299,7 @@ TEST(MotionEngine, NeitherGetsUpNorProtectsItselfWhereItCannotFall) {
   EXPECT_EQ(norm(walker.robot.base().get(properties::position) - idle.robot.base().get(properties::position)), 0);
 }
 
-// The pelvis stands and the torso, which has the inertial sensor, turns: the robot has not turned.
+// The pelvis is at rest and the torso, which has the inertial sensor, turns: the robot has not turned.
 TEST(MotionEngine, DoesNotTakeAWaistThatTurnsForItself) {
   Walker walker(articulated);
   walker.run(1s);

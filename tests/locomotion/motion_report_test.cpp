@@ -1,4 +1,4 @@
-// What is told of the motion engine: activity, motion, phase, fallen.
+// Reports of the motion engine: activity, motion, phase, fallen.
 #include "murosimf/locomotion/motion_report.h"
 
 #include <cmath>

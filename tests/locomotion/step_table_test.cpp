@@ -1,4 +1,4 @@
-// The steady walk as a table: least squares give back what the samples were made of, and the course between bins is linear.
+// The steady walk as a table: least squares return the numbers of the samples, and the course between bins is linear.
 #include "murosimf/locomotion/step_table.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace murosimf::locomotion {
 namespace {
 
-/// A table whose numbers are all different.
+/// A table of numbers that are all different.
 StepCourse some_course(double scale) {
   StepCourse course{};
   double number = 0.01;

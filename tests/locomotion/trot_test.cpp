@@ -1,4 +1,4 @@
-// Four legs found, and where a trot puts the feet.
+// Search for four legs, and places of the feet in a trot.
 #include "murosimf/locomotion/trot.h"
 
 #include <gtest/gtest.h>

@@ -46,7 +46,7 @@ TEST(WalkEngine, SlewsAndClipsTheCommand) {
   EXPECT_EQ(v.z, p.fastest.z);
 }
 
-/// kid21 whose joints are no faster than that [rad/s].
+/// kid21 with joints that are no faster than this [rad/s].
 Model with_rates(double most) {
   const ModelPtr model = test::kid21();
   ConstantTable constants = model->constants();
@@ -106,9 +106,9 @@ double chase(const Vec3d& start, double heading, const Vec3d& ball_place) {
   test::Rig rig;
   Entity& robot = rig.add("robot", test::kid21(), {.position = start, .heading = heading, .team = "blue"});
   Entity& ball = rig.add("ball", scene_file::ball_model(), {.position = ball_place});
-  const std::vector<Entity*> everybody{&robot, &ball};
+  const std::vector<Entity*> entities{&robot, &ball};
   rig.simulation.attach<sensors::GroundTruth>("ground_truth", robot, 20, sensors::SensorSpec{.name = "ground_truth"},
-                                              sensors::SensorSurroundings{.moving_entities = everybody});
+                                              sensors::SensorSurroundings{.moving_entities = entities});
   rig.simulation.attach<soccer::BallChaser>("ball_chaser", robot, 20, soccer::BallChaserOptions{.goal = {3, 0, 0}});
   rig.simulation.attach<WalkEngine>("walk_engine", robot, 100);
   rig.materials.set("ball", "", {.friction = 0.5, .rolling = 0.03, .restitution = 0.5});

@@ -1,4 +1,4 @@
-/// drawn.h - small worlds that a renderer draws; tests skip where nothing can draw.
+/// drawn.h - small worlds for a renderer; tests are skipped where no renderer works.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@
 
 namespace murosimf::test {
 
-/// Why nothing can be drawn here; empty if something can.
+/// The reason why no renderer works here; empty if one does.
 inline std::string no_drawing() {
   static const std::string reason = [] {
     try {

@@ -1,4 +1,4 @@
-// Needs MUROSIMF_HAS_CAIRO and cairo; without them there are no pictures to look at.
+// Needs MUROSIMF_HAS_CAIRO and cairo; without them there are no pictures.
 #include "murosimf/render/field_picture.h"
 
 #include <gtest/gtest.h>

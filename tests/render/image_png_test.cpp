@@ -1,4 +1,4 @@
-/// image_png_test - pictures of cameras as files, and depths and labels in colors that eyes can tell apart.
+/// image_png_test - pictures of cameras as files, and depths and labels in distinguishable colors.
 #include "murosimf/render/image_png.h"
 
 #include <cmath>

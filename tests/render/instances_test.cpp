@@ -1,4 +1,4 @@
-/// instances_test - what a view draws: nothing that could be seen is left out, and round things are round enough.
+/// instances_test - objects of a view: no visible one is left out, and round ones have enough sides.
 #include "murosimf/render/instances.h"
 
 #include <cmath>

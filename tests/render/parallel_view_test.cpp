@@ -1,4 +1,4 @@
-/// parallel_view_test - pictures by parallel rays: places, sizes, what hides what, ground and shadows.
+/// parallel_view_test - pictures by parallel rays: places, sizes, occlusion, ground and shadows.
 #include <cmath>
 #include <limits>
 
@@ -24,7 +24,7 @@ render::ParallelView looking(const Mat3d& axes, const Vec3d& center, double pixe
   return {.center = center, .axes = axes, .pixel = pixel, .width = width, .height = height};
 }
 
-/// Where a point of the world is seen [px].
+/// Pixel of a point of the world [px].
 std::pair<int, int> pixel_of(const render::ParallelView& view, const Vec3d& point) {
   const Vec3d p = transposed_times(view.axes, point - view.center);
   return {static_cast<int>(std::floor(0.5 * view.width + p.x / view.pixel)),
@@ -36,7 +36,7 @@ ModelPtr box_model(const Vec3d& half_size) {
   return std::make_shared<const Model>("box", Chain{}.base("box").with(properties::shapes, shapes));
 }
 
-/// All pixels whose middles lie in the rectangle, no others.
+/// All pixels with their middles in the rectangle, no others.
 void expect_rectangle(const View& drawn, std::uint16_t label, int left, int right, int top, int bottom) {
   int wrong = 0;
   for (int v = 0; v < drawn.labels.height(); ++v) {
@@ -131,7 +131,7 @@ TEST_F(ParallelPicture, ShowsTheFieldFromAnySideAbove) {
 }
 
 TEST_F(ParallelPicture, ALineIsAsBrightAsItIsWide) {
-  // a pixel that a line covers in part shows as much of it: the sum over a column is the line's width in pixels
+  // a pixel that a line covers in part shows that part: the sum over a column is the line's width in pixels
   DrawnWorld world;
   world.add_field(false);
   constexpr double elevation = 0.5, pixel = 0.02;

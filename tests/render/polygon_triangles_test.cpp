@@ -67,7 +67,7 @@ TEST(PolygonTriangles, CoverAnLFromEachOfItsCornersInBothDirections) {
   }
 }
 
-// Stars with random radii, most of whose corners are concave, and combs, whose ears are few.
+// Stars with random radii and mostly concave corners, and combs, which have few ears.
 TEST(PolygonTriangles, CoverAnySimplePolygon) {
   const RandomStream random(1, "stars");
   for (std::uint64_t star = 0; star < 200; ++star) {
@@ -109,7 +109,7 @@ TEST(PolygonTriangles, CornersInALineAndTwiceAtOnePlaceAddNothing) {
   EXPECT_TRUE(polygon_triangles({}).empty());
 }
 
-// Rule: whatever somebody draws comes to an end.
+// Rule: the triangulation of every drawing ends.
 TEST(PolygonTriangles, ABorderThatCrossesItselfEnds) {
   const RandomStream random(3, "knots");
   for (std::uint64_t knot = 0; knot < 200; ++knot) {

@@ -1,4 +1,4 @@
-/// projection_test - from where parallel rays look, and how large they show things.
+/// projection_test - directions of parallel rays, and the scale of their pictures.
 #include "murosimf/render/projection.h"
 
 #include <cmath>

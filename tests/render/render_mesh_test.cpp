@@ -1,4 +1,4 @@
-/// solid_test - triangles for drawing: closed, facing outwards, and as large in a picture as what they stand for.
+/// solid_test - triangles for drawing: closed, facing outwards, and as large in a picture as their shape.
 #include "murosimf/render/render_mesh.h"
 
 #include <cmath>
@@ -29,7 +29,7 @@ std::vector<Facet> facets(const RenderMesh& solid) {
   return result;
 }
 
-/// Edges that are not walked once in each direction; places are told apart to a micrometer.
+/// Edges that are not walked once in each direction; places are distinguished to a micrometer.
 std::size_t open_edges(const RenderMesh& solid) {
   using Transformd = std::array<long, 3>;
   const auto place = [&](std::uint32_t corner) {
@@ -64,7 +64,7 @@ double volume(const RenderMesh& solid) {
   return sum;
 }
 
-/// [m^2] that a convex solid covers, seen along a direction: half of what its facets do.
+/// [m^2] Area that a convex solid covers, seen along a direction: half the sum over its facets.
 double silhouette(const RenderMesh& solid, const Vec3d& direction) {
   double sum = 0;
   for (const Facet& facet : facets(solid)) sum += std::abs(dot(facet.area(), direction));

@@ -38,7 +38,7 @@ std::string yellow(const render::RenderScene& render_scene) {
   return names;
 }
 
-// Rule (paper, Fig. 4): the standing foot is yellow, at kinematic_walking only, and only if it is asked for.
+// Rule (paper, Fig. 4): the standing foot is yellow, at kinematic_walking only, and only on request.
 TEST(RenderScene, MarksTheStandingFoot) {
   DrawnWorld world;
   Entity& robot = world.add("robot", two_feet(), {0, 0, 0.3});
@@ -55,7 +55,7 @@ TEST(RenderScene, MarksTheStandingFoot) {
   EXPECT_EQ(yellow(render_scene), "") << "forces move it now";
 }
 
-// A moment that is shown hides what the columns have: nothing of the running world is looked at.
+// A displayed moment hides columns that it does not have: nothing of the running world is used.
 TEST(RenderScene, ShowsAMomentInsteadOfColumns) {
   DrawnWorld world;
   Entity& robot = world.add("robot", two_feet(), {0, 0, 0.3});

@@ -1,4 +1,4 @@
-/// renderer_test - what is drawn is where geometry says, against rays through the middles of pixels.
+/// renderer_test - drawn objects are where geometry puts them, against rays through the middles of pixels.
 #include "murosimf/render/renderer.h"
 
 #include <cmath>
@@ -29,7 +29,7 @@ double depth_of_sphere(const Perspective& view, int u, int v, const Vec3d& cente
   return root < 0 ? INFINITY : (b - std::sqrt(root)) / a;
 }
 
-/// Where the pixels of a thing are.
+/// The pixels of an object.
 struct Blob {
   void see(int u, int v) {
     ++count;
@@ -107,7 +107,7 @@ TEST_F(Renderer, NothingIsInfinitelyFar) {
   EXPECT_EQ(drawn.labels(4, 4), sensors::label_background);
 }
 
-/// Every form of shape hides what its rays meet. A turned one of each, against a march along the ray.
+/// Every form of shape hides the objects behind it along rays. A turned one of each, against a march along the ray.
 TEST_F(Renderer, AllShapesAreWhatTheyAre) {
   for (const Shape& shape : fixtures::shapes_of_all_kinds()) {
     if (std::holds_alternative<Plane>(shape)) continue;
@@ -177,7 +177,7 @@ TEST_F(Renderer, LinesAreLabelledWhereTheyArePainted) {
 }
 
 TEST_F(Renderer, ALineFarAwayIsAsBrightAsItIsWide) {
-  // A pixel that a line covers in part shows as much of it: the sum over a column is the line's width in pixels.
+  // A pixel that a line covers in part shows that part: the sum over a column is the line's width in pixels.
   DrawnWorld world;
   world.add_field(false);
   Perspective view = along_x({-6, 0, 1.5}, 0.3, 64, 128);
@@ -289,7 +289,7 @@ TEST_F(Renderer, WhatIsSeeThroughIsLaidOverWhatIsBehind) {
   const auto red_alone = seen_through({{2, red}}).first, blue_alone = seen_through({{1, {0, 0, 1}}}).first;
   const auto green_alone = seen_through({{1, green}}).first;
   const auto expect_level = [](double value, double expected) { EXPECT_NEAR(value, expected, 2); };
-  // whichever is told first
+  // in either order
   for (const bool swapped : {false, true}) {
     std::vector<std::pair<double, Color>> plates{{2, red}, {1, half_blue}};
     if (swapped) std::swap(plates[0], plates[1]);
@@ -298,12 +298,12 @@ TEST_F(Renderer, WhatIsSeeThroughIsLaidOverWhatIsBehind) {
     expect_level(color.blue, 0.5 * blue_alone.blue + 0.5 * red_alone.blue);
     EXPECT_NEAR(depth, 0.99, 1e-3);
   }
-  // two see-through ones: the nearer over the farther
+  // two transparent ones: the nearer over the farther
   const auto both = seen_through({{1, half_green}, {2, half_blue}, {3, red}}).first;
   expect_level(both.red, 0.75 * 0.5 * red_alone.red);
   expect_level(both.blue, 0.75 * 0.5 * blue_alone.blue);
   expect_level(both.green, 0.25 * green_alone.green);
-  // behind something solid it cannot be seen, and with alpha 0 it is not there
+  // behind an opaque one it is invisible, and with alpha 0 it is absent
   EXPECT_EQ(seen_through({{1, red}, {2, half_blue}}).first, seen_through({{1, red}}).first);
   const auto [color, depth] = seen_through({{2, red}, {1, {0, 0, 1, 0}}});
   EXPECT_EQ(color, red_alone);

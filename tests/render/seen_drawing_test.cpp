@@ -1,4 +1,4 @@
-// Drawings for people who watch, as a picture shows them: where a pinhole sees them, and in pixels.
+// Drawings for observers in a picture: at the places where a pinhole camera sees them, and in pixels.
 #include "murosimf/render/seen_drawing.h"
 
 #include <cmath>

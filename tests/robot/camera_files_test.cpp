@@ -1,4 +1,4 @@
-// Cameras of robot files: their lenses, where they look, and what conversion makes of them.
+// Cameras of robot files: their lenses, their directions, and their conversion.
 #include <cmath>
 
 #include "murosimf/multibody/kinematics.h"

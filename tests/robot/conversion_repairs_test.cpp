@@ -1,4 +1,4 @@
-/// conversion_repairs_test - masses that were repaired are those of the robot that is written.
+/// conversion_repairs_test - repaired masses are those of the written robot.
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -53,7 +53,7 @@ void expect_same_solids(const RobotFile& found, const RobotFile& expected) {
   }
 }
 
-// 1e-12: the largest mass and moment that are written where a format wants one and there is none.
+// 1e-12: the largest mass and moment that are written where a format needs one and there is none.
 TEST(ConversionRepairs, KeepsWhatWasRepaired) {
   const auto file = write("repaired.urdf", with_repairs());
   const RobotFile before = read_robot(file);

@@ -1,4 +1,4 @@
-/// mesh_up_axis_test - COLLADA meshes with y up are turned where only then left and right are mirror images.
+/// mesh_up_axis_test - COLLADA meshes with y up are turned if only then left and right are mirror images.
 #include "murosimf/robot/mesh_up_axis.h"
 
 #include <fmt/format.h>

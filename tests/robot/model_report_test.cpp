@@ -1,4 +1,4 @@
-/// model_report_test - the report of `murosimf check` counts right and shows every joint.
+/// model_report_test - the report of `murosimf check` has the right numbers and shows every joint.
 #include "murosimf/robot/model_report.h"
 
 #include <filesystem>

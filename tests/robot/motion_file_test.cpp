@@ -76,7 +76,7 @@ TEST(MotionFile, SaysWhereAMistakeIs) {
   expect_refusal(head + "[[frames]]\nduration = 1\nvalue = [0]\n", {":5:1: unknown key 'value'", "'values'"});
 }
 
-/// In a folder of its own.
+/// In an own folder.
 fs::path write_beside(const std::string& name, const std::string& text) {
   const fs::path folder = fixtures::temp_folder() / ("mirrors." + std::to_string(::getpid()));
   fs::create_directories(folder);

@@ -1,4 +1,4 @@
-// A robot whose feet are moved by two cranks and rods each: it walks as the one with servos in its ankles does.
+// A robot with two cranks and rods at each foot: it walks like the one with servos in its ankles.
 #include <fstream>
 #include <regex>
 #include <sstream>
@@ -30,7 +30,7 @@ void replace(std::string& text, const std::string& from, const std::string& to) 
 }
 
 /// A crank at the shin, and its rod down to the foot: as long as the crank's axis is high above the ankle's. Cranks are longer than
-/// the levers at the feet, so that the rods reach whatever a step asks for.
+/// the levers at the feet, so that the rods reach for every step.
 std::string crank(const std::string& name, double side) {
   return fmt::format(
       "<body name='{0}_crank' pos='0.01 {1} -0.03'><joint name='j_{0}_crank' axis='0 1 0'/>"
@@ -75,7 +75,7 @@ std::string scene_with(const std::string& model, const std::string& level) {
   return file.string();
 }
 
-/// Where a robot is after some seconds of walking, and how far its loops were open.
+/// Place of a robot after some seconds of walking, and the largest gap of its loops.
 struct Walk {
   Vec3d place;
   double gap = 0;

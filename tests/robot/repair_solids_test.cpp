@@ -1,4 +1,4 @@
-/// repair_solids_test - limbs that could not be simulated are repaired, with a line that says how.
+/// repair_solids_test - limbs that could not be simulated are repaired, with a line that gives the new numbers.
 #include "murosimf/robot/repair_solids.h"
 
 #include <cmath>
@@ -11,7 +11,7 @@ namespace {
 
 using namespace robot_formats::urdf::urdf_files;
 
-/// As all of a robot is read, its fixed joints welded.
+/// As the reader has it, fixed joints welded.
 RobotFile read_whole(const std::string& text) { return read_robot(write("robot.urdf", text)); }
 
 std::string inertial(const std::string& mass, const std::string& tensor, const std::string& origin = "") {
@@ -21,7 +21,7 @@ std::string inertial(const std::string& mass, const std::string& tensor, const s
 
 const std::string zero = "ixx='0' iyy='0' izz='0'";
 
-/// The body of a limb, in line 2, that hangs on a hinge.
+/// The body of a limb, in line 2, behind a hinge.
 RobotFile with_limb(const std::string& inside, const std::string& type = "continuous") {
   return read_whole(
       robot_xml(link("limb", inside) + joint(type, "base", "limb", type == "prismatic" ? any_limit : "")));

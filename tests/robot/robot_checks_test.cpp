@@ -1,4 +1,4 @@
-/// robot_checks_test - every check finds what it is for, with its line, and says nothing about a sound robot.
+/// robot_checks_test - every check finds its error, with its line, and reports nothing of a correct robot.
 #include "murosimf/robot/robot_checks.h"
 
 #include <algorithm>
@@ -64,7 +64,7 @@ robot::RobotFile kid21_with_rate(const std::string& rate) {
 }
 
 // The knee's rate is largest twice in a swing; a servo that is a little faster than that is fast enough, and with a slower one other
-// joints come to their ends, too.
+// joints reach their limits as well.
 TEST(RobotChecks, NamesJointsThatTheWalkAsksForMoreThanTheirServosHave) {
   const auto findings = [](const std::string& rate) {
     const robot::RobotFile robot = kid21_with_rate(rate);

@@ -1,4 +1,4 @@
-/// robot_config_test - servos, surfaces and soles from TOML; errors are named with file, line and column.
+/// robot_config_test - servos, surfaces and soles from TOML; errors have file, line and column.
 #include "murosimf/robot/robot_config.h"
 
 #include <fstream>
@@ -23,7 +23,7 @@ std::filesystem::path write(const std::string& text) {
 
 RobotConfig read(const std::string& text) { return read_robot_config(write(text)); }
 
-/// What follows the file name in the complaint about `text`.
+/// The error of `text` after the file name.
 std::string complaint(const std::string& text) {
   const auto file = write(text);
   try {
@@ -136,7 +136,7 @@ TEST(RobotConfig, ReadsAnIdealServo) {
             components::read_servo("mx64").position_gain);
 }
 
-/// Writes a servo file beside the table of this test and gives its type.
+/// Writes a servo file beside the table of this test and returns its type.
 std::string servo_file(const std::string& text) {
   const auto file = fixtures::temp_folder() /
                     (std::string("servo_") + testing::UnitTest::GetInstance()->current_test_info()->name() + ".toml");
@@ -172,7 +172,7 @@ TEST(RobotConfig, NamesMistakesInServoFiles) {
                                "does not say at which voltage its numbers hold"));
 }
 
-/// Writes a file into the folder where the table of a test stands.
+/// Writes a file into the folder of a test's table.
 std::string motion_file(const std::string& name, const std::string& text) {
   std::ofstream(fixtures::temp_folder() / (name + ".toml")) << text;
   return name + ".toml";

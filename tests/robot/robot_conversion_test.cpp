@@ -1,4 +1,4 @@
-/// robot_conversion_test - robots that are read, written and read again are the same robots.
+/// robot_conversion_test - robots that are read, written and read again are equal.
 #include "murosimf/robot/robot_conversion.h"
 
 #include <algorithm>
@@ -38,7 +38,7 @@ RobotFile converted(const fs::path& file, std::optional<geometry::PrimitiveKind>
   return read_robot(out);
 }
 
-/// With the largest rates of the joints alone, for which MJCF has no word: servos of the table would stand for the joints' friction.
+/// With the largest rates of the joints alone, which MJCF does not have: servos of the table would replace the joints' friction.
 RobotFile converted_with_rates(const fs::path& file) {
   (void)converted(file);
   const fs::path out = test_folder() / "out" / "converted.xml", table = fs::path(out).replace_extension(".toml");
@@ -289,7 +289,7 @@ TEST_P(AsUrdf, WithItsTableItIsTheSameRobot) {
     if (object.kind == Kind::fork || object.structural) continue;
     ASSERT_TRUE(i) << object.name << " is lost";
     if (found.objects()[*i].kind != object.kind)
-      continue;  // the frame of a body whose joint is elsewhere is at the joint now
+      continue;  // the frame of a body with its joint elsewhere is at the joint now
     EXPECT_LT(fixtures::difference(poses.r[*i], right.r[k]), 1e-12) << object.name;
     EXPECT_LT(fixtures::difference(poses.R[*i], right.R[k]), 1e-12) << object.name;
     same_model::expect_same_servo(found.find(properties::servo, *i), expected.find(properties::servo, k), object.name);

@@ -1,4 +1,4 @@
-/// robot_heading_test - robots that face another way than x of their base are the same robots, turned.
+/// robot_heading_test - robots that do not face x of their base are the same robots, turned.
 #include "murosimf/robot/robot_heading.h"
 
 #include <cmath>
@@ -58,7 +58,7 @@ TEST(RobotHeading, StaysWhereFeetSayOtherwise) {
   EXPECT_GT(place_of(*robot.model, "r_yaw").y, 0);
 }
 
-// What is written faces as the file does, and is turned again when it is read.
+// The written file faces as the original, and is turned again when it is read.
 TEST(RobotHeading, IsThatOfTheFileAfterAConversion) {
   const auto file = turned_biped(2);
   const RobotConversion conversion = convert_robot(file, {.folder = test_folder()});

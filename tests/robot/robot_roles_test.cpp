@@ -1,4 +1,4 @@
-/// robot_roles_test - soles are guessed only under what bears the weight, hands only where names or both sides say so.
+/// robot_roles_test - soles are guessed only under bodies that bear the weight, hands only by names or on both sides.
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
@@ -97,7 +97,7 @@ TEST(RobotHands, EndWhereFingersBegin) {
 }
 
 TEST(RobotHands, AreOnTheSideThatTheirNamesSay) {
-  // it looks backwards: what is called left is at negative y
+  // it faces backwards: the foot that is called left is at negative y
   const RobotFile robot = read_robot(write("robot.urdf", robot_xml(limb("r_hand", 0, 0.3) + limb("l_hand", 0, -0.3))));
   EXPECT_EQ(robot.table.frames.at("left_hand").name, "l_hand");
   EXPECT_EQ(robot.table.frames.at("right_hand").name, "r_hand");

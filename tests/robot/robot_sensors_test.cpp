@@ -1,4 +1,4 @@
-/// robot_sensors_test - sensors that MJCF and URDF files mention, and what conversion makes of them.
+/// robot_sensors_test - sensors of MJCF and URDF files, and their conversion.
 #include "murosimf/robot/robot_sensors.h"
 
 #include <fstream>

@@ -1,4 +1,4 @@
-/// same_model.h - whether two models say the same: names, poses in any joint positions, constants, servos and shapes.
+/// same_model.h - whether two models are equal: names, poses in any joint positions, constants, servos and shapes.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-/// sensor_files.h - a small robot with sensors, in a folder of its own for every test.
+/// sensor_files.h - a small robot with sensors, in an own folder for every test.
 #pragma once
 
 #include <filesystem>

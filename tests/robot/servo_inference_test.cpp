@@ -1,4 +1,4 @@
-// Servos that are guessed, against the rule worked out by hand from the robot's mass and the height of its center.
+// Guessed servos, against the rule computed by hand from the robot's mass and the height of its center.
 #include "murosimf/robot/servo_inference.h"
 
 #include "murosimf/model/properties.h"

@@ -1,4 +1,4 @@
-// Tables of steps as files: written and read again, and what is no such table is refused where it stands.
+// Tables of steps as files: written and read again, and errors with their places.
 #include "murosimf/robot/step_table_file.h"
 
 #include <gtest/gtest.h>

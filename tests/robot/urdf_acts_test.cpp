@@ -1,4 +1,4 @@
-// Every attribute of URDF that the schema says is used makes a difference, and so does every element of gazebo blocks.
+// Every attribute of URDF that the schema lists as used has an effect, and so has every element of gazebo blocks.
 #include <set>
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@ namespace {
 
 using namespace robot_formats::urdf::urdf_files;
 
-/// A robot in which every used attribute stands once with a value of its own; "{}" are parts for probes.
+/// A robot with every used attribute once, with a value of its own; "{}" are places for probes.
 std::string whole_robot(const std::string& gazebo = "") {
   return "<robot name='whole'>"
          "<mujoco><compiler meshdir='meshes' strippath='true' balanceinertia='false'/></mujoco>"
@@ -45,7 +45,7 @@ std::string whole_robot(const std::string& gazebo = "") {
          gazebo + "</robot>";
 }
 
-/// All that a description says, as a text.
+/// All data of a description, as a text.
 std::string text_of(const robot_formats::RobotDescription& robot) {
   std::string text = robot.name;
   const auto put = [&](const auto&... values) { ((text += fmt::format(" {}", values)), ...); };
@@ -87,7 +87,7 @@ std::string text_of(const robot_formats::RobotDescription& robot) {
   return text;
 }
 
-/// What a file says, or why it is refused.
+/// The description of a file, or the reason of its refusal.
 std::string meaning(const std::string& xml) {
   try {
     return text_of(read(xml));

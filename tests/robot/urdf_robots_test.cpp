@@ -1,4 +1,4 @@
-/// urdf_robots_test - robots of teams are read as they are, without leniency.
+/// urdf_robots_test - robots of teams are read unchanged, without leniency.
 #include "tests/robot_data.h"
 #include "tests/robot_formats/urdf/urdf_files.h"
 

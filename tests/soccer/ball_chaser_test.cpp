@@ -1,4 +1,4 @@
-// A player that kicks: the ball flies towards the goal, and whoever falls gets up again.
+// A player that kicks: the ball flies towards the goal, and a player that falls gets up again.
 #include "murosimf/soccer/ball_chaser.h"
 
 #include <cmath>

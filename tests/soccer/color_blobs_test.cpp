@@ -53,7 +53,7 @@ TEST(BlobFinder, MeasuresABox) {
 }
 
 TEST(BlobFinder, JoinsWhatMeetsFartherDown) {
-  ColorImage picture(40, 30, green);  // a U, whose arms are apart for 19 rows
+  ColorImage picture(40, 30, green);  // a U, with arms that are apart for 19 rows
   for (int v = 0; v < 20; ++v) picture(3, v) = picture(30, v) = magenta;
   for (int u = 3; u <= 30; ++u) picture(u, 19) = magenta;
   BlobFinder finder(pink);

@@ -63,7 +63,7 @@ TEST(GroundProjection, GoesBackThroughADistortedLens) {
                     error, 1e-6, "m");
 }
 
-/// How far the points are from the nearest line of the field, seen from `pose`.
+/// Distances of the points from the nearest line of the field, seen from `pose`.
 law::Worst errors_of(const std::vector<LinePoint>& points, const Vec3d& pose) {
   law::Worst worst;
   for (const LinePoint& point : points) {

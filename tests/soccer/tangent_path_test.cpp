@@ -1,4 +1,4 @@
-// Ways around obstacles against tangents and arcs, and against a fine grid; the map that they start from.
+// Ways around obstacles against tangents and arcs, and against a fine grid; the map of obstacles.
 #include "murosimf/soccer/tangent_path.h"
 
 #include <limits>

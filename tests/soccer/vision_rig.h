@@ -1,4 +1,4 @@
-/// vision_rig.h - a camera over a painted field, drawn by the definition: every pixel shows what its ray meets.
+/// vision_rig.h - a camera above a painted field, drawn by the definition: every pixel shows the point that its ray meets.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@ inline soccer::CameraPose looking_down(double height, double pitch) {
   return {{0, 0, height}, rotation_y(pitch) * forward};
 }
 
-/// What a robot at `pose` [m, m, rad] on the field sees.
+/// The picture of a robot at `pose` [m, m, rad] on the field.
 inline imaging::ColorImage picture_of(const Markings& field, const imaging::Lens& lens,
                                       const soccer::CameraPose& camera, const Vec3d& pose) {
   imaging::ColorImage picture(lens.spec().width, lens.spec().height, sky);

@@ -1,4 +1,4 @@
-// Robots that act by what their cameras see: one finds out where it is, one crosses the field between obstacles. Nothing of
+// Robots that act by their cameras: one localizes itself, one crosses the field between obstacles. Nothing of
 // this is a row of docs/validation.md: machines without OpenGL could not prove it.
 #include <algorithm>
 #include <string>
@@ -19,7 +19,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Small pictures, ten a second: what the scenes do does not depend on more, and tests are to be quick.
+/// Small pictures, ten a second: the scenes do not depend on more, and tests have to be fast.
 scene::SceneOptions options(std::uint64_t seed, std::vector<std::string> more = {}) {
   std::vector<std::string> overrides{"robot.sensors.camera.width=320", "robot.sensors.camera.height=240",
                                      "robot.sensors.camera.rate=10"};
@@ -92,7 +92,7 @@ TEST(SelfLocalization, WalksTheSameWayEveryTime) {
   EXPECT_NE(run(1, 1), run(2, 1));
 }
 
-/// [m] the least distance from a pole on the way across; that the robot came across is checked.
+/// [m] the least distance from a pole on the way across; that the robot arrives is checked.
 double nearest_pole(const std::string& level, std::uint64_t seed) {
   scene::Scene scene("obstacle_challenge", options(seed, {"robot.level=" + level}));
   Simulation& simulation = scene.simulation();

@@ -1,4 +1,4 @@
-// Software in lock-step may leave and come back at any cycle, and whoever goes before the start ends nobody's run.
+// Software in lock-step may disconnect and reconnect at any cycle, and one that disconnects before the start ends no run.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -14,7 +14,7 @@ namespace {
 
 using namespace fixtures;
 
-/// Comes for the right robot, is told of the start, and answers until it is over, or so many cycles.
+/// Connects for the right robot, receives the start, and answers until the end, or for so many cycles.
 void play(const Listener& listener, double velocity, int cycles = 1'000'000) {
   RawClient client(listener.port());
   client.come("right");
@@ -34,7 +34,7 @@ std::vector<std::string> said(const scene::Scene& scene) {
   return lines;
 }
 
-/// Of two robots, whose right one has software that comes and goes.
+/// Of two robots: the right one has software that disconnects and reconnects.
 struct Two {
   explicit Two(std::vector<std::string> overrides = {})
       : left([this] { walk_to_ball("left", listener.port()); }), options(std::move(overrides)) {
@@ -97,7 +97,7 @@ TEST(Comeback, WhileTheRunIsPausedAndNobodyElseMayCome) {
   RawClient early(two.listener.port());
   early.hello("right");
   EXPECT_EQ(early.end(), "'right' has its software already");
-  first.reset();  // nobody talks to it now: the run stands still
+  first.reset();  // without a connection the run stands still
   Software second([&] { play(two.listener, 0.08); });
   two.scene->simulation().run(100ms);
   EXPECT_EQ(forward(*two.scene, "right"), 0.08);
@@ -168,7 +168,7 @@ TEST(Comeback, AResetBeginsWithWhoeverIsThere) {
   EXPECT_NE(software(*two.scene, "right").ended, "");
 }
 
-/// A course of a scene whose right robot has this software.
+/// A course of a scene with this software for the right robot.
 struct Way {
   explicit Way(const std::function<void(const Listener&)>& software, const std::vector<std::string>& more = {})
       : two(more), right([this, software] { software(two.listener); }) {
@@ -189,7 +189,7 @@ struct Way {
   std::optional<session::LiveSource> course;
 };
 
-/// Walks as it counts its cycles.
+/// Walks by the count of its cycles.
 void count(RawClient& client, std::atomic<int>& cycles) {
   for (;;) {
     const wire::ToClient message = client.receive();
@@ -215,7 +215,7 @@ TEST(SeekWithSoftware, LockStepIsAnsweredFromWhatItHadSaid) {
   EXPECT_TRUE(says(way.course->diagnostic(), {"software of left, right keep their own state: from 1.3 s on"}));
   way.seek(3300ms);
   EXPECT_TRUE(way.two.scene->save() == last);
-  EXPECT_EQ(cycles, asked) << "nobody was asked";
+  EXPECT_EQ(cycles, asked) << "no software was asked";
   way.seek(1300ms);
   way.go_to(1400ms);
   EXPECT_EQ(cycles, asked + 2);

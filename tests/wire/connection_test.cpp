@@ -1,4 +1,4 @@
-// Addresses as people write them, and messages that arrive whole, whatever pieces the network makes of them.
+// Addresses as users write them, and messages that arrive complete, however the network splits them.
 #include "murosimf/wire/connection.h"
 
 #include <netinet/in.h>
@@ -54,7 +54,7 @@ int option_of(const Socket& socket, int level, int option) {
   return value;
 }
 
-// What the system makes of it needs a cable that can be pulled out.
+// The effect of this setting needs a cable that can be unplugged.
 TEST(Socket, AsksWhetherTheOtherComputerIsStillThere) {
   const Pair pair;
   const Socket& far = pair.far.socket();
@@ -80,12 +80,12 @@ TEST(Socket, SaysWhyItCannotListenOrConnect) {
   EXPECT_GT(address.port, 0);
   EXPECT_EQ(error_of([&] { (void)Socket::listen(address); }), "the port is in use");
   EXPECT_TRUE(error_of([] { (void)Socket::listen({"no.such.host.invalid", 0}); }).starts_with("no host"));
-  Address nobody;
+  Address unused;
   {
     const Socket other = Socket::listen({});
-    nobody = other.own_address();
+    unused = other.own_address();
   }
-  EXPECT_EQ(error_of([&] { (void)Socket::connect(nobody); }), "nobody listens there");
+  EXPECT_EQ(error_of([&] { (void)Socket::connect(unused); }), "nobody listens there");
 }
 
 TEST(Connection, PutsTheLengthBeforeTheMessageMostSignificantByteFirst) {

@@ -59,10 +59,10 @@ std::uint64_t hash_over_tcp() {
 
 TEST(Course, IsWonAsLibraryAndOverTcpWithTheSameState) { EXPECT_EQ(hash_of_library(), hash_over_tcp()); }
 
-/// Runs it until somebody has arrived, slower and slower while the software at the serial line has not ended a cycle: a bus waits for
-/// nobody, but here it must not depend on how busy the machine is who comes too late.
+/// Runs it until a robot has arrived, slower and slower while the software at the serial line has not ended a cycle: a bus does not
+/// wait, but here the load of the machine must not decide which software comes too late.
 void run_beside(scene::Scene& scene, const std::atomic<int>& cycles, const std::atomic<bool>& arrived) {
-  constexpr int usual = 3, gone = 300;  // [ms] an answer takes; at the end nobody asks any more
+  constexpr int usual = 3, gone = 300;  // [ms] an answer takes; at the end there are no more requests
   int last = 0, waited = 0;
   for (int ms = 0; ms < 60000 && !arrived; ++ms) {
     scene.simulation().run(1ms);

@@ -1,4 +1,4 @@
-// Runs with software over TCP are repeated from their recordings alone: in lock-step, free, with software that goes and comes again.
+// Runs with software over TCP are repeated from their recordings alone: in lock-step, free, with software that disconnects and reconnects.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -23,7 +23,7 @@ RepeatableRun run_of(const Listener& listener, Duration time, std::vector<std::s
   return run;
 }
 
-/// Of two robots that walk to the ball; `adjust` says what is otherwise.
+/// Of two robots that walk to the ball; `adjust` changes it.
 std::filesystem::path record_two(const std::string& name, const std::function<void(RepeatableRun&)>& adjust = {}) {
   const Listener listener;
   Software left([&] { walk_to_ball("left", listener.port()); });
@@ -35,7 +35,7 @@ std::filesystem::path record_two(const std::string& name, const std::function<vo
 
 TEST(RecordedSoftware, LockStepIsRepeated) { expect_repeatable(record_two("lock_step.mcap")); }
 
-// The other way round: with another command it is another run.
+// The opposite: with another command it is another run.
 TEST(RecordedSoftware, AnotherCommandIsADifference) {
   const recording::McapReader reader(record_two("lock_step.mcap"));
   ExternalInputLog notes = *recording::recorded_external_input(reader);
@@ -113,7 +113,7 @@ TEST(RecordedSoftware, WhatIsAskedForIsRepeatedOverTheGap) {
   }));
 }
 
-// Without its notes it is refused, as recordings of before are.
+// Without its notes it is refused, as older recordings are.
 TEST(RecordedSoftware, IsRefusedWhereNobodyHasWrittenItDown) {
   const recording::RecordedRun recorded(record_two("without.mcap", [](RepeatableRun& run) {
     run.time = 100ms;

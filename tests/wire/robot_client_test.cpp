@@ -1,4 +1,4 @@
-// The client library: names, labels and first values are those of the robot, and what goes wrong is told in one line.
+// The client library: names, labels and first values are those of the robot, and errors are reported in one line.
 #include "murosimf/wire/robot_client.h"
 #include "murosimf/motion/motion_properties.h"
 

@@ -1,4 +1,4 @@
-// Drawings over TCP stand there as they were sent; what has no sense is left out and disturbs nobody.
+// Drawings over TCP are kept as they were sent; invalid ones are left out without further effects.
 #include <gtest/gtest.h>
 
 #include "murosimf/model/drawing.h"

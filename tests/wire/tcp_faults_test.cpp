@@ -1,4 +1,4 @@
-// What clients do wrong is told in one line, costs their own robot alone, and leaves nothing behind.
+// Errors of clients are reported in one line, affect only their own robot, and leave nothing behind.
 #include <gtest/gtest.h>
 #include <sys/socket.h>
 
@@ -17,7 +17,7 @@ std::size_t open_files() {
   return static_cast<std::size_t>(std::distance(begin(all), end(all)));
 }
 
-/// Runs two robots for a second; `error` is the software of the right one. How that ended, while the left one has played on.
+/// Runs two robots for a second; `error` is the software of the right one. Returns the report, while the left one continues to play.
 std::string ending(const std::function<void(RawClient&)>& error, std::vector<std::string> overrides = {}) {
   const std::size_t files = open_files();
   std::string how;
@@ -135,7 +135,7 @@ TEST(TcpFaults, IsReadyOrAsksAgain) {
                    {of_client, "says Hello twice"}));
 }
 
-// What any bytes do is told in one line, too: true messages with some of their bytes changed.
+// The effect of any bytes is reported in one line as well: valid messages with some of their bytes changed.
 TEST(TcpFaults, SendsChangedMessages) {
   wire::FromClient message;
   message.mutable_commands()->set_cycle(7);
@@ -156,7 +156,7 @@ TEST(TcpFaults, SendsChangedMessages) {
   }
 }
 
-/// In free-running mode until the client is dropped; what was told then.
+/// In free-running mode until the client is dropped; returns the report.
 std::string dropped(const std::function<void(RawClient&)>& error) {
   const Listener listener;
   Software left([&] { walk_to_ball("left", listener.port()); });
@@ -178,7 +178,7 @@ TEST(FreeTcpFaults, ReadsNothing) {
                    {"raw at", "did not answer in time"}));
 }
 
-// It answers what it has not read: cycle 1 was told, too.
+// It answers a message that it has not read: cycle 1 was sent as well.
 TEST(FreeTcpFaults, SendsWithoutEnd) {
   EXPECT_TRUE(says(dropped([](RawClient& client) {
                      (void)client.receive();
@@ -193,7 +193,7 @@ TEST(FreeTcpFaults, SendsWithoutEnd) {
                    {"raw at", "sends more than 20000 messages in a second"}));
 }
 
-/// What is told of a stranger who does this.
+/// The report about a stranger that makes this error.
 std::string told_of(const std::function<void(RawClient&)>& error, double hello_limit = 5) {
   const std::size_t files = open_files();
   std::vector<std::string> lines;
@@ -224,7 +224,7 @@ TEST(TcpStrangers, AreToldOfInOneLineEach) {
                    {"closed the connection"}));
 }
 
-// The robots' own software comes in between, and after them.
+// The robots' own software connects in between, and after them.
 TEST(TcpStrangers, AHundredAtOnceKeepNobodyOut) {
   const std::size_t files = open_files();
   {

@@ -1,4 +1,4 @@
-/// tcp_fixture.h - scenes whose robots' software comes over TCP, software in threads, and clients that can say anything.
+/// tcp_fixture.h - scenes of robots with software over TCP, software in threads, and clients that can send any bytes.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ using ::murosimf::fixtures::says;
 
 inline wire::WallTime soon() { return std::chrono::steady_clock::now() + 20s; }
 
-/// Who listens, and what it tells.
+/// A server for software, and its reports.
 class Listener {
  public:
   explicit Listener(double hello_limit = 5)
@@ -70,7 +70,7 @@ inline scene::SceneOptions two_robots(const Listener& listener, std::vector<std:
 }
 inline const std::filesystem::path to_the_ball_tcp = MUROSIMF_SOURCE_DIR "/examples/controllers/to_the_ball_tcp.toml";
 
-/// Software in a thread; what it throws is kept.
+/// Software in a thread; its exception is kept.
 class Software {
  public:
   explicit Software(std::function<void()> run)
@@ -96,7 +96,7 @@ class Software {
   std::thread thread_;
 };
 
-/// What a ClientError says; "none" if there is none.
+/// The text of a ClientError; "none" if there is none.
 template <class F>
 std::string error_text(const F& f) {
   try {
@@ -107,7 +107,7 @@ std::string error_text(const F& f) {
   return "none";
 }
 
-/// A client without manners.
+/// A client that may violate the protocol.
 class RawClient {
  public:
   explicit RawClient(std::uint16_t port) : connection(wire::Socket::connect({.port = port}), 1 << 20) {}
@@ -128,7 +128,7 @@ class RawClient {
     EXPECT_TRUE(message.ParseFromArray(bytes.data(), static_cast<int>(bytes.size())));
     return message;
   }
-  /// Receives until the simulator ends it; the reason that it gave.
+  /// Receives until the simulator closes the connection; returns the reason that it gave.
   std::string end() {
     std::string reason;
     try {

@@ -1,4 +1,4 @@
-// Messages of a team over TCP: the same as those of libraries, bit for bit, and refused where they are.
+// Messages of a team over TCP: equal to those of libraries, bit for bit, and refused in the same cases.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@ const std::vector<std::string> unsteady{"start.jitter_position=0",       "red.*.
                                         "communication.loss=0.2",        "communication.jitter=0.05",
                                         "communication.bandwidth=20000", "communication.messages_per_second=50"};
 
-/// What tests/connect/radio_controller.cpp does, by the client library.
+/// As tests/connect/radio_controller.cpp, by the client library.
 void talk(const std::string& name, std::uint16_t port) {
   client::RobotClient robot({.robot = name, .port = port, .rate = 50});
   robot.use_messages();
@@ -66,7 +66,7 @@ TEST(TcpMessages, GiveTheStateOfALibraryThatSendsTheSame) {
   }
 }
 
-/// One robot of a team of one, whose client is raw.
+/// One robot of a team of one, with a raw client.
 template <class Client>
 void alone(const Client& client, const std::string& team = "blue") {
   const Listener listener;

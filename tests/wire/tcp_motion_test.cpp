@@ -1,4 +1,4 @@
-// The motion engine over TCP: software reads what it does, and has it kick.
+// The motion engine over TCP: software reads its state, and requests a kick.
 #include <gtest/gtest.h>
 
 #include "tests/wire/tcp_fixture.h"
@@ -8,7 +8,7 @@ namespace {
 
 using namespace fixtures;
 
-/// What the software has seen.
+/// Values that the software has received.
 struct Seen {
   std::vector<double> modes;  // one after the other, each once
   std::vector<std::string> motions;

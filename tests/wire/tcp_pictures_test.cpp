@@ -1,4 +1,4 @@
-// Pictures of cameras over TCP: the bytes that the camera has, at its rate and delay; what is not there is told by name.
+// Pictures of cameras over TCP: the bytes of the camera, at its rate and delay; a missing signal is reported by name.
 #include <gtest/gtest.h>
 
 #include "murosimf/sensors/camera_frame.h"
@@ -22,7 +22,7 @@ std::string bytes_of(const imaging::Image<Pixel>& image) {
   return {reinterpret_cast<const char*>(image.pixels().data()), image.pixels().size_bytes()};
 }
 
-/// Has the client see all of `names` in each cycle for 0.5 s; `look` in the loop, with the frame of the camera.
+/// Has the client receive all of `names` in each cycle for 0.5 s; `look` in the loop, with the frame of the camera.
 template <class Look>
 void see(const std::string& camera, const std::vector<std::string>& names, const Look& look) {
   const Listener listener;
@@ -31,7 +31,7 @@ void see(const std::string& camera, const std::vector<std::string>& names, const
     client::RobotClient robot({.robot = "one", .port = listener.port()});
     std::vector<const client::Picture*> pictures;
     for (const std::string& name : names) pictures.push_back(&robot.picture(name));
-    // the simulation waits for the answer: its frames stay
+    // the simulation waits for the answer: its frames remain
     while (robot.next()) {
       if (!robot.starts()) look(robot, pictures, *sensors::frames_of(there->simulation().world().entity("one")).at(0));
     }
@@ -78,7 +78,7 @@ TEST(TcpPictures, OfAMosaicHaveItsPattern) {
       });
 }
 
-// Taken at 0, 100, ... ms, there 55 ms later: in the cycles of 60, 160, ... ms.
+// Taken at 0, 100, ... ms, available 55 ms later: in the cycles of 60, 160, ... ms.
 TEST(TcpPictures, ComeWithTheDelayOfTheCamera) {
   if (!test::no_drawing().empty()) GTEST_SKIP() << test::no_drawing();
   std::vector<std::pair<long long, long long>> come;  // [ms] now, time

@@ -1,4 +1,4 @@
-// Control software over TCP: in lock-step the run is that of the same software as a shared library; otherwise the latest commands hold.
+// Control software over TCP: in lock-step the run equals that of the same software as a shared library; otherwise the latest commands apply.
 #include <gtest/gtest.h>
 
 #include "tests/wire/tcp_fixture.h"
@@ -88,7 +88,7 @@ TEST(FreeTcpSoftware, HasTheLatestCommandsHold) {
   scene::Scene scene(to_the_ball_tcp, two_robots(listener, {"right.options.mode=free"}));
   EXPECT_EQ(coming.error(), "");
   scene.simulation().run(100ms);
-  EXPECT_EQ(forward(scene, "right"), 0) << "nobody has said anything";
+  EXPECT_EQ(forward(scene, "right"), 0) << "no message has been sent";
   const std::uint64_t cycle = right.receive().cycle().cycle();
   for (const double velocity : {0.05, 0.07}) right.answer(cycle, {velocity, 0, 0});
   EXPECT_TRUE(run_until(scene, [&] { return forward(scene, "right") == 0.07; }));
@@ -128,7 +128,7 @@ TEST(FreeTcpSoftware, MayGoAndComeAgain) {
   EXPECT_TRUE(says(software(scene, "right").said[1].text, {"raw at 127.0.0.1:", "has come"}));
 }
 
-// Software that is slower than its cycles is told what is measured when it asks, not what sockets have kept for it.
+// Software that is slower than its cycles receives the values measured when it asks, not those queued in sockets.
 TEST(FreeTcpSoftware, SlowSoftwareDoesNotFallBehind) {
   const Listener listener;
   Software left([&] { walk_to_ball("left", listener.port()); });

@@ -38,7 +38,6 @@ void set(GlProgram& program, const char* name, const GlMatrix& m) {
 
 /// Sets the displayed color of the ground, by the equation of the solids' shader (shaders.cpp), with and without the lamp.
 void set_ground_color(GlProgram& program, const Color& color, const Light& light) {
-  MUROSIMF_ASSERT(norm(light.toward) > 0);
   const double lamp = std::max(0.0, light.toward.z / norm(light.toward));
   const auto shown = [&](double share) {
     const auto one = [&](double base, double sky, double from_lamp) {
@@ -55,10 +54,8 @@ void set_ground_color(GlProgram& program, const Color& color, const Light& light
 /// Depths seen from the lamp: the reach of its light.
 struct ShadowMap {
   explicit ShadowMap(int pixels) : side(pixels) {
-    MUROSIMF_ASSERT(side > 0);
     glBindTexture(GL_TEXTURE_2D, *texture);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, side, side, 0, GL_DEPTH_COMPONENT, GL_FLOAT, nullptr);
-    // Outside of the map everything is lit: its box contains all pieces.
     constexpr std::array<GLfloat, 4> lit{1, 1, 1, 1};
     glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, lit.data());
     for (const auto& [key, value] : {std::pair<GLenum, GLint>{GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER},
@@ -171,7 +168,6 @@ void GlDrawing::draw_scene(const Projection& projection, const GlMatrix& clip, c
   const Mat3d to_optical = transpose(view.axes);
   const bool shaded = light.shadows && layers.color;
   glActiveTexture(GL_TEXTURE0);
-  MUROSIMF_ASSERT(!shaded || (objects_->shadows && objects_->shadowed));
   glBindTexture(GL_TEXTURE_2D, shaded ? *objects_->shadows->texture : 0);
   objects_->lit = shaded ? &*objects_->shadowed : &objects_->plain;
   for (GlProgram* program : {&objects_->lit->solid, &objects_->lit->ground, &objects_->lit->stroke}) {
@@ -189,7 +185,6 @@ void GlDrawing::draw_scene(const Projection& projection, const GlMatrix& clip, c
   glEnable(GL_CULL_FACE);
   glCullFace(GL_BACK);
   glEnable(GL_DEPTH_TEST);
-  // First the ground, without depth test; then opaque pieces; transparent ones blend over all of these.
   if (options.ground) draw_ground(projection, layers, light, to);
   objects_->lit->solid.use();
   objects_->meshes.load(list_.instances());
@@ -328,7 +323,6 @@ void GlDrawing::draw_shadows(const sensors::Perspective& view, const RendererOpt
   }
   ShadowMap& map = *objects_->shadows;
   const LampView lamp = lamp_view(render_scene_, light.toward, ahead);
-  MUROSIMF_ASSERT(map.side > 0 && lamp.half_width > 0 && lamp.half_height > 0);
   map.texel = 2 * std::max(lamp.half_width, lamp.half_height) / map.side;
   const GlMatrix clip = clip_of(lamp);
   // From optical axes to those of the lamp, then to its picture, 0 to 1.

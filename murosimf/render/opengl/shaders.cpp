@@ -119,7 +119,7 @@ void main() {
   vec2 across = vec2(-dir.y, dir.x);
   vec2 at = corner.y > 0.5 ? ends.zw : ends.xy;
   // half of a pixel's footprint on the ground, seen from far: z pixel to the side, z^2 pixel / height away from the eye
-  // (z = 1 by parallel rays, whose height is the sine of their elevation)
+  // (z = 1 by parallel rays: the height is the sine of their elevation)
   vec2 away = eye.w * at - eye.xy;
   float height = eye.z;
   float z = max(0.1, length(vec3(away, height)));

@@ -5,13 +5,14 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/robot_formats/mesh/dae_geometry.h"
 
 namespace murosimf::robot_formats::mesh {
 namespace {
 
-// A node can be used again and again, and so can a geometry: what is visited and made of it counts each time.
+// Nodes and geometries can be referred to any number of times: the budget counts each use.
 constexpr std::size_t most_elements = 1'000'000;
 constexpr std::size_t most_vertices = 3 * most_triangles;
 
@@ -40,7 +41,7 @@ Affine read_step(const files::XmlElement& element) {
   if (tag != "rotate") return {};
   const auto v = dae_numbers(element, 4);  // axis, angle [deg]
   const Vec3d axis{v[0], v[1], v[2]};
-  if (!(norm(axis) > 1e-12)) return {};
+  if (!(norm(axis) > 1e-12)) return {};  // some exporters write a rotation about nothing
   return {rotation((1.0 / norm(axis)) * axis, v[3] * pi / 180.0), {}};
 }
 
@@ -52,6 +53,7 @@ class Reader {
     const files::XmlElement root = xml_.root();
     if (root.tag() != "COLLADA") root.fail(fmt::format("the root is <{}>, not <COLLADA>", root.tag()));
     const double unit = read_unit(root);
+    // The unit of length is the outermost transformation, so that translations of nodes are scaled with it.
     const Affine frame{{{unit, 0, 0}, {0, unit, 0}, {0, 0, unit}}, {}};
     for (const files::XmlElement& scene : root.children("scene")) {
       for (const files::XmlElement& instance : scene.children("instance_visual_scene")) {
@@ -62,7 +64,7 @@ class Reader {
   }
 
  private:
-  /// [m]
+  /// [m] Unit of length of the file.
   static double read_unit(const files::XmlElement& root) {
     for (const files::XmlElement& asset : root.children("asset")) {
       for (const files::XmlElement& unit : asset.children("unit")) {
@@ -75,9 +77,12 @@ class Reader {
   }
 
   void add_node(const files::XmlElement& node, Affine frame, int depth = 0) {
+    MUROSIMF_ASSERT(depth >= 0);
     const auto children = node.children();
     elements_ += 1 + children.size();
+    // Nodes may refer to each other in a circle, and a tree of references grows exponentially.
     if (elements_ > most_elements || depth > 200) node.fail("the nodes of the file never end; export the mesh again");
+    // All transformations of a node apply to all of its children, whatever their order in the file.
     for (const files::XmlElement& child : children) frame = frame * read_step(child);
     for (const files::XmlElement& child : children) {
       const std::string tag = child.tag();
@@ -104,11 +109,13 @@ class Reader {
       vertices.push_back(frame.turn * v + frame.shift);
       if (!std::isfinite(norm(vertices.back()))) geometry.fail("its nodes scale the mesh beyond all numbers");
     }
+    // A reflection turns the surface inside out: the other order of corners turns it back.
     const bool mirrored = dot(frame.turn.x, cross(frame.turn.y, frame.turn.z)) < 0;
     for (const auto& [a, b, c] : mesh.triangles) {
+      MUROSIMF_ASSERT(a < mesh.vertices.size() && b < mesh.vertices.size() && c < mesh.vertices.size());
       triangles.push_back({base + a, base + (mirrored ? c : b), base + (mirrored ? b : c)});
     }
-    if (mesh.triangles.empty()) file_.part_begin.pop_back();
+    if (mesh.triangles.empty()) file_.part_begin.pop_back();  // every part begins with a triangle
   }
 
   files::XmlFile xml_;
@@ -127,7 +134,7 @@ bool has_y_up(const std::filesystem::path& file) {
   for (const files::XmlElement& asset : xml.root().children("asset")) {
     for (const files::XmlElement& axis : asset.children("up_axis")) return axis.text() == "Y_UP";
   }
-  return true;
+  return true;  // the default of the format
 }
 
 }  // namespace murosimf::robot_formats::mesh

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/robot_formats/mesh/mesh_file.h"
 
 namespace murosimf::robot_formats::mesh {
@@ -44,19 +45,21 @@ std::vector<Vec3d> read_positions(const files::XmlElement& mesh, const DaeIds& i
   const files::XmlElement& source = ids.find(input_of(needed(mesh, "vertices"), "POSITION"), "source");
   const auto numbers = dae_numbers(needed(source, "float_array"));
   std::size_t stride = 3, offset = 0;
+  // Other numbers of a vertex (weights) may stand between its coordinates.
   if (const auto technique = child(source, "technique_common")) {
     const files::XmlElement accessor = needed(*technique, "accessor");
     stride = std::max<std::size_t>(whole(accessor, "stride", 3), 3);
     offset = whole(accessor, "offset", 0);
   }
   std::vector<Vec3d> positions;
+  MUROSIMF_ASSERT(stride >= 3);
   for (std::size_t i = offset; i + 3 <= numbers.size(); i += stride) {
     positions.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
   }
   return positions;
 }
 
-/// Takes the vertices out of the lists of indices of one primitive.
+/// Selects the vertices from the lists of indices of one primitive, which interleave those of normals and textures.
 class Indices {
  public:
   Indices(const files::XmlElement& primitive, std::size_t vertices)
@@ -69,6 +72,7 @@ class Indices {
   [[nodiscard]] Corners read(const files::XmlElement& list) const {
     const auto numbers = dae_numbers(list);
     Corners corners;
+    MUROSIMF_ASSERT(stride_ > offset_);
     for (std::size_t i = offset_; i < numbers.size(); i += stride_) {
       const double number = numbers[i];
       if (!(number >= 0 && number < static_cast<double>(vertices_))) {
@@ -89,18 +93,19 @@ void add_triangle(geometry::TriangleMesh& mesh, const files::XmlElement& at, std
   mesh.triangles.push_back({a, b, c});
 }
 
-/// Corners `first` to `first + count - 1` as a fan.
+/// Adds corners `first` to `first + count - 1` as a fan: exact for convex polygons, which exporters write.
 void add_fan(geometry::TriangleMesh& mesh, const files::XmlElement& at, const Corners& corners, std::size_t first,
              std::size_t count) {
   if (first + count > corners.size()) at.fail("there are fewer corners than the polygons have; export the mesh again");
   for (std::size_t i = 2; i < count; ++i) {
+    MUROSIMF_ASSERT(first + i < corners.size());
     add_triangle(mesh, at, corners[first], corners[first + i - 1], corners[first + i]);
   }
 }
 
 void add_strip(geometry::TriangleMesh& mesh, const files::XmlElement& at, const Corners& corners) {
   for (std::size_t i = 2; i < corners.size(); ++i) {
-    const std::size_t odd = i % 2;  // every other triangle runs the other way round
+    const std::size_t odd = i % 2;  // the order of corners alternates in a strip
     add_triangle(mesh, at, corners[i - 2 + odd], corners[i - 1 - odd], corners[i]);
   }
 }
@@ -143,6 +148,7 @@ DaeIds::DaeIds(const files::XmlElement& root) {
   while (!open.empty()) {
     const files::XmlElement element = open.back();
     open.pop_back();
+    // Of a repeated id the first element counts; emplace() keeps it.
     if (const auto id = element.attribute("id")) elements_.emplace(*id, element);
     for (const files::XmlElement& inner : element.children()) open.push_back(inner);
   }

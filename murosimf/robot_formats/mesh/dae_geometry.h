@@ -14,14 +14,14 @@ namespace murosimf::robot_formats::mesh {
 class DaeIds {
  public:
   explicit DaeIds(const files::XmlElement& root);
-  /// What the attribute, "#id", of an element means. Throws SetupError if there is no such thing in the file.
+  /// The element that the attribute, "#id", refers to. Throws SetupError if there is no such element in the file.
   [[nodiscard]] const files::XmlElement& find(const files::XmlElement& user, const char* attribute) const;
 
  private:
   std::map<std::string, files::XmlElement> elements_;
 };
 
-/// The numbers in an element. Throws SetupError if something else is there, or not `count` of them (0: any number).
+/// The numbers in an element. Throws SetupError for other contents, or if there are not `count` of them (0: any number).
 [[nodiscard]] std::vector<double> dae_numbers(const files::XmlElement& element, std::size_t count = 0);
 
 /// Triangles of triangles, polylist, polygons, tristrips and trifans, polygons as fans, in the file's own unit and the

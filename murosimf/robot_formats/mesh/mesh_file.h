@@ -1,7 +1,7 @@
 /// mesh_file.h - triangle meshes from STL, OBJ and COLLADA files, and MuJoCo's own.
 ///
-/// Our own small readers, because users need file and line of what is wrong with a mesh.
-/// STL: binary and ASCII, several solids count as one. Told apart by size and content, because many binary files begin
+/// Own readers, since users need file and line of errors in a mesh.
+/// STL: binary and ASCII, several solids count as one. Distinguished by size and content, because many binary files begin
 /// with "solid", too. Normals and attribute bytes are ignored.
 /// OBJ: v and f lines, polygons as fans; normals, textures, materials, lines and curves are ignored.
 /// COLLADA: geometries of the scene (dae_file.h).
@@ -18,10 +18,10 @@
 
 namespace murosimf::robot_formats::mesh {
 
-/// More is refused before it is read: such a mesh has nothing that a contact or an inertia could use.
+/// Larger meshes are refused before they are read: the detail has no effect on contact or inertia.
 constexpr std::size_t most_triangles = 1'000'000;
 
-/// What the readers say of such a mesh; with the number of its triangles if that is known before they are read.
+/// The message for such a mesh; with the number of its triangles if that is known before they are read.
 [[nodiscard]] std::string too_many(std::size_t count = 0);
 
 struct MeshFile {
@@ -29,8 +29,8 @@ struct MeshFile {
   std::vector<std::size_t> part_begin;  ///< first triangle of each object, group or geometry that has triangles
 };
 
-/// The kind of file goes by its extension, .stl, .obj, .dae or .msh in any case. Throws SetupError, one line: file, line if there is
-/// one, what is wrong, what to do. Finite numbers and valid indices are sure; that the surface closes is not.
+/// Reads a file of a kind by its extension, .stl, .obj, .dae or .msh in small or capital letters. Throws SetupError, one line: file, line
+/// if there is one, what is wrong, what to do. Guarantees finite numbers and valid indices; the surface need not be closed.
 [[nodiscard]] MeshFile read_mesh_file(const std::filesystem::path& file);
 
 /// The parts of a file, each with its own vertices; one if the file has no objects or groups.

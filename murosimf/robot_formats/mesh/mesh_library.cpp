@@ -6,16 +6,18 @@
 #include <fmt/format.h>
 
 #include "murosimf/geometry/hull.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::robot_formats::mesh {
 namespace {
 
 constexpr double concave_ratio = 1.1;  // [1] hull over mesh volume, above which contact differs visibly
-constexpr double most_width = 20;      // [m] no robot is so large; a file in millimeters is
+constexpr double most_width = 20;      // [m] wider than any robot: the file is in millimeters
 
 ConvexPart make_part(const geometry::TriangleMesh& mesh) {
   auto [hull, middle, error] = geometry::make_hull(mesh.vertices);
+  MUROSIMF_ASSERT(!hull.vertices.empty());
   return {{std::make_shared<const ConvexHull>(std::move(hull))}, middle, error};
 }
 
@@ -32,6 +34,7 @@ double width(const std::vector<Vec3d>& vertices) {
 }
 
 void doubt_surface(const SolidMesh& mesh, std::vector<std::string>& doubts) {
+  // An open surface has no volume that could be compared with the hull's.
   if (!mesh.seams.closed()) {
     doubts.push_back(
         fmt::format("the mesh is not closed ({} open edges, {} between triangles that look different ways); "
@@ -52,6 +55,7 @@ void doubt_surface(const SolidMesh& mesh, std::vector<std::string>& doubts) {
 
 void scale_mesh(geometry::TriangleMesh& mesh, const Vec3d& scale) {
   for (Vec3d& v : mesh.vertices) v = {scale.x * v.x, scale.y * v.y, scale.z * v.z};
+  // An odd number of mirrored axes turns the surface inside out.
   const bool mirrored = (scale.x < 0) != ((scale.y < 0) != (scale.z < 0));
   if (!mirrored) return;
   for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
@@ -66,7 +70,7 @@ SolidMesh make_solid_mesh(MeshFile file, bool part_per_group) {
       mesh.parts.push_back(make_part(file.mesh));
     }
   } catch (const SetupError& error) {
-    mesh.parts.clear();
+    mesh.parts.clear();  // a flat mesh may still be drawn: the reason is kept for those that collide
     mesh.flat = error.what();
   }
   mesh.triangles = std::move(file.mesh);
@@ -81,6 +85,7 @@ geometry::SolidMass hull_mass(const std::vector<ConvexPart>& parts) {
     sum.volume += solid.volume;
     sum.center += solid.volume * solid.center;
   }
+  MUROSIMF_ASSERT(sum.volume > 0);
   sum.center = (1.0 / sum.volume) * sum.center;
   for (const ConvexPart& part : parts) {
     const auto solid = part_mass(part);

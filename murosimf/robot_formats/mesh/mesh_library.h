@@ -1,4 +1,4 @@
-/// mesh_library.h - meshes as solids that contact can use: read once, hulls made once.
+/// mesh_library.h - meshes as solids for contact: each file is read once, each hull made once.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ struct ConvexPart {
   double error = 0;  ///< [m] by which the mesh may stand out of it (geometry/hull.h)
 };
 
-/// A mesh and the convex parts that contact sees instead of it.
+/// A mesh and the convex parts that replace it in contact.
 struct SolidMesh {
   geometry::TriangleMesh triangles;  ///< [m]
   geometry::Seams seams;
@@ -29,8 +29,8 @@ struct SolidMesh {
   std::string flat;               ///< why there are no parts
 };
 
-/// Multiplies all coordinates. An odd number of negative scales turns the triangles round, so that what was outside
-/// stays outside.
+/// Multiplies all coordinates. An odd number of negative scales reverses the triangles, so that the outside
+/// remains outside.
 void scale_mesh(geometry::TriangleMesh& mesh, const Vec3d& scale);
 
 /// The hull of the whole file or, with `part_per_group`, of each of its objects or groups.
@@ -39,13 +39,13 @@ void scale_mesh(geometry::TriangleMesh& mesh, const Vec3d& scale);
 /// The parts together, at density 1; where they overlap, the overlap counts twice.
 [[nodiscard]] geometry::SolidMass hull_mass(const std::vector<ConvexPart>& parts);
 
-/// What looks wrong with a mesh that shall collide, one line each: very wide (millimeters?), not closed, concave, or
+/// What looks wrong with a mesh for collisions, one line each: very wide (millimeters?), not closed, concave, or
 /// with so many vertices that contact is slow.
 [[nodiscard]] std::vector<std::string> mesh_doubts(const SolidMesh& mesh);
 
 class MeshLibrary {
  public:
-  /// The mesh of a file with its numbers multiplied by `scale`; the same reference for the same file and scale, whose
+  /// The mesh of a file with its numbers multiplied by `scale`; the same reference for the same file and scale; the
   /// first call decides about `part_per_group`. Throws SetupError: mesh file, line, what is wrong; and for a scale of
   /// zero.
   [[nodiscard]] const SolidMesh& get(const std::filesystem::path& file, const Vec3d& scale, bool part_per_group);

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/files/xml_element.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::robot_formats::mesh {
@@ -37,7 +38,8 @@ class Msh {
  private:
   void check_size() const {
     const auto [vertices, normals, texture, faces] = counts_;
-    if (faces > most_triangles) fail(too_many(faces));
+    if (faces > most_triangles) fail(too_many(faces));  // before memory for them is needed
+    MUROSIMF_ASSERT(bytes_.size() >= word * counts_.size());
     const std::size_t needed = word * (counts_.size() + 3 * vertices + 3 * normals + 2 * texture + 3 * faces);
     if (bytes_.size() != needed) {
       fail(fmt::format("its header asks for {} bytes, it has {}; export it anew", needed, bytes_.size()));
@@ -51,7 +53,8 @@ class Msh {
       if (!std::isfinite(vertex.x) || !std::isfinite(vertex.y) || !std::isfinite(vertex.z)) {
         fail(fmt::format("vertex {} is not finite", i + 1));
       }
-      result.mesh.vertices.push_back({vertex.x + 0.0, vertex.y + 0.0, vertex.z + 0.0});  // no -0: another place
+      result.mesh.vertices.push_back(
+          {vertex.x + 0.0, vertex.y + 0.0, vertex.z + 0.0});  // no -0: vertices are merged by value
     }
   }
 
@@ -71,7 +74,9 @@ class Msh {
 
   template <class T>
   [[nodiscard]] T at(std::size_t index) const {
+    MUROSIMF_ASSERT(word * index + sizeof(T) <= bytes_.size());
     T value;
+    // Copied: the bytes need not be aligned.
     std::memcpy(&value, bytes_.data() + word * index, sizeof value);
     return value;
   }

@@ -1,4 +1,4 @@
-/// msh_file.h - triangle meshes in MuJoCo's own binary format, which old models have.
+/// msh_file.h - triangle meshes in MuJoCo's own binary format of old models.
 ///
 /// Four 32-bit counts (vertices, normals, texture coordinates, faces), then as many float triples, triples and pairs, then three 32-bit
 /// corners for each face, all little-endian. Normals and texture coordinates are ignored.

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/files/text_lines.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::robot_formats::mesh {
 namespace {
@@ -16,8 +17,8 @@ class ObjReader {
   explicit ObjReader(const std::filesystem::path& path) : lines_(path, true) {
     while (lines_.next()) {
       const auto word = lines_.word();
-      if (word == "v") take_vertex();
-      if (word == "f") take_face();
+      if (word == "v") read_vertex();
+      if (word == "f") read_face();
       if (word == "o" || word == "g") begin_part();
     }
   }
@@ -25,7 +26,7 @@ class ObjReader {
   MeshFile result;
 
  private:
-  void take_vertex() {
+  void read_vertex() {
     if (result.mesh.vertices.size() == most_vertices) {
       lines_.fail(fmt::format("the mesh has more than {} vertices; simplify it", most_vertices));
     }
@@ -36,8 +37,8 @@ class ObjReader {
     result.mesh.vertices.push_back(vertex);
   }
 
-  /// Corners like 3, 3/1, 3//2 or -1/-1/-1.
-  void take_face() {
+  /// Adds a polygon as a fan. Corners like 3, 3/1, 3//2 or -1/-1/-1: the first number is the vertex.
+  void read_face() {
     std::uint32_t first = 0, last = 0;
     std::size_t corners = 0;
     for (auto text = lines_.word(); !text.empty() && text.front() != '#'; text = lines_.word()) {
@@ -52,6 +53,7 @@ class ObjReader {
   [[nodiscard]] std::uint32_t vertex_number(std::string_view text) const {
     const std::string_view digits = text.substr(0, text.find('/'));
     const auto count = static_cast<long long>(result.mesh.vertices.size());
+    // Negative numbers count back from the last vertex so far.
     long long number = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
     if (error == std::errc::invalid_argument || end != digits.data() + digits.size()) {
@@ -62,6 +64,7 @@ class ObjReader {
       lines_.fail(
           fmt::format("the face names vertex {}, but {} vertices stand before it", files::quoted(digits), count));
     }
+    MUROSIMF_ASSERT(inside);
     return static_cast<std::uint32_t>(number > 0 ? number - 1 : count + number);
   }
 
@@ -72,6 +75,7 @@ class ObjReader {
   }
 
   void begin_part() {
+    // An object and its first group begin at the same triangle: one part.
     const std::size_t here = result.mesh.triangles.size();
     if (result.part_begin.empty() || result.part_begin.back() != here) result.part_begin.push_back(here);
   }

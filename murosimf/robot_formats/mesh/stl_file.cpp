@@ -12,6 +12,7 @@
 #include "murosimf/files/lower_case.h"
 #include "murosimf/files/text_lines.h"
 #include "murosimf/files/xml_element.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::robot_formats::mesh {
@@ -43,11 +44,12 @@ bool is_text(std::string_view head) {
   return std::ranges::none_of(head, [](char c) { return static_cast<unsigned char>(c) < 32 && !std::isspace(c); });
 }
 
-/// "solid" is the first word of ASCII files, and of many binary ones; those have the right size or unprintable bytes.
+/// "solid" is the first word of ASCII files, and of many binary ones; these have the right size or unprintable bytes.
 bool is_ascii(std::string_view head, std::size_t size) {
   const std::size_t start = std::min(head.find_first_not_of(" \t\r\n"), head.size());
   if (!head.substr(start).starts_with("solid") && !head.substr(start).starts_with("SOLID")) return false;
   if (head.size() < header_size) return true;
+  MUROSIMF_ASSERT(head.size() == header_size);
   const auto count = little_endian<std::uint32_t>(head.data() + 80);
   return is_text(head) && size != header_size + triangle_size * count;
 }
@@ -64,6 +66,7 @@ class Binary {
                        size));
     }
     std::ifstream stream(path, std::ios::binary);
+    MUROSIMF_ASSERT(count <= most_triangles && size >= header_size + triangle_size * count);
     stream.seekg(header_size);
     std::vector<char> bytes(triangle_size * count);
     if (!stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) fail("the file cannot be read");
@@ -85,7 +88,7 @@ class Binary {
     const double value = little_endian<float>(bytes);
     if (!std::isfinite(value))
       fail(fmt::format("triangle {} has a coordinate that is not finite ({})", number + 1, value));
-    return value + 0.0;  // no -0: it would be another place
+    return value + 0.0;  // no -0: vertices are merged by value
   }
   [[noreturn]] void fail(std::string_view message) const {
     throw SetupError(files::one_line(fmt::format("{}: {}", name_, message)));
@@ -94,7 +97,7 @@ class Binary {
   std::string name_;
 };
 
-/// The words of an ASCII file come in lines by custom only, so they are read as one row.
+/// Reader of ASCII files. Line breaks between words are only a convention, so the words are read as one sequence.
 class Ascii {
  public:
   explicit Ascii(const std::filesystem::path& path) : lines_(path) {
@@ -109,10 +112,10 @@ class Ascii {
  private:
   void take(std::string_view word) {
     const std::string lower = files::lower_case(std::string(word));
-    if (lower == "vertex") return take_vertex();
-    if (lower == "endloop") return take_triangle();
+    if (lower == "vertex") return read_vertex();
+    if (lower == "endloop") return read_facet();
     if (lower == "solid" || lower == "endsolid" || lower == "facet") {
-      // a name or a normal follows, neither of which counts
+      // A name or a normal follows, neither of which is used.
       if (lower == "facet") return skip_normal();
       while (!lines_.word().empty()) {
       }
@@ -125,14 +128,15 @@ class Ascii {
   void skip_normal() {
     for (int i = 0; i < 4; ++i) lines_.word();
   }
-  void take_vertex() {
+  void read_vertex() {
     if (corners_ == 3) lines_.fail("the facet has more than three vertices; export triangles");
+    MUROSIMF_ASSERT(corners_ < triangle_.size());
     Vec3d& corner = triangle_[corners_++];
     corner.x = lines_.number("vertex");
     corner.y = lines_.number("vertex");
     corner.z = lines_.number("vertex");
   }
-  void take_triangle() {
+  void read_facet() {
     if (corners_ != 3) lines_.fail(fmt::format("the facet has {} vertices instead of three; export it anew", corners_));
     corners_ = 0;
     if (result.mesh.triangles.size() == most_triangles) lines_.fail(too_many());

@@ -5,7 +5,7 @@
 
 namespace murosimf::robot_formats::mesh {
 
-/// Three vertices of their own for every triangle. `size` of the file [byte], not zero. Throws SetupError.
+/// Three separate vertices for every triangle. `size` of the file [byte], not zero. Throws SetupError.
 [[nodiscard]] MeshFile read_stl(const std::filesystem::path& file, std::size_t size);
 
 }  // namespace murosimf::robot_formats::mesh

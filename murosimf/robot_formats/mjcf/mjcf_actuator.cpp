@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/robot_formats/mjcf/mjcf_gains.h"
 #include "murosimf/robot_formats/mjcf/mjcf_schema.h"
@@ -16,23 +17,25 @@
 namespace murosimf::robot_formats::mjcf {
 namespace {
 
-/// From lowest to highest.
+/// A range from lowest to highest.
 struct Limits {
   double lowest = -std::numeric_limits<double>::infinity(), highest = std::numeric_limits<double>::infinity();
 };
 
 Limits scaled(double factor, double offset, const std::vector<double>& range) {
+  MUROSIMF_ASSERT(range.size() == 2);
   const auto [lowest, highest] = std::minmax({offset + factor * range[0], offset + factor * range[1]});
   return {lowest, highest};
 }
 
 Limits clamped(const Limits& limits, const Limits& by) {
+  MUROSIMF_ASSERT(by.lowest <= by.highest);
   return {std::clamp(limits.lowest, by.lowest, by.highest), std::clamp(limits.highest, by.lowest, by.highest)};
 }
 
 class ActuatorReader {
  public:
-  /// `moment`: of what it acts on, over the position of the joint; 1 for a joint.
+  /// `moment`: length of the transmission per position of the joint; 1 for a joint.
   ActuatorReader(const MjcfAttributes& attributes, const MjcfGains& gains, double moment, const MjcfCompiler& compiler)
       : attributes_(attributes), gains_(gains), compiler_(compiler) {
     const auto gears = attributes.numbers("gear", 1, 6);
@@ -44,7 +47,7 @@ class ActuatorReader {
     Servo& servo = actuator.servo;
     servo.type = attributes_.element().tag();
     servo.law = "ideal_pd";
-    servo.position_gain = gear_ * gear_ * -gains_.bias[1] + 0.0;  // no -0
+    servo.position_gain = gear_ * gear_ * -gains_.bias[1] + 0.0;  // no -0, which would be written to files
     servo.velocity_gain = gear_ * gear_ * -gains_.bias[2] + 0.0;
     servo.command_filter = gains_.time_constant;
     actuator.damping_ratio = gains_.damping_ratio;
@@ -55,19 +58,20 @@ class ActuatorReader {
 
   [[nodiscard]] MjcfControl control(std::string joint) const {
     const double gain = per_target();
+    // Without gain the control has no position that it could mean.
     if (gain == 0 || gains_.integrates) return {std::move(joint)};
     return {std::move(joint), gains_.bias[1] != 0, gains_.gain / gain, gains_.bias[0] / gain};
   }
 
  private:
   [[nodiscard]] bool is_motor() const { return gains_.bias[1] == 0 && gains_.bias[2] == 0; }
-  /// [N m per rad or rad/s, at the actuator] that the control holds up; 0: a motor, or nothing at all.
+  /// [N m per rad or rad/s, at the actuator] Gain of position or rate; 0: a motor, or no gain at all.
   [[nodiscard]] double per_target() const { return -(gains_.bias[1] != 0 ? gains_.bias[1] : gains_.bias[2]) * gear_; }
   [[nodiscard]] bool holds_control() const { return is_limited(attributes_, "ctrllimited", "ctrlrange", compiler_); }
 
   void set_torque(Servo& servo) const {
     Limits limits;
-    // the control of a motor is its torque
+    // The control of a motor is its torque.
     if (is_motor() && holds_control()) limits = scaled(gains_.gain, 0, attributes_.numbers("ctrlrange", 2, 2));
     if (is_limited(attributes_, "forcelimited", "forcerange", compiler_)) {
       limits = clamped(limits, scaled(1, 0, attributes_.numbers("forcerange", 2, 2)));
@@ -84,7 +88,7 @@ class ActuatorReader {
       actuator.per_range = gains_.gain / per_target();
     } else if (gains_.integrates) {
       set_range_of_activation(actuator);
-    } else if (gains_.gain == 0) {  // the control has no say
+    } else if (gains_.gain == 0) {  // the control has no effect
       const double rest = gains_.bias[0] / per_target();
       actuator.target_range = Vec3d{rest, rest, 0};
     } else if (holds_control()) {
@@ -94,7 +98,7 @@ class ActuatorReader {
     }
   }
 
-  /// The integral of the control takes its place.
+  /// Sets the target range of an integrated control: the integral replaces the control.
   void set_range_of_activation(MjcfActuator& actuator) const {
     if (!is_limited(attributes_, "actlimited", "actrange", compiler_)) return;
     const auto [lowest, highest] =
@@ -111,6 +115,7 @@ class ActuatorReader {
 void add(MjcfActuator& actuator, const MjcfActuator& other) {
   Servo& servo = actuator.servo;
   const Servo& more = other.servo;
+  // Only actuators of one kind add up exactly; the largest of each number is what the strongest one does.
   actuator.damping_ratio = std::max(actuator.damping_ratio, other.damping_ratio);
   if (more.stall_torque > servo.stall_torque) {
     servo.lowest_share = more.lowest_share;
@@ -136,7 +141,7 @@ std::string read_joint(const MjcfAttributes& attributes, const MjcfNames& names)
   return joint;
 }
 
-/// Of the whole section.
+/// Reader of the whole section.
 class Reader {
  public:
   Reader(const MjcfDefaults& defaults, const MjcfCompiler& compiler, const MjcfNames& names,
@@ -175,6 +180,7 @@ class Reader {
     if (gains.integrates) name_integral(element);
     const ActuatorReader reader(attributes, gains, moment, compiler_);
     result_.controls.push_back(reader.control(joint));
+    // Controls have the order of the file, as keyframes need it: also those of actuators that are left out.
     const auto [place, fresh] = result_.by_joint.emplace(joint, reader.read());
     if (fresh) return;
     add(place->second, reader.read());

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/robot_formats/mjcf/mjcf_references.h"
 #include "murosimf/robot_formats/mjcf/mjcf_replicate.h"
@@ -17,14 +18,14 @@ namespace {
 
 constexpr int deepest = 8;  // models that attach models
 
-/// Another file, ready to be taken from.
+/// Another file, prepared for attaching.
 struct Model {
   files::XmlElement root;
   MjcfCompiler compiler;
   std::string outermost_class;
 };
 
-/// What names begin with. Classes need one, so that those of the other file are not taken for those of this one.
+/// Prefixes of names. Classes always have one, so that those of the other file differ from those of this one.
 struct Prefix {
   explicit Prefix(const files::XmlElement& attach)
       : of_names(attach.attribute("prefix").value_or("")),
@@ -49,7 +50,7 @@ class Attachment {
   void attach() {
     for (const files::XmlElement& world : root_.children("worldbody")) attach_in(world);
     if (added_.empty()) return;
-    // where the model stands: there is such a section
+    // An attached model is declared there, so there is such a section.
     const files::XmlElement assets = root_.children("asset").front();
     added_.insert(added_.begin(), files::copy_of(assets));
     file_.replace(assets, added_);
@@ -78,6 +79,7 @@ class Attachment {
     if (made_ > most_elements) element.fail(fmt::format("attach makes more than {} elements", most_elements));
     std::vector<files::XmlTree> sections = assets_of(model, names);
     add_relations(model, names, sections);
+    // Renamed last: relations are selected by the names of the other file.
     for (files::XmlTree& tree : trees) adopt(tree, prefix, names, model.outermost_class);
     for (files::XmlTree& section : sections) {
       for (files::XmlTree& tree : section.children) {
@@ -93,7 +95,7 @@ class Attachment {
     file_.replace(element, trees);
   }
 
-  /// The body that is named, or all of the world.
+  /// Copies of the named body, or of all bodies of the world.
   [[nodiscard]] static std::vector<files::XmlTree> content(const files::XmlElement& element, const Model& model) {
     const auto name = element.attribute("body");
     std::vector<files::XmlTree> all;
@@ -119,7 +121,7 @@ class Attachment {
     return std::nullopt;
   }
 
-  /// Meshes, materials and textures; mesh files are found from anywhere.
+  /// Copies of meshes, materials and textures, with absolute paths of mesh files.
   [[nodiscard]] std::vector<files::XmlTree> assets_of(const Model& model, MjcfReferences& names) const {
     std::vector<files::XmlTree> sections;
     const auto folder = std::filesystem::absolute(model.root.file()).parent_path() / model.compiler.mesh_folder;
@@ -144,7 +146,7 @@ class Attachment {
     return sections;
   }
 
-  /// What names something that is attached.
+  /// Adds copies of elements that refer to an attached part.
   static void add_relations(const Model& model, MjcfReferences& names, std::vector<files::XmlTree>& sections) {
     for (const char* tag : {"actuator", "contact", "equality", "sensor"}) {
       for (const files::XmlElement& section : model.root.children(tag)) {
@@ -160,7 +162,7 @@ class Attachment {
     }
   }
 
-  /// All classes of the other file, its outermost one as "main".
+  /// All classes of the other file, its outermost one under its own name.
   [[nodiscard]] static files::XmlTree defaults_of(const Model& model, const Prefix& prefix,
                                                   const MjcfReferences& names) {
     files::XmlTree main{"default", {{"class", model.outermost_class}}, model.root, {}};
@@ -180,7 +182,7 @@ class Attachment {
     return name;
   }
 
-  /// Names with the prefix; an element without a class gets `otherwise`, unless that is empty, bodies for all in them.
+  /// Adds the prefix to names; an element without a class gets `otherwise`, unless that is empty; bodies for all of their contents.
   static void adopt(files::XmlTree& tree, const Prefix& prefix, const MjcfReferences& names,
                     const std::string& otherwise) {
     const std::string word = tree.tag == "body" || tree.tag == "frame" ? "childclass" : "class";
@@ -200,6 +202,7 @@ class Attachment {
     const MjcfUnits& units = model.compiler.units_of(tree.original);
     const auto [known, fresh] = compiler_.attached.emplace(tree.original.file(), units);
     if (!fresh && known->second != units) {
+      // Units are stored by file: one file cannot have two.
       tree.original.fail("this file is part of two models with different angles; make a copy of it");
     }
     for (const files::XmlTree& child : tree.children) learn_units(child, model);
@@ -234,6 +237,8 @@ class Attachment {
     if (!same_masses(model.compiler, compiler_)) {
       other.fail("a model that is attached needs the settings of masses that the compiler of the file has");
     }
+    MUROSIMF_ASSERT(depth_ < deepest);
+    // Inside first: what the other file attaches and replicates is part of what is copied.
     Attachment(file_, other, model.compiler, lenient_, depth_ + 1, description_).attach();
     compiler_.attached.insert(model.compiler.attached.begin(), model.compiler.attached.end());
     expand_replicates(file_, other, model.compiler);

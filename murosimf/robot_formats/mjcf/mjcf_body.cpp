@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/robot_formats/mjcf/mjcf_camera.h"
 #include "murosimf/robot_formats/mjcf/mjcf_children.h"
 #include "murosimf/robot_formats/mjcf/mjcf_inertia.h"
@@ -55,6 +56,7 @@ class BodyReader {
     body.where = element.where();
     body.parent = parent;
     body.place = child.frame * place_of(own_attributes(element));
+    MUROSIMF_ASSERT(parent >= 0 && parent < static_cast<int>(description_.bodies.size()));
     const std::string child_class = context_.defaults.child_class(element, child.child_class);
     for (const MjcfChild& inner : children_in(element, child_class, context_.defaults, context_.compiler)) {
       const files::XmlElement& joint = inner.element;
@@ -65,7 +67,7 @@ class BodyReader {
   }
 
  private:
-  /// Mass, shapes and sites of a body, then the bodies that hang on it.
+  /// Reads mass, shapes and sites of a body, then its child bodies.
   void finish(const files::XmlElement& element, const std::string& child_class, robot_formats::BodyDescription body) {
     const auto children = children_in(element, child_class, context_.defaults, context_.compiler);
     read_solid(element, children, body);
@@ -73,6 +75,7 @@ class BodyReader {
       if (child.element.tag() == "site") body.frames.push_back(read_site(child));
       if (child.element.tag() == "camera") add_camera(child, body);
     }
+    // Before the children, so that parents precede them.
     const int index = static_cast<int>(description_.bodies.size());
     description_.bodies.push_back(std::move(body));
     for (const MjcfChild& child : children) {
@@ -93,6 +96,7 @@ class BodyReader {
       if (makes_mass) {
         solids.push_back(robot_formats::moved(geom.solid, child.frame.position, child.frame.orientation));
       }
+      MUROSIMF_ASSERT(geom.middles.size() == geom.shapes.size());
       for (std::size_t i = 0; i < geom.shapes.size(); ++i) {
         body.shapes.push_back(make_shape(child, attributes, geom.shapes[i]));
         body.shapes.back().middle = geom.middles[i];
@@ -104,7 +108,7 @@ class BodyReader {
     if (!from_geoms && !inertials.empty()) body.solid_where = inertials[0].where();
   }
 
-  /// A geom of this group makes mass.
+  /// Whether geoms of this group make mass.
   [[nodiscard]] bool counts(const MjcfAttributes& geom) const {
     const double group = geom.number("group", 0);
     return group >= context_.compiler.first_group && group <= context_.compiler.last_group;
@@ -132,14 +136,15 @@ class BodyReader {
     robot_formats::FrameDescription frame{context_.names.of(child.element), child.element.where()};
     const bool along = attributes.has("fromto");
     frame.place = child.frame * (along ? between_ends(attributes).place() : place_of(attributes));
+    // Only a flat box has a length and a width that a sole could have.
     const bool box = !along && attributes.text("type") == "box" && attributes.has("size");
     const auto size = box ? attributes.numbers("size", 2, 3) : std::vector<double>(2);
     if (size[0] > 0 && size[1] > 0) frame.box = Sole{size[0], size[1]};
     return frame;
   }
 
-  /// One with a name is a frame that others may use, with the axes that MJCF gives it; one that does not stay at its
-  /// place on the body is none.
+  /// Adds a camera. With a name it is also a frame for other uses, with the axes of MJCF; a camera that moves on its
+  /// body is not a frame.
   void add_camera(const MjcfChild& child, robot_formats::BodyDescription& body) {
     const MjcfAttributes attributes = context_.defaults.resolve(child.element, child.child_class);
     const auto name = child.element.attribute("name");
@@ -156,7 +161,7 @@ class BodyReader {
     description_.sensors.push_back(std::move(camera));
   }
 
-  /// Its weight is taken from a body with gravcomp="1", which is not simulated.
+  /// Refuses gravity compensation (gravcomp), which is not simulated.
   void check_gravity(const files::XmlElement& body) const {
     if (own_attributes(body).number("gravcomp", 0) == 0) return;
     const std::string what =

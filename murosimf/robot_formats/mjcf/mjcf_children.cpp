@@ -12,6 +12,7 @@ void collect(const files::XmlElement& parent, const MjcfChild& around, const Mjc
     }
     MjcfAttributes attributes(element);
     attributes.overlay(element);
+    // Frames nest: each is relative to the one around it.
     const Transformd own{attributes.vector("pos", {}), read_orientation(attributes, compiler)};
     const MjcfChild frame{element, defaults.child_class(element, around.child_class), around.frame * own};
     collect(element, frame, defaults, compiler, children);

@@ -1,4 +1,4 @@
-/// mjcf_context.h - what is known of an MJCF file before its bodies are read.
+/// mjcf_context.h - data of an MJCF file that its bodies depend on.
 #pragma once
 
 #include <map>
@@ -15,7 +15,7 @@
 
 namespace murosimf::robot_formats::mjcf {
 
-/// What a joint says of its spring and damper instead of their numbers (mjcf_joint.h).
+/// Spring and damper of a joint by time constant and damping ratio instead of their numbers (mjcf_joint.h).
 struct MjcfSpringDamper {
   std::string joint;
   double time = 0;   ///< [s] time constant

@@ -1,8 +1,8 @@
 /// mjcf_defaults.h - default classes of an MJCF file, and the attributes of an element after they are applied.
 ///
-/// Actuators of all kinds share their settings: what a default says of `position` holds for a `general` of the class, too, as far as
+/// Actuators of all kinds share their settings: a default of `position` also applies to a `general` of the class, as far as
 /// that has the attribute (MuJoCo has one default actuator per class).
-/// A class takes over all settings of the class around it. An element follows, in this order: its own attributes, its
+/// A class inherits all settings of the class around it. An element follows, in this order: its own attributes, its
 /// `class`, or else the nearest `childclass` of a body around it, or else the outermost class.
 #pragma once
 
@@ -17,16 +17,16 @@
 
 namespace murosimf::robot_formats::mjcf {
 
-/// Element of the root with the classes of models that are attached, which take nothing over from those of the file.
+/// Element of the root with the classes of attached models, which inherit nothing from those of the file.
 inline constexpr const char* attached_defaults = "attached_defaults";
 
-/// The attributes that hold for one element, its own and those of its class. Every complaint names file and line of
+/// The attributes that apply to one element, its own and those of its class. Every error has file and line of
 /// the place where the attribute is written.
 class MjcfAttributes {
  public:
   explicit MjcfAttributes(const files::XmlElement& element) : element_(element) {}
 
-  /// Adds those of `element`; they win over what is there.
+  /// Adds those of `element`; they replace present ones.
   void overlay(const files::XmlElement& element);
 
   [[nodiscard]] const files::XmlElement& element() const { return element_; }
@@ -37,9 +37,9 @@ class MjcfAttributes {
   [[nodiscard]] std::string text(std::string_view name, std::string_view otherwise = {}) const;
   [[nodiscard]] double number(std::string_view name, double otherwise) const;
   [[nodiscard]] Vec3d vector(std::string_view name, const Vec3d& otherwise) const;
-  /// Between `least` and `most` numbers; empty if the attribute is not there.
+  /// Between `least` and `most` numbers; empty if the attribute is missing.
   [[nodiscard]] std::vector<double> numbers(std::string_view name, std::size_t least, std::size_t most) const;
-  /// One of `choices`, the first of which holds if the attribute is not there.
+  /// One of `choices`, the first of which is the default.
   [[nodiscard]] std::string choice(std::string_view name, const std::vector<std::string_view>& choices) const;
 
  private:
@@ -57,12 +57,12 @@ class MjcfDefaults {
   /// Reads all `default` elements of the file. Throws SetupError for a class without a name or with a taken one.
   explicit MjcfDefaults(const files::XmlElement& root);
 
-  /// `child_class`: nearest one of a body around the element, empty if there is none.
+  /// The attributes of an element. `child_class`: nearest one of a body around it, empty if there is none.
   [[nodiscard]] MjcfAttributes resolve(const files::XmlElement& element, const std::string& child_class = {}) const;
   /// The settings of the element's class, outermost first; of an actuator those of all kinds.
   [[nodiscard]] std::vector<files::XmlElement> settings(const files::XmlElement& element,
                                                         const std::string& child_class = {}) const;
-  /// The class that holds inside a body or worldbody, given the one around it.
+  /// The class that applies inside a body or worldbody, given the one around it.
   [[nodiscard]] std::string child_class(const files::XmlElement& body, const std::string& outer) const;
 
  private:

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/math/quaternion.h"
 
 namespace murosimf::robot_formats::mjcf {
@@ -36,6 +37,7 @@ Mat3d from_euler(const MjcfAttributes& attributes, const MjcfCompiler& compiler)
     const double angle = angles[i] * units.angle_unit;
     const int axis = std::tolower(letter);
     const Mat3d step = axis == 'x' ? rotation_x(angle) : axis == 'y' ? rotation_y(angle) : rotation_z(angle);
+    // Lower case: about the axes that the earlier turns have moved; upper case: about the fixed ones.
     turn = std::islower(letter) ? turn * step : step * turn;
   }
   return turn;
@@ -44,6 +46,7 @@ Mat3d from_euler(const MjcfAttributes& attributes, const MjcfCompiler& compiler)
 Mat3d from_xy_axes(const MjcfAttributes& attributes) {
   const auto a = attributes.numbers("xyaxes", 6, 6);
   const Vec3d x = unit(attributes, "xyaxes", {a[0], a[1], a[2]});
+  // The y axis need not be exactly perpendicular in the file.
   const Vec3d y = unit(attributes, "xyaxes", tangential(Vec3d{a[3], a[4], a[5]}, x));
   return {x, y, cross(x, y)};
 }
@@ -69,6 +72,7 @@ void read_mass_rules(const MjcfAttributes& attributes, MjcfCompiler& compiler) {
 
 MjcfCompiler read_compiler(const files::XmlElement& root) {
   MjcfCompiler compiler;
+  // Several compiler elements (of includes) add up; later ones precede.
   for (const files::XmlElement& element : root.children("compiler")) {
     MjcfAttributes attributes(element);
     attributes.overlay(element);
@@ -120,10 +124,11 @@ Mat3d read_orientation(const MjcfAttributes& attributes, const MjcfCompiler& com
 }
 
 Mat3d turn_of_z(const Vec3d& axis) {
+  MUROSIMF_ASSERT(norm(axis) > 0);
   const Vec3d z = (1.0 / norm(axis)) * axis;
   const Vec3d across = cross(Vec3d{0, 0, 1}, z);
   const double sine = norm(across);
-  // z to -z: every axis across is as short; MuJoCo takes x
+  // From z to -z every axis across is equally short; MuJoCo takes x.
   if (sine < 1e-12) return z.z > 0 ? Mat3d{} : rotation_x(pi);
   return rotation((1.0 / sine) * across, std::atan2(sine, z.z));
 }
@@ -136,6 +141,7 @@ bool is_limited(const MjcfAttributes& attributes, std::string_view flag, std::st
   if (!limited) return false;
   const auto limits = attributes.numbers(range, 2, 2);
   if (limits.empty()) attributes.element().fail(fmt::format("{} is true, but there is no {}; add it", flag, range));
+  // A class may set a range that an element takes back by equal ends.
   if (choice == "auto" && limits[0] == limits[1]) return false;
   if (limits[0] >= limits[1]) {
     attributes.source(range).fail(fmt::format("{} '{}' must go from lower to higher", range, attributes.text(range)));

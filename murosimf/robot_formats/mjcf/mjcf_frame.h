@@ -1,6 +1,6 @@
 /// mjcf_frame.h - settings of MJCF's `compiler` element, and orientations and angles that depend on them.
 ///
-/// Orientations of MJCF take the axes of the element to those of its parent; five ways to write one:
+/// Orientations of MJCF map the axes of the element to those of its parent; five ways to write one:
 /// quat (w x y z), axisangle (x y z angle), euler (order of `eulerseq`; lower case: about the moving axes, upper case:
 /// about the fixed ones), xyaxes (x axis, then y axis made perpendicular to it), zaxis (shortest turn of z).
 #pragma once
@@ -16,7 +16,7 @@ namespace murosimf::robot_formats::mjcf {
 
 enum class InertiaFromGeom { never, always, if_missing };
 
-/// How numbers and ranges of a file are meant.
+/// Units of a file, and the meaning of its ranges.
 struct MjcfUnits {
   double angle_unit = pi / 180.0;  ///< [rad] of one unit of the file
   std::string euler_sequence = "xyz";
@@ -27,14 +27,14 @@ struct MjcfUnits {
 struct MjcfCompiler {
   MjcfUnits units;                            ///< of the file
   std::map<std::string, MjcfUnits> attached;  ///< of files that it attaches, by name (mjcf_attach.h)
-  /// Those that hold where the element is written.
+  /// The units of the file that contains the element.
   [[nodiscard]] const MjcfUnits& units_of(const files::XmlElement& element) const {
     const auto other = attached.find(element.file());
     return other == attached.end() ? units : other->second;
   }
 
   InertiaFromGeom inertia_from_geom = InertiaFromGeom::if_missing;
-  std::string mesh_folder;                 ///< where mesh files are, seen from the MJCF file's folder
+  std::string mesh_folder;                 ///< folder of mesh files, relative to the MJCF file's folder
   bool strip_path = false;                 ///< only the last part of a mesh file's path counts
   double first_group = 0, last_group = 5;  ///< inertiagrouprange: geoms of these groups make masses
   double least_mass = 0;                   ///< [kg] boundmass: no body is lighter
@@ -46,7 +46,7 @@ struct MjcfCompiler {
 /// Throws SetupError where a setting has an impossible value.
 [[nodiscard]] MjcfCompiler read_compiler(const files::XmlElement& root);
 
-/// The turn of an attribute "w x y z" of any length but zero; the identity if it is not there.
+/// The turn of an attribute "w x y z" of any length but zero; the identity if it is missing.
 [[nodiscard]] Mat3d read_quaternion(const MjcfAttributes& attributes, std::string_view name);
 /// Element axes to parent axes; the identity if the element has no orientation.
 [[nodiscard]] Mat3d read_orientation(const MjcfAttributes& attributes, const MjcfCompiler& compiler);
@@ -54,7 +54,7 @@ struct MjcfCompiler {
 /// The shortest turn that takes z to the direction of `axis` (any length but zero).
 [[nodiscard]] Mat3d turn_of_z(const Vec3d& axis);
 
-/// Whether a range or force range counts: `flag` is "true", "false" or "auto". Equal ends take back what a class says, if it is "auto".
+/// Whether a range or force range applies: `flag` is "true", "false" or "auto". Equal ends revoke the range of a class, if it is "auto".
 [[nodiscard]] bool is_limited(const MjcfAttributes& attributes, std::string_view flag, std::string_view range,
                               const MjcfCompiler& compiler);
 

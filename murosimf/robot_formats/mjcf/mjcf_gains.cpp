@@ -10,7 +10,7 @@
 namespace murosimf::robot_formats::mjcf {
 namespace {
 
-/// The default actuator of a class, as MuJoCo keeps it.
+/// The default actuator of a class, as MuJoCo stores it.
 struct State {
   std::array<double, 10> gain{1}, bias{}, dynamics{1};
   std::string gain_type = "fixed", bias_type = "none", dynamics_type = "none";
@@ -18,14 +18,14 @@ struct State {
   double inherited_range = 0;
 };
 
-/// Attributes of one element alone.
+/// Attributes of one element alone, without those of its class.
 MjcfAttributes own(const files::XmlElement& element) {
   MjcfAttributes attributes(element);
   attributes.overlay(element);
   return attributes;
 }
 
-/// The first numbers of a row.
+/// Reads the first numbers of a row.
 void read_row(const MjcfAttributes& attributes, const char* name, std::array<double, 10>& row) {
   std::ranges::copy(attributes.numbers(name, 1, row.size()), row.begin());
 }
@@ -39,7 +39,7 @@ double positive_or_zero(const MjcfAttributes& attributes, const char* name, doub
   return number;
 }
 
-/// Gains of another shortcut are forgotten.
+/// Begins a shortcut; gains of another one are reset.
 void begin(const std::string& shortcut, State& state) {
   if (!state.shortcut.empty() && state.shortcut != shortcut) {
     state.gain = {1};
@@ -48,20 +48,20 @@ void begin(const std::string& shortcut, State& state) {
   state.shortcut = shortcut;
 }
 
-/// biasprm[2] above zero is the ratio of damping until the inertia is known, as in MuJoCo.
+/// Sets the gains of a position actuator. biasprm[2] above zero is the damping ratio until the inertia is known, as in MuJoCo.
 void set_position_gains(const MjcfAttributes& attributes, State& state) {
   const double kp = positive_or_zero(attributes, "kp", state.gain[0]);
   const double kv = positive_or_zero(attributes, "kv", 0), ratio = positive_or_zero(attributes, "dampratio", 0);
   if (kv > 0 && ratio > 0) attributes.element().fail("both kv and dampratio; keep one");
   state.gain[0] = kp;
-  state.bias[1] = 0 - kp;  // no -0
+  state.bias[1] = 0 - kp;  // no -0, which would be written to files
   if (attributes.has("kv")) state.bias[2] = 0 - kv;
   if (attributes.has("dampratio")) state.bias[2] = ratio;
   state.gain_type = "fixed";
   state.bias_type = "affine";
 }
 
-/// `range`: what takes the joint's range.
+/// `range`: the attribute that the joint's range replaces.
 void inherit_range(const MjcfAttributes& attributes, const char* range, State& state) {
   state.inherited_range = positive_or_zero(attributes, "inheritrange", state.inherited_range);
   if (state.inherited_range > 0 && attributes.has(range)) {
@@ -79,7 +79,7 @@ void set_position(const MjcfAttributes& attributes, State& state) {
   inherit_range(attributes, "ctrlrange", state);
 }
 
-/// A position actuator whose target is the integral of its control.
+/// Sets a position actuator with a target that is the integral of its control.
 void set_integrated_velocity(const MjcfAttributes& attributes, State& state) {
   begin("intvelocity", state);
   set_position_gains(attributes, state);
@@ -117,6 +117,7 @@ void set_general(const MjcfAttributes& attributes, State& state) {
 void apply(const files::XmlElement& element, State& state) {
   const MjcfAttributes attributes = own(element);
   const std::string tag = element.tag();
+  // A range of the element itself revokes the inheritance of its class.
   if (attributes.has(tag == "intvelocity" ? "actrange" : "ctrlrange")) state.inherited_range = 0;
   if (tag == "position") set_position(attributes, state);
   if (tag == "velocity") set_velocity(attributes, state);
@@ -152,6 +153,7 @@ MjcfGains read_gains(const std::vector<files::XmlElement>& settings, const files
   if (!gains.integrates && state.dynamics_type != "none") gains.time_constant = state.dynamics[0];
   if (state.bias_type != "affine") return gains;
   std::copy_n(state.bias.begin(), gains.bias.size(), gains.bias.begin());
+  // MuJoCo's own test for a damping ratio: only position actuators have opposite gains.
   if (state.bias[2] > 0 && state.gain[0] == -state.bias[1]) {
     gains.damping_ratio = state.bias[2];
     gains.bias[2] = 0;

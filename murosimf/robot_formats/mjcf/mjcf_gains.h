@@ -1,4 +1,4 @@
-/// mjcf_gains.h - what an actuator of an MJCF file makes of its control: its force, as MuJoCo has it.
+/// mjcf_gains.h - the force of an actuator of an MJCF file by its control, as in MuJoCo.
 ///
 ///     force = gainprm[0] u + biasprm . (1, length, velocity)
 ///
@@ -20,8 +20,8 @@ struct MjcfGains {
   std::array<double, 3> bias{};  ///< [N m, N m/rad, N m s/rad] biasprm; none unless biastype is affine
   double time_constant = 0;      ///< [s] of the filter between control and force; 0: none
   double damping_ratio = 0;      ///< [1] of a position actuator, instead of bias[2]; 0: none
-  double inherited_range = 0;    ///< [1] share of the joint's range that the control is held to; 0: ctrlrange says
-  bool integrates = false;       ///< the control is a rate of what the force takes for it
+  double inherited_range = 0;    ///< [1] share of the joint's range that bounds the control; 0: ctrlrange holds
+  bool integrates = false;       ///< the control is the rate of the input of the force
   std::string obstacle;          ///< why it is not simulated; empty: it is
 };
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::robot_formats::mjcf {
@@ -11,6 +12,7 @@ namespace {
 
 std::vector<double> sizes(const MjcfAttributes& attributes, std::size_t needed) {
   const auto size = attributes.numbers("size", 1, 3);
+  MUROSIMF_ASSERT(needed >= 1 && needed <= 3);
   const auto type = attributes.text("type", "sphere");
   if (size.size() < needed) {
     attributes.source("size").fail(
@@ -21,6 +23,7 @@ std::vector<double> sizes(const MjcfAttributes& attributes, std::size_t needed) 
       attributes.source("size").fail(fmt::format("size '{}' of a {} must be positive", attributes.text("size"), type));
     }
   }
+  MUROSIMF_ASSERT(size.size() >= needed);
   return size;
 }
 
@@ -36,7 +39,7 @@ Shape read_shape(const MjcfAttributes& attributes, const std::string& type) {
   return type == "capsule" ? Shape{Capsule{size[0], size[1]}} : Shape{Cylinder{size[0], size[1]}};
 }
 
-/// A long shape given by the ends of its z axis; sets the place, too.
+/// Reads a long shape given by the ends of its z axis; sets the place as well.
 Shape read_from_to(const MjcfAttributes& attributes, const std::string& type, PlacedShape& placed) {
   const auto [middle, turn, half] = between_ends(attributes);
   placed.position = middle;
@@ -63,12 +66,13 @@ robot_formats::MassProperties read_solid(const MjcfAttributes& attributes, const
   return {mass, placed.position, rotated(placed.orientation, mass * robot_formats::unit_inertia(placed.shape))};
 }
 
-/// One bit per kind of shape; -1 is all of them.
+/// A mask has one bit per kind of shape; -1 stands for all of them.
 std::uint32_t read_mask(const MjcfAttributes& attributes, const char* name) {
   const double number = attributes.number(name, 1);
   if (number != std::floor(number) || number < -2147483648.0 || number > 4294967295.0) {
     attributes.source(name).fail(fmt::format("{} '{}' must be a whole number of 32 bits", name, attributes.text(name)));
   }
+  // By way of 64 bits: a negative number must keep its bits, and conversion of it to unsigned is undefined.
   return static_cast<std::uint32_t>(static_cast<std::int64_t>(number));
 }
 
@@ -84,7 +88,7 @@ void read_surface(const MjcfAttributes& attributes, const Color& color, PlacedSh
   placed.collides = placed.contact_type != 0 || placed.contact_affinity != 0;
 }
 
-/// Zero where nothing of it counts, so that a visual mesh needs no volume.
+/// Mass of a mesh; zero where it does not count, so that a visual mesh needs no volume.
 robot_formats::MassProperties read_mesh_solid(const MjcfAttributes& attributes, const PlacedShape& placed,
                                               const MjcfGeomContext& context) {
   const bool silent =
@@ -111,6 +115,7 @@ MjcfGeom read_mesh_geom(const MjcfAttributes& attributes, const std::string& typ
   MjcfGeom geom;
   geom.solid = read_mesh_solid(attributes, placed, context);
   const std::string mesh = attributes.text("mesh");
+  // A visual mesh may be as large and as open as it likes: only its file is checked.
   if (!placed.collides) {
     context.meshes.check_file(mesh, element);
     const Transformd place{placed.position, placed.orientation};
@@ -123,6 +128,7 @@ MjcfGeom read_mesh_geom(const MjcfAttributes& attributes, const std::string& typ
     geom.shapes.back().position += placed.orientation * part.middle;
     geom.middles.push_back(part.middle);
   }
+  MUROSIMF_ASSERT(geom.middles.size() == geom.shapes.size());
   return geom;
 }
 
@@ -145,6 +151,7 @@ MjcfSpan between_ends(const MjcfAttributes& attributes) {
   const Vec3d from{ends[0], ends[1], ends[2]}, to{ends[3], ends[4], ends[5]};
   const double half = 0.5 * norm(to - from);
   if (!(half > 1e-9)) attributes.source("fromto").fail("fromto needs two different points");
+  MUROSIMF_ASSERT(half > 0);
   return {0.5 * (from + to), turn_of_z(from - to), half};
 }
 

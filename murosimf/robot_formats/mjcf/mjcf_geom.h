@@ -1,4 +1,4 @@
-/// mjcf_geom.h - geoms of an MJCF file: shape, place and surface, and the mass that a solid of this shape has.
+/// mjcf_geom.h - geoms of an MJCF file: shape, place, surface and mass.
 #pragma once
 
 #include <optional>
@@ -11,20 +11,20 @@
 
 namespace murosimf::robot_formats::mjcf {
 
-/// One geom: shapes, several if it is a mesh of several convex parts, or a mesh that is only looked at.
+/// One geom: shapes, several if it is a mesh of several convex parts, or a visual mesh.
 struct MjcfGeom {
   std::vector<PlacedShape> shapes;
-  std::vector<Vec3d> middles;  ///< [m] of the shapes of a mesh: their origins in the mesh frame
+  std::vector<Vec3d> middles;  ///< [m] for each shape: its origin in the mesh frame
   std::optional<robot_formats::VisualDescription> visual;
-  robot_formats::MassProperties solid;  ///< from `mass`, or from `density` [kg/m^3] (1000 if the file is silent)
+  robot_formats::MassProperties solid;  ///< from `mass`, or from `density` [kg/m^3] (1000 by default)
 };
 
-/// What read_geom knows of the file.
+/// Data of the file that read_geom depends on.
 struct MjcfGeomContext {
   const MjcfCompiler& compiler;
   MjcfMeshes& meshes;
   const MjcfMaterials& materials;
-  bool mass_counts = true;  ///< the body has no inertial that replaces it; else the mass of a mesh is left at zero
+  bool mass_counts = true;  ///< no inertial of the body replaces it; otherwise the mass of a mesh is left at zero
   bool lenient = false;     ///< a mesh that cannot be used is left out, with a line in `warnings`
   std::vector<std::string>& warnings;
 };
@@ -39,7 +39,7 @@ struct MjcfSpan {
 /// Throws SetupError for equal ends.
 [[nodiscard]] MjcfSpan between_ends(const MjcfAttributes& attributes);
 
-/// Places are those of the geom in its frame. Nothing at all for a mesh that is left out because of `lenient`.
+/// Reads a geom. Places are those of the geom in its frame. Nothing at all for a mesh that is left out because of `lenient`.
 [[nodiscard]] MjcfGeom read_geom(const MjcfAttributes& attributes, const MjcfGeomContext& context);
 
 }  // namespace murosimf::robot_formats::mjcf

@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "murosimf/files/lower_case.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/math/quaternion.h"
 #include "murosimf/robot_formats/mesh/mesh_file.h"
 
@@ -30,7 +31,7 @@ std::string relative_name(const fs::path& file, const fs::path& folder) {
   return fs::proximate(fs::absolute(file), from).generic_string();
 }
 
-/// Adds type and size.
+/// Adds the size of a shape; a mesh has none.
 struct WriteShape {
   files::XmlText& xml;
 
@@ -39,7 +40,7 @@ struct WriteShape {
   void operator()(const Capsule& s) const { xml.numbers("size", {s.radius, s.half_length}); }
   void operator()(const Cylinder& s) const { xml.numbers("size", {s.radius, s.half_length}); }
   void operator()(const Ellipsoid& s) const { xml.vector("size", s.semi_axes); }
-  void operator()(const Plane&) const { xml.numbers("size", {1, 1, 1}); }
+  void operator()(const Plane&) const { xml.numbers("size", {1, 1, 1}); }  // finite: only for drawing
   void operator()(const Convex&) const {}
 };
 
@@ -47,22 +48,22 @@ void write_color(files::XmlText& xml, const Color& color) {
   if (color != Color{}) xml.numbers("rgba", {color.red, color.green, color.blue, color.alpha});
 }
 
-/// The format has them as integers of 32 bits with a sign.
+/// Masks as the format stores them: integers of 32 bits with a sign.
 double mask(std::uint32_t bits) { return static_cast<double>(static_cast<std::int32_t>(bits)); }
 
 void write_contact(files::XmlText& xml, const PlacedShape& placed) {
   xml.number_unless(1, "contype", placed.collides ? mask(placed.contact_type) : 0);
   xml.number_unless(1, "conaffinity", placed.collides ? mask(placed.contact_affinity) : 0);
-  if (!placed.collides) xml.text("group", "2");
+  if (!placed.collides) xml.text("group", "2");  // the group that viewers of MuJoCo show as visuals
   xml.number_unless(1, "friction", placed.surface.friction);
 }
 
-/// Of the mesh that the shape is a part of.
+/// Place of the mesh that the shape is a part of.
 Transformd mesh_place(const robot_formats::ShapeDescription& shape) {
   return shape.placed.place() * Transformd{-shape.middle, {}};
 }
 
-/// Both are parts of one geom: other parts of the same mesh at the same place.
+/// Whether both are parts of one geom: different parts of the same mesh at the same place.
 bool is_same_geom(const robot_formats::ShapeDescription& a, const robot_formats::ShapeDescription& b) {
   if (a.mesh.empty() || a.mesh != b.mesh || a.where != b.where || a.name != b.name) return false;
   const bool same_part = is_zero(a.middle - b.middle);
@@ -82,12 +83,13 @@ void write_place(files::XmlText& xml, const Transformd& place) {
 MjcfGeomWriter::MjcfGeomWriter(const robot_formats::RobotDescription& description, const fs::path& folder,
                                files::XmlText& xml)
     : description_(description), folder_(folder), xml_(xml) {
-  std::set<std::string> without_file;  // or with one that MuJoCo does not read
+  std::set<std::string> without_file;  // or with a kind of file that MuJoCo does not read
   for (const robot_formats::MeshDescription& mesh : description.meshes) {
     if (!is_mesh_file(mesh.file)) without_file.insert(mesh.name);
   }
   for (const robot_formats::BodyDescription& body : description.bodies) {
     for (const robot_formats::ShapeDescription& shape : body.shapes) {
+      // Their hulls are written into the file: they are all that contact uses.
       if (without_file.contains(shape.mesh)) inline_meshes_.emplace(shape.mesh, &shape);
     }
   }
@@ -119,7 +121,9 @@ void MjcfGeomWriter::write_asset(const robot_formats::MeshDescription& mesh) {
     }
   } else {
     const robot_formats::ShapeDescription& shape = *in_file->second;
+    MUROSIMF_ASSERT(in_file->second != nullptr);
     std::vector<double> numbers;
+    // The hull's vertices are relative to its own middle.
     for (const Vec3d& v : std::get<Convex>(shape.placed.shape).hull->vertices) {
       const Vec3d vertex = shape.middle + v;
       numbers.insert(numbers.end(), {vertex.x + 0.0, vertex.y + 0.0, vertex.z + 0.0});

@@ -1,4 +1,4 @@
-/// mjcf_geom_writer.h - shapes and meshes of a description as geoms and assets of an MJCF file, and the place of any element.
+/// mjcf_geom_writer.h - writes shapes and meshes of a description as geoms and assets of an MJCF file, and places of elements.
 #pragma once
 
 #include <filesystem>
@@ -11,18 +11,18 @@
 
 namespace murosimf::robot_formats::mjcf {
 
-/// Adds pos and quat to the open element, where they are not zero and no turn.
+/// Adds pos and quat to the open element unless they are zero and the identity.
 void write_place(files::XmlText& xml, const Transformd& place);
 
 class MjcfGeomWriter {
  public:
-  /// `folder`: where the file will stand. Both arguments must live longer.
+  /// `folder`: folder of the future file. All arguments must outlive the object.
   MjcfGeomWriter(const robot_formats::RobotDescription& description, const std::filesystem::path& folder,
                  files::XmlText& xml);
 
-  /// All meshes whose files can be read, as `asset`; of one whose vertices stand in the robot file, its hull.
+  /// Writes all meshes with readable files as `asset`; of one with its vertices in the robot file, its hull.
   void write_assets();
-  /// Shapes and visual meshes; convex parts of one mesh are one geom.
+  /// Writes shapes and visual meshes; convex parts of one mesh are one geom.
   void write_geoms(const robot_formats::BodyDescription& body);
 
  private:
@@ -34,7 +34,7 @@ class MjcfGeomWriter {
   const robot_formats::RobotDescription& description_;
   const std::filesystem::path& folder_;
   files::XmlText& xml_;
-  std::map<std::string, const robot_formats::ShapeDescription*> inline_meshes_;  ///< a shape that has the hull, by mesh
+  std::map<std::string, const robot_formats::ShapeDescription*> inline_meshes_;  ///< by mesh: a shape with its hull
   std::set<std::string> unusable_;                                               ///< meshes that are left out
   std::set<std::string> taken_;                                                  ///< names of geoms so far
 };

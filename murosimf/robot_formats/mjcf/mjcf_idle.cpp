@@ -9,19 +9,19 @@
 namespace murosimf::robot_formats::mjcf {
 namespace {
 
-bool says(const MjcfAttributes& tendon, const char* name) {
+bool has_positive(const MjcfAttributes& tendon, const char* name) {
   return std::ranges::any_of(tendon.numbers(name, 1, 10), [](double number) { return number > 0; });
 }
 
-/// What it does besides measuring a length.
-std::vector<std::string> deeds_of(const MjcfAttributes& tendon, const MjcfCompiler& compiler) {
-  std::vector<std::string> deeds;
-  if (says(tendon, "stiffness")) deeds.emplace_back("spring");
-  if (says(tendon, "damping")) deeds.emplace_back("damper");
-  if (says(tendon, "frictionloss")) deeds.emplace_back("friction");
-  if (says(tendon, "armature")) deeds.emplace_back("rotor");
-  if (is_limited(tendon, "limited", "range", compiler)) deeds.emplace_back("limit");
-  return deeds;
+/// Effects of a tendon besides measuring a length.
+std::vector<std::string> effects_of(const MjcfAttributes& tendon, const MjcfCompiler& compiler) {
+  std::vector<std::string> effects;
+  if (has_positive(tendon, "stiffness")) effects.emplace_back("spring");
+  if (has_positive(tendon, "damping")) effects.emplace_back("damper");
+  if (has_positive(tendon, "frictionloss")) effects.emplace_back("friction");
+  if (has_positive(tendon, "armature")) effects.emplace_back("rotor");
+  if (is_limited(tendon, "limited", "range", compiler)) effects.emplace_back("limit");
+  return effects;
 }
 
 bool has_actuator(const files::XmlElement& root, const std::string& tendon) {
@@ -33,20 +33,20 @@ bool has_actuator(const files::XmlElement& root, const std::string& tendon) {
   return false;
 }
 
-/// `acts`: at a joint, with all that it does.
+/// Names a tendon that only measures or does not act. `acts`: at a joint, with all of its effects.
 void name_tendon(const files::XmlElement& element, const MjcfDefaults& defaults, const MjcfCompiler& compiler,
                  bool acts, robot_formats::RobotDescription& description) {
   const std::string name = files::one_line(fmt::format("tendon '{}'", element.attribute("name").value_or("")));
-  const auto deeds = deeds_of(defaults.resolve(element), compiler);
-  if (deeds.empty()) {
+  const auto effects = effects_of(defaults.resolve(element), compiler);
+  if (effects.empty()) {
     description.unused.push_back({name, fmt::format("{}: {} only measures a length", element.where(), name)});
   } else if (!acts) {
     description.warnings.push_back(
-        fmt::format("{}: {} does not act: {}", element.where(), name, fmt::join(deeds, ", ")));
+        fmt::format("{}: {} does not act: {}", element.where(), name, fmt::join(effects, ", ")));
   }
 }
 
-/// "'a' and 'b'": bodies, sites or tendons.
+/// Text of the ends, "'a' and 'b'": bodies, sites or tendons.
 std::string ends_of(const files::XmlElement& element) {
   std::vector<std::string> ends;
   for (const char* word : {"body1", "body2", "site1", "site2", "tendon1", "tendon2"}) {
@@ -55,11 +55,12 @@ std::string ends_of(const files::XmlElement& element) {
   return fmt::format("{}", fmt::join(ends, " and "));
 }
 
-/// How many ends of a `connect` or `weld` are no part of the robot.
+/// Number of ends of a `connect` or `weld` that are not part of the robot.
 int ends_outside(const files::XmlElement& element, const MjcfNames& names) {
   const bool sites = element.attribute("site1") || element.attribute("site2");
   const std::string kind = sites ? "site" : "body";
   const auto outside = [&](const char* end) {
+    // A missing body is the world; a missing site is an error that its reader reports.
     return names.is_elsewhere(kind, element.attribute((kind + end).c_str()).value_or(sites ? "" : world_name));
   };
   return static_cast<int>(outside("1")) + static_cast<int>(outside("2"));
@@ -89,7 +90,7 @@ void name_idle_relations(const files::XmlElement& root, const MjcfContext& conte
     for (const files::XmlElement& element : section.children()) {
       const std::string name = element.attribute("name").value_or(element.where());
       const bool acts = tendons.contains(name);
-      if (acts && has_actuator(root, name)) continue;
+      if (acts && has_actuator(root, name)) continue;  // in use: neither idle nor only a measurement
       name_tendon(element, context.defaults, context.compiler, acts, description);
     }
   }

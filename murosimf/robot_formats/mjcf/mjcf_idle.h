@@ -1,7 +1,9 @@
-/// mjcf_idle.h - what an MJCF file says that would change the motion and does not act here: one warning each.
+/// mjcf_idle.h - parts of an MJCF file that would change the motion and do not act here: one warning each.
+/// together, or the robot to other objects. A tendon without such effects only measures a length and is a line in `unused`.
+/// Whether a `connect`, `weld` or `tendon` of `equality` has no effect here: of tendons, not active, or with an end that is not part of the
 ///
-/// Tendons with a spring, a damper, friction, a rotor or a limit that act at no single joint (mjcf_tendons.h); equalities that hold tendons together, or the robot to what is no part
-/// of it. A tendon without all that only measures a length and is a line in `unused`.
+/// Tendons with a spring, a damper, friction, a rotor or a limit that act at no single joint (mjcf_tendons.h); equalities that hold tendons
+/// together, or the robot to other objects. A tendon without such effects only measures a length and is a line in `unused`.
 #pragma once
 
 #include "murosimf/robot_formats/mjcf/mjcf_context.h"
@@ -10,11 +12,11 @@
 
 namespace murosimf::robot_formats::mjcf {
 
-/// A `connect`, `weld` or `tendon` of `equality` that holds nothing here: of tendons, not active, or with an end that is no part of the
+/// Whether a `connect`, `weld` or `tendon` of `equality` has no effect here: of tendons, not active, or with an end that is not part of the
 /// robot (a body that floats or that software moves, the world of a robot that floats).
 [[nodiscard]] bool is_idle_equality(const files::XmlElement& element, const MjcfNames& names);
 
-/// `tendons`: those that act.
+/// Reports idle relations. `tendons`: those that act.
 void name_idle_relations(const files::XmlElement& root, const MjcfContext& context,
                          const std::map<std::string, MjcfTendon>& tendons,
                          robot_formats::RobotDescription& description);

@@ -4,12 +4,13 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/robot_formats/mjcf/mjcf_children.h"
 
 namespace murosimf::robot_formats::mjcf {
 namespace {
 
-constexpr double rounding = 1e-9;  // [1] of a principal moment that is zero, over all three
+constexpr double rounding = 1e-9;  // [1] of a principal moment that is zero, relative to all three
 
 SymMat3d read_tensor(const MjcfAttributes& attributes, const MjcfCompiler& compiler) {
   const auto diagonal = attributes.numbers("diaginertia", 3, 3);
@@ -17,6 +18,7 @@ SymMat3d read_tensor(const MjcfAttributes& attributes, const MjcfCompiler& compi
   const files::XmlElement& element = attributes.element();
   if (diagonal.empty() == full.empty()) element.fail("inertial needs either diaginertia or fullinertia; write one");
   const Mat3d turn = read_orientation(attributes, compiler);
+  // Principal axes are given by an orientation; the full tensor is in body axes already.
   if (!diagonal.empty()) return rotated(turn, SymMat3d{diagonal[0], diagonal[1], diagonal[2]});
   if (!is_identity(turn)) element.fail("fullinertia is in body axes already; remove the orientation of inertial");
   return {full[0], full[1], full[2], full[3], full[4], full[5]};
@@ -36,14 +38,16 @@ robot_formats::MassProperties bounded(robot_formats::MassProperties body, const 
   const Vec3d moments = robot_formats::principal_moments(body.inertia);
   if (moments.x < compiler.least_inertia)
     body.inertia = robot_formats::with_least_moment(body.inertia, compiler.least_inertia);
+  // A ball of the same mean moment, as MuJoCo does it.
   if (compiler.balance_inertia && robot_formats::breaks_triangle_inequality(moments)) {
     const double mean = (moments.x + moments.y + moments.z) / 3;
     body.inertia = {mean, mean, mean};
   }
+  MUROSIMF_ASSERT(body.mass >= compiler.least_mass);
   return body;
 }
 
-/// `moves`: the body has joints of its own; one that goes along with its parent may have no mass.
+/// Reads an inertial. `moves`: the body has joints of its own; one that is fixed to its parent may be massless.
 robot_formats::MassProperties read_inertial(const files::XmlElement& element, bool moves,
                                             const MjcfCompiler& compiler) {
   MjcfAttributes attributes(element);
@@ -57,7 +61,8 @@ robot_formats::MassProperties read_inertial(const files::XmlElement& element, bo
   body.inertia = read_tensor(attributes, compiler);
   const Vec3d moments = robot_formats::principal_moments(body.inertia);
   const double least = moments.x;
-  const bool point = !moves && least >= -rounding * norm(moments);  // the body that it is fixed to has more
+  const bool point =
+      !moves && least >= -rounding * norm(moments);  // the body that it is fixed to has the other moments
   if (!(least > 0) && !point && !(compiler.least_inertia > 0)) {
     element.fail(fmt::format("inertia is not positive definite (smallest principal moment {:.3g} kg m^2)", least));
   }

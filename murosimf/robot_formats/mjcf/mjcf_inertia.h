@@ -9,11 +9,11 @@
 
 namespace murosimf::robot_formats::mjcf {
 
-/// Whether the geoms of `body` give its mass, as its inertial and the compiler settings say.
+/// Whether the geoms of `body` give its mass, by its inertial and the compiler settings.
 [[nodiscard]] bool mass_from_geoms(const files::XmlElement& body, const MjcfCompiler& compiler);
 
-/// Mass of `body`: of its inertial or its solids, as the compiler settings say, and not below their bounds. Zero mass if
-/// it has neither. Throws SetupError for a mass or inertia that no body can have; an inertia that breaks the triangle
+/// Mass of `body`: of its inertial or its solids, by the compiler settings, and not below their bounds. Zero mass if
+/// it has neither. Throws SetupError for an impossible mass or inertia; an inertia that breaks the triangle
 /// inequality (the sum of two principal moments is less than the third) is a line in `warnings`.
 [[nodiscard]] robot_formats::MassProperties read_mass(const files::XmlElement& body,
                                                       const std::vector<robot_formats::MassProperties>& solids,

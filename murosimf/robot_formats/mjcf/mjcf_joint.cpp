@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/robot_formats/joint_inertia.h"
 
@@ -25,7 +26,7 @@ Vec3d read_axis(const MjcfAttributes& attributes, const std::string& name) {
   return axis;
 }
 
-/// [rad | m] An angle or a length.
+/// [rad | m] Reads an angle or a length.
 double read_coordinate(const MjcfAttributes& attributes, const char* name, Kind kind, const MjcfContext& context) {
   const double unit = kind == Kind::revolute ? context.compiler.units_of(attributes.source(name)).angle_unit : 1.0;
   return unit * attributes.number(name, 0);
@@ -37,7 +38,7 @@ void read_spring(const MjcfAttributes& attributes, robot_formats::JointDescripti
   joint.spring_reference = read_coordinate(attributes, "springref", joint.kind, context);
 }
 
-/// What limits the torque of all actuators together.
+/// Limits the torque of all actuators of the joint together.
 void limit_effort(const MjcfAttributes& attributes, robot_formats::JointDescription& joint,
                   const MjcfContext& context) {
   if (!is_limited(attributes, "actuatorfrclimited", "actuatorfrcrange", context.compiler)) return;
@@ -49,10 +50,11 @@ void limit_effort(const MjcfAttributes& attributes, robot_formats::JointDescript
   const bool limited = servo.stall_torque > 0;
   const double lowest = limited ? servo.lowest_share * servo.stall_torque : range[0];
   const double highest = limited ? servo.highest_share * servo.stall_torque : range[1];
+  // The servo cannot give more than either limit allows.
   set_torque_range(servo, std::clamp(lowest, range[0], range[1]), std::clamp(highest, range[0], range[1]));
 }
 
-/// What holds the joint's targets.
+/// Sets the range of the joint's targets.
 void limit_target(const MjcfActuator& actuator, const files::XmlElement& element,
                   robot_formats::JointDescription& joint) {
   joint.target_range = actuator.target_range;
@@ -66,7 +68,7 @@ void limit_target(const MjcfActuator& actuator, const files::XmlElement& element
   joint.target_range = Vec3d{lowest, highest, 0};
 }
 
-/// What a hinge, a slide and a ball have in common.
+/// Reads the numbers that a hinge, a slide and a ball have in common.
 void read_constants(const MjcfChild& child, const MjcfAttributes& attributes, const MjcfContext& context,
                     robot_formats::JointDescription& joint) {
   joint.name = context.names.of(child.element);
@@ -77,7 +79,8 @@ void read_constants(const MjcfChild& child, const MjcfAttributes& attributes, co
   joint.friction = at_least_zero(attributes, "frictionloss");
 }
 
-void remember_spring(const MjcfAttributes& attributes, const std::string& joint, const MjcfContext& context) {
+/// Stores time constant and ratio for later: the stiffness depends on the inertia of the whole robot.
+void store_spring(const MjcfAttributes& attributes, const std::string& joint, const MjcfContext& context) {
   const auto pair = attributes.numbers("springdamper", 2, 2);
   if (!pair.empty() && pair[0] > 0 && pair[1] > 0) context.springs.push_back({joint, pair[0], pair[1]});
 }
@@ -94,7 +97,8 @@ robot_formats::JointDescription read_single(const MjcfChild& child, const MjcfAt
     joint.range = Vec3d{unit * range[0], unit * range[1], 0};
   }
   read_spring(attributes, joint, context);
-  remember_spring(attributes, joint.name, context);
+  store_spring(attributes, joint.name, context);
+  // Limits last: they depend on the servo and the joint's range.
   if (const auto found = context.actuators.find(joint.name); found != context.actuators.end()) {
     joint.servo = found->second.servo;
     joint.damping_ratio = found->second.damping_ratio;
@@ -111,19 +115,21 @@ void read_ball(const MjcfChild& child, const MjcfAttributes& attributes, const M
   joint.stiffness = at_least_zero(attributes, "stiffness");
   if (is_limited(attributes, "limited", "range", context.compiler)) {
     const double largest =
+        // MJCF bounds the angle of a ball, from 0 to the second number.
         context.compiler.units_of(attributes.source("range")).angle_unit * attributes.numbers("range", 2, 2)[1];
     joint.range = Vec3d{-largest, largest, 0};
   }
   context.notes.push_back(files::one_line(fmt::format(
       "{}: ball joint '{}' is read as three hinges, {}.x, .y and .z; with .y at 90 degrees the other two are one",
       joint.where, joint.name, joint.name)));
+  // Outermost first: R = Rx Ry Rz.
   constexpr std::array axes{std::pair{".x", Vec3d{1, 0, 0}}, std::pair{".y", Vec3d{0, 1, 0}},
                             std::pair{".z", Vec3d{0, 0, 1}}};
   for (const auto& [ending, axis] : axes) {
     joints.push_back(joint);
     joints.back().name += ending;
     joints.back().axis = axis;
-    remember_spring(attributes, joints.back().name, context);
+    store_spring(attributes, joints.back().name, context);
   }
 }
 
@@ -142,8 +148,9 @@ void read_joints(const MjcfChild& child, const MjcfContext& context,
 }
 
 Vec3d ball_angles(const Mat3d& turn) {
-  // columns of Rx(a) Ry(b) Rz(c): its third is (sin b, -sin a cos b, cos a cos b), the first row (cos b cos c, -cos b sin c, sin b)
+  // Columns of Rx(a) Ry(b) Rz(c): the third is (sin b, -sin a cos b, cos a cos b), the first row (cos b cos c, -cos b sin c, sin b).
   const double sine = std::clamp(turn.z.x, -1.0, 1.0), cosine = std::hypot(turn.x.x, turn.y.x);
+  // At 90 degrees only the sum of the outer angles is determined: the third is chosen as 0.
   if (cosine < 1e-9) return {std::atan2(turn.y.z, turn.y.y), std::copysign(0.5 * pi, sine), 0};
   return {std::atan2(-turn.z.y, turn.z.z), std::atan2(sine, cosine), std::atan2(-turn.y.x, turn.x.x)};
 }
@@ -161,6 +168,7 @@ void resolve_spring_dampers(const std::vector<MjcfSpringDamper>& springs,
       if (inertias.empty()) {
         throw SetupError(joint.where + ": springdamper needs a robot of which everything that moves has a mass");
       }
+      MUROSIMF_ASSERT(mine < inertias.size() && spring->time > 0 && spring->ratio > 0);
       joint.stiffness = inertias[mine] / (spring->time * spring->time * spring->ratio * spring->ratio);
       joint.damping = 2 * inertias[mine] / spring->time;
     }

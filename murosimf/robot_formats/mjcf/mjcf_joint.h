@@ -17,15 +17,15 @@ namespace murosimf::robot_formats::mjcf {
 void read_joints(const MjcfChild& child, const MjcfContext& context,
                  std::vector<robot_formats::JointDescription>& joints);
 
-/// The three angles [rad] of the hinges of a ball joint at a turn; the third is 0 where they are not unique.
+/// The three angles [rad] of the hinges of a ball joint for an orientation; the third is 0 where they are not unique.
 [[nodiscard]] Vec3d ball_angles(const Mat3d& turn);
 
-/// Stiffness and damping of joints with a `springdamper`, a time constant T [s] and a damping ratio z, for the inertia I [kg m^2 | kg]
-/// that they feel in the pose of the file while nothing holds the other joints (joint_inertia.h):
+/// Sets stiffness and damping of joints with a `springdamper`, a time constant T [s] and a damping ratio z, for the inertia I [kg m^2 | kg]
+/// that they move in the pose of the file while the other joints are free (joint_inertia.h):
 ///
 ///     stiffness = I / (T z)^2       damping = 2 I / T
 ///
-/// Source: MuJoCo documentation, XML reference, "joint", attribute springdamper; the inertia as MuJoCo 4.0 takes it.
+/// Source: MuJoCo documentation, XML reference, "joint", attribute springdamper; the inertia as in MuJoCo 4.0.
 void resolve_spring_dampers(const std::vector<MjcfSpringDamper>& springs, robot_formats::RobotDescription& description);
 
 }  // namespace murosimf::robot_formats::mjcf

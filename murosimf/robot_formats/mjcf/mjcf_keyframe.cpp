@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/math/quaternion.h"
 #include "murosimf/robot_formats/mjcf/mjcf_children.h"
 #include "murosimf/robot_formats/mjcf/mjcf_joint.h"
@@ -32,6 +33,7 @@ void add_slots(const files::XmlElement& body, const std::string& outer_class, bo
     Slot& slot = slots.emplace_back(Slot{tag == "freejoint" ? "free" : attributes.text("type", "hinge"), {}, of_robot});
     if (of_robot && slot.type != "free") slot.name = context.names.of(child.element);
   }
+  // Depth first, as MuJoCo orders qpos: all joints of a body, then its child bodies.
   for (const MjcfChild& child : children) {
     if (child.element.tag() == "body") add_slots(child.element, child.child_class, of_robot, context, slots);
   }
@@ -44,7 +46,7 @@ std::vector<Slot> slots_of(const MjcfTrees& trees, const MjcfContext& context) {
   return slots;
 }
 
-/// Exactly so many numbers; none if the attribute is not there.
+/// Exactly `count` numbers; none if the attribute is missing.
 std::vector<double> row_of(const files::XmlElement& key, const char* name, std::size_t count) {
   MjcfAttributes attributes(key);
   attributes.overlay(key);
@@ -52,6 +54,7 @@ std::vector<double> row_of(const files::XmlElement& key, const char* name, std::
 }
 
 Mat3d read_turn(const files::XmlElement& key, std::span<const double> q) {
+  MUROSIMF_ASSERT(q.size() >= 4);
   if (!(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3] > 1e-24)) {
     key.fail("qpos of the key has a quaternion of length zero; write 1 0 0 0 for no turn");
   }
@@ -60,6 +63,7 @@ Mat3d read_turn(const files::XmlElement& key, std::span<const double> q) {
 
 void set_slot(const files::XmlElement& key, const Slot& slot, std::span<const double> q,
               robot_formats::KeyframeDescription& frame) {
+  MUROSIMF_ASSERT(q.size() >= slot.numbers());
   if (slot.type == "free") {
     frame.base = {{q[0], q[1], q[2]}, read_turn(key, q.subspan(3))};
   } else if (slot.type == "ball") {
@@ -74,6 +78,7 @@ void set_slot(const files::XmlElement& key, const Slot& slot, std::span<const do
 
 void read_positions(const files::XmlElement& key, const std::vector<Slot>& slots,
                     const robot_formats::RobotDescription& description, robot_formats::KeyframeDescription& frame) {
+  MUROSIMF_ASSERT(!description.bodies.empty());
   frame.base = description.bodies[0].place;
   for (const robot_formats::BodyDescription& body : description.bodies) {
     for (const robot_formats::JointDescription& joint : body.joints) frame.positions[joint.name] = joint.reference;
@@ -87,6 +92,7 @@ void read_positions(const files::XmlElement& key, const std::vector<Slot>& slots
     if (slot.of_robot) set_slot(key, slot, rest, frame);
     rest = rest.subspan(slot.numbers());
   }
+  MUROSIMF_ASSERT(rest.empty());
 }
 
 void read_targets(const files::XmlElement& key, const std::vector<MjcfControl>& controls,

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/math/quaternion.h"
 #include "murosimf/model/error.h"
 #include "murosimf/robot_formats/mjcf/mjcf_defaults.h"
@@ -21,11 +22,12 @@ class Loops {
  public:
   explicit Loops(robot_formats::RobotDescription& description) : description_(description) {
     for (const robot_formats::BodyDescription& body : description.bodies) {
+      MUROSIMF_ASSERT(body.parent < static_cast<int>(places_.size()));
       places_.push_back(body.parent < 0 ? Transformd{} : places_[body.parent] * body.place);
     }
   }
 
-  /// A `connect` or `weld`.
+  /// Reads a `connect` or `weld`.
   void read(const files::XmlElement& element) {
     MjcfAttributes attributes(element);
     attributes.overlay(element);
@@ -43,17 +45,18 @@ class Loops {
     } else {
       add_ends(attributes, loop);
     }
+    // Ends that move together are no constraint, and would make the solver's matrix singular.
     if (mover_of(loop.frame1) == mover_of(loop.frame2)) {
       element.fail("a loop of a body with itself, or what is fixed to it; name two bodies with joints between them");
     }
-    take_free_end_second(element, loop);
+    put_free_end_second(element, loop);
     warn_if_open(loop);
     description_.loops.push_back(loop);
   }
 
  private:
-  /// A frame can be the second one of one loop only.
-  void take_free_end_second(const files::XmlElement& element, robot_formats::LoopDescription& loop) const {
+  /// Makes a frame the second one that closes no other loop yet: a frame can be the second one of one loop only.
+  void put_free_end_second(const files::XmlElement& element, robot_formats::LoopDescription& loop) const {
     const auto closes = [&](const std::string& frame) {
       return std::ranges::count(description_.loops, frame, &robot_formats::LoopDescription::frame2) > 0;
     };
@@ -72,7 +75,7 @@ class Loops {
     return name;
   }
 
-  /// The bodies' own frames at the anchor.
+  /// Adds frames on the two bodies at the anchor.
   void add_ends(const MjcfAttributes& attributes, robot_formats::LoopDescription& loop) {
     const std::size_t one = body(attributes, "body1"), other = body(attributes, "body2");
     const Transformd anchor{attributes.vector("anchor", {}), Mat3d{}};
@@ -90,19 +93,21 @@ class Loops {
     loop.frame2 = add_frame(other, loop, ".end2", second);
   }
 
-  /// One of zeros stands for the pose of the file.
+  /// Whether a relative pose is given; one of zeros stands for the pose of the file.
   [[nodiscard]] static bool has_turn(const std::vector<double>& pose) {
     return std::any_of(pose.begin() + (pose.empty() ? 0 : 3), pose.end(), [](double number) { return number != 0; });
   }
 
   [[nodiscard]] Transformd from(std::size_t body, const Transformd& place) const {
     const auto& [position, orientation] = places_[body];
+    // The inverse of a rotation matrix is its transpose.
     const Mat3d back = transpose(orientation);
     return {back * (place.position - position), back * place.orientation};
   }
 
   std::string add_frame(std::size_t body, const robot_formats::LoopDescription& loop, const char* end,
                         const Transformd& place) {
+    MUROSIMF_ASSERT(body < description_.bodies.size());
     description_.bodies[body].frames.push_back({loop.name + end, loop.where, "loop", place, {}});
     return loop.name + end;
   }
@@ -139,7 +144,7 @@ class Loops {
     return i;
   }
 
-  /// Body and frame.
+  /// The body and the frame of a name.
   [[nodiscard]] std::pair<std::size_t, const robot_formats::FrameDescription*> find(const std::string& name) const {
     for (std::size_t i = 0; i < description_.bodies.size(); ++i) {
       for (const robot_formats::FrameDescription& frame : description_.bodies[i].frames) {
@@ -152,6 +157,7 @@ class Loops {
   void warn_if_open(const robot_formats::LoopDescription& loop) {
     const auto place = [&](const std::string& name) {
       const auto [body, frame] = find(name);
+      MUROSIMF_ASSERT(frame != nullptr);
       return places_[body] * frame->place;
     };
     const Transformd one = place(loop.frame1), other = place(loop.frame2);

@@ -31,6 +31,7 @@ MjcfMaterials::MjcfMaterials(const files::XmlElement& root, const MjcfDefaults& 
       if (!name || name->empty()) element.fail("material without a name; add name=\"...\"");
       const MjcfAttributes attributes = defaults.resolve(element);
       Color color = read_color(attributes, {1, 1, 1, 1});
+      // A picture on a texture is not drawn, but a grid of two colors looks like their mean from afar.
       if (attributes.has("texture")) {
         const auto mean = textures.mean_color(attributes.text("texture"), attributes.source("texture"));
         if (mean) color = {color.red * mean->x, color.green * mean->y, color.blue * mean->z, color.alpha};
@@ -52,6 +53,7 @@ Color MjcfMaterials::color_of(const MjcfAttributes& geom, const std::string& of_
     for (const auto& [name, color] : colors_) known.push_back(name);
     geom.source("material").fail(unknown_name("material", material, known));
   }
+  // The format's gray stands for "no color of its own", as in MuJoCo.
   return own == Color{} ? found->second : own;
 }
 

@@ -18,7 +18,7 @@ class MjcfMaterials {
   /// Throws SetupError for a material without a name or with a taken one.
   MjcfMaterials(const files::XmlElement& root, const MjcfDefaults& defaults);
 
-  /// `of_mesh`: material that the geom's mesh names, or empty. Throws SetupError for an unknown material.
+  /// The color of a geom. `of_mesh`: material of the geom's mesh, or empty. Throws SetupError for an unknown material.
   [[nodiscard]] Color color_of(const MjcfAttributes& geom, const std::string& of_mesh = {}) const;
 
  private:

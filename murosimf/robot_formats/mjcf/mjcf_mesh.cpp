@@ -8,13 +8,14 @@
 
 #include "murosimf/files/file_spelling.h"
 #include "murosimf/geometry/hull.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/robot_formats/mjcf/mjcf_mesh_source.h"
 
 namespace murosimf::robot_formats::mjcf {
 namespace {
 
-constexpr double overcount_ratio = 1.01;  // [1] of the volume that inertia "legacy" may add unnoticed
+constexpr double overcount_ratio = 1.01;  // [1] of the volume, up to which inertia "legacy" counts as exact
 
 Transformd origin_of(const MjcfAttributes& attributes) {
   return {attributes.vector("refpos", {}), read_quaternion(attributes, "refquat")};
@@ -31,7 +32,7 @@ struct MjcfMeshes::Mesh {
   bool read = false;
 
   [[noreturn]] void fail(const std::string& message) const { attributes.element().fail(what + ": " + message); }
-  /// [m^3] Signed.
+  /// [m^3] Signed volume: negative for a mesh that is inside out.
   [[nodiscard]] double volume() const { return geometry::solid_mass(solid.triangles).volume; }
   [[nodiscard]] std::string seams_text() const {
     return fmt::format("the mesh is not closed ({} open edges, {} between triangles that look different ways)",
@@ -99,6 +100,7 @@ geometry::SolidMass MjcfMeshes::mass(const std::string& name, const files::XmlEl
     mesh.fail(mesh.solid.flat + "; give the body an inertial, or the mesh inertia=\"shell\"");
   if (kind == "convex") return robot_formats::mesh::hull_mass(mesh.solid.parts);
   if (kind == "exact") return exact_mass(mesh);
+  // The sum of the absolute volumes of all tetrahedra from the center: it counts cavities, too.
   const auto solid = geometry::summed_mass(mesh.solid.triangles);
   if (!mesh.solid.seams.closed()) {
     warn(mesh, mesh.seams_text() + ", so its mass is an estimate; repair it, or write inertia=\"convex\"");
@@ -130,7 +132,7 @@ MjcfMeshes::Mesh& MjcfMeshes::loaded(const std::string& name, const files::XmlEl
   Mesh& mesh = find(name, user);
   if (!mesh.read) {
     with_context(mesh.attributes.element().where() + ": mesh '" + name + "'", [&] { load(name, mesh); });
-    mesh.read = true;
+    mesh.read = true;  // not in load(): a mesh that failed is reported again by its next user
   }
   return mesh;
 }
@@ -144,6 +146,7 @@ void MjcfMeshes::load(const std::string& name, Mesh& mesh) {
   place_mesh(file.mesh, attributes);
   const bool split = std::ranges::find(part_per_group_, name) != part_per_group_.end();
   mesh.solid = robot_formats::mesh::make_solid_mesh(std::move(file), split);
+  MUROSIMF_ASSERT(!mesh.solid.parts.empty() || !mesh.solid.flat.empty());
 }
 
 std::filesystem::path MjcfMeshes::path_of(const MjcfAttributes& attributes) const {
@@ -162,6 +165,7 @@ const robot_formats::mesh::MeshFile& MjcfMeshes::file_of(const MjcfAttributes& a
 
 void MjcfMeshes::warn(const Mesh& mesh, const std::string& message) {
   const auto line = files::one_line(fmt::format("{}: {}: {}", mesh.attributes.element().where(), mesh.what, message));
+  // A mesh of many geoms is reported once.
   if (std::ranges::find(warnings_, line) == warnings_.end()) warnings_.push_back(line);
 }
 

@@ -2,8 +2,8 @@
 ///
 /// A vertex v of the file stands at scale * (R(refquat)^T (v - refpos)) in the mesh frame, which is the frame of the geom.
 /// Files are found and scaled as MuJoCo does, read when a geom uses them first, and once.
-/// Contact sees convex hulls: of the whole mesh, or of each object or group of an OBJ file where the TOML file beside
-/// the robot asks for it (`[meshes] part_per_group`).
+/// Contact uses convex hulls: of the whole mesh, or of each object or group of an OBJ file where the TOML file beside
+/// the robot requests it (`[meshes] part_per_group`).
 /// Source: MuJoCo documentation, XML reference, "asset/mesh".
 #pragma once
 
@@ -21,11 +21,11 @@
 
 namespace murosimf::robot_formats::mjcf {
 
-/// What the names of an MJCF file's meshes mean. Lines that look wrong go to `warnings`, each once.
+/// The meshes of an MJCF file by their names. Lines that look wrong go to `warnings`, each once.
 class MjcfMeshes {
  public:
   /// `file`: the MJCF file. Throws SetupError for a mesh without a name or with a taken one.
-  /// `part_per_group`: meshes whose objects or groups are convex parts.
+  /// `part_per_group`: meshes that are split into convex parts by their objects or groups.
   MjcfMeshes(const std::filesystem::path& file, const files::XmlElement& root, const MjcfDefaults& defaults,
              const MjcfCompiler& compiler, const std::vector<std::string>& part_per_group,
              std::vector<std::string>& warnings);
@@ -38,17 +38,17 @@ class MjcfMeshes {
   [[nodiscard]] const std::vector<robot_formats::mesh::ConvexPart>& parts(const std::string& name,
                                                                           const files::XmlElement& user);
 
-  /// For a geom that is only looked at: the mesh is not read. Throws SetupError for an unknown mesh; a missing file is a
+  /// For a visual geom: the mesh is not read. Throws SetupError for an unknown mesh; a missing file is a
   /// warning.
   void check_file(const std::string& name, const files::XmlElement& user);
 
-  /// Of the geoms that name the mesh and no material; empty: none. Throws SetupError for an unknown mesh.
+  /// Material of geoms that use the mesh and have none of their own; empty: none. Throws SetupError for an unknown mesh.
   [[nodiscard]] std::string material(const std::string& name, const files::XmlElement& user);
 
   /// In alphabetical order.
   [[nodiscard]] std::vector<robot_formats::MeshDescription> descriptions() const;
 
-  /// Mass properties at density 1, as the mesh's attribute `inertia` says: legacy (default), exact, convex or shell.
+  /// Mass properties at density 1, by the mesh's attribute `inertia`: legacy (default), exact, convex or shell.
   /// Throws SetupError as `parts`; for a flat mesh unless it is a shell; for exact if it is not closed or inside out.
   [[nodiscard]] geometry::SolidMass mass(const std::string& name, const files::XmlElement& user);
 

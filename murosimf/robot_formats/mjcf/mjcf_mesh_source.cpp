@@ -4,6 +4,7 @@
 
 #include "murosimf/geometry/hull.h"
 #include "murosimf/geometry/mesh_mass.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/robot_formats/mesh/mesh_library.h"
 
@@ -17,7 +18,8 @@ std::vector<Vec3d> read_vertices(const MjcfAttributes& attributes) {
   }
   std::vector<Vec3d> vertices;
   for (std::size_t i = 0; i < numbers.size(); i += 3) {
-    vertices.push_back({numbers[i] + 0.0, numbers[i + 1] + 0.0, numbers[i + 2] + 0.0});
+    vertices.push_back(
+        {numbers[i] + 0.0, numbers[i + 1] + 0.0, numbers[i + 2] + 0.0});  // no -0: vertices are merged by value
   }
   return vertices;
 }
@@ -49,7 +51,9 @@ robot_formats::mesh::MeshFile read_inline_mesh(const MjcfAttributes& attributes)
   const auto corner = [&](std::size_t i) { return read_corner(attributes, corners[i], file.mesh.vertices.size()); };
   for (std::size_t i = 0; i < corners.size(); i += 3) {
     file.mesh.triangles.push_back({corner(i), corner(i + 1), corner(i + 2)});
+    MUROSIMF_ASSERT(corners.size() % 3 == 0);
   }
+  // Vertices without faces stand for their hull.
   if (corners.empty()) {
     const auto [hull, middle, error] = geometry::make_hull(file.mesh.vertices);
     file.mesh = geometry::triangles_of(hull);
@@ -67,6 +71,7 @@ void place_mesh(geometry::TriangleMesh& mesh, const MjcfAttributes& attributes) 
   }
   const Vec3d origin = attributes.vector("refpos", {});
   const Mat3d turn = read_quaternion(attributes, "refquat");
+  // In this order, as MuJoCo does it: the reference pose is in the units of the file.
   for (Vec3d& vertex : mesh.vertices) vertex = transposed_times(turn, vertex - origin);
   robot_formats::mesh::scale_mesh(mesh, scale);
 }

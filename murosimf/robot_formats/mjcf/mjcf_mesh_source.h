@@ -14,8 +14,8 @@ namespace murosimf::robot_formats::mjcf {
 /// Triangles of the attributes `vertex` and `face`; without `face` those of the hull. Throws SetupError.
 [[nodiscard]] robot_formats::mesh::MeshFile read_inline_mesh(const MjcfAttributes& attributes);
 
-/// Applies refpos, refquat and scale. An odd number of negative scales turns the triangles round, so that what was
-/// outside stays outside. Throws SetupError for a scale of zero.
+/// Applies refpos, refquat and scale. An odd number of negative scales reverses the triangles, so that the outside
+/// remains outside. Throws SetupError for a scale of zero.
 void place_mesh(geometry::TriangleMesh& mesh, const MjcfAttributes& attributes);
 
 }  // namespace murosimf::robot_formats::mjcf

@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/robot_formats/mjcf/mjcf_children.h"
 
 namespace murosimf::robot_formats::mjcf {
 
 MjcfNames::MjcfNames(const files::XmlElement& root, const MjcfTrees& trees) {
   for (const files::XmlElement& world : root.children("worldbody")) name_world(world, trees.bolted);
+  // All names before anything is built: elements may refer to later ones.
   for (const MjcfTree& tree : trees.all) tree.of_robot ? walk(tree.body) : walk_elsewhere(tree.body);
 }
 
@@ -38,6 +40,7 @@ void MjcfNames::walk_elsewhere(const files::XmlElement& body) {
 void MjcfNames::walk(const files::XmlElement& body) {
   add(body, bodies_, fmt::format("body_{}", bodies_.names.size() + 1));
   name_all(body, "joint", joints_);
+  // A free joint is not a joint of a Model: only its given name is taken.
   for (const files::XmlElement& joint : elements_in(body, "freejoint")) {
     if (joint.attribute("name")) add(joint, joints_, {});
   }
@@ -64,6 +67,7 @@ void MjcfNames::add(const files::XmlElement& element, Names& names, const std::s
         fmt::format("{} '{}' appears twice, first in line {}; rename one", element.tag(), name, first->second));
   }
   names.names.push_back(name);
+  MUROSIMF_ASSERT(names.names.size() == names.lines.size());
   names_.emplace(element.id(), name);
 }
 

@@ -1,6 +1,6 @@
-/// mjcf_names.h - names of a robot's bodies, joints and sites, collected before anything is built, and those of all else in the file.
+/// mjcf_names.h - names of a robot's bodies, joints and sites, collected before anything is built, and of other objects in the file.
 ///
-/// The world is a body of a robot that is bolted to it, and has the world's sites; it is called "world".
+/// The world is a body of a robot that is bolted to it, and has the world's sites; its name is "world".
 /// In MJCF a body and a joint may share a name; in a Model no two objects may. The joint keeps a shared name.
 #pragma once
 
@@ -15,8 +15,8 @@ namespace murosimf::robot_formats::mjcf {
 
 class MjcfNames {
  public:
-  /// Walks through the trees in the order of the file. Throws SetupError if two of a kind have the same name.
-  /// Who has no name gets one: `body_<n>`, `<body>.joint`, `<body>.joint2`, `<body>.site`, ...
+  /// Visits the trees in the order of the file. Throws SetupError if two of a kind have the same name.
+  /// Elements without a name get one: `body_<n>`, `<body>.joint`, `<body>.joint2`, `<body>.site`, ...
   MjcfNames(const files::XmlElement& root, const MjcfTrees& trees);
 
   [[nodiscard]] const std::string& of(const files::XmlElement& element) const { return names_.at(element.id()); }
@@ -26,7 +26,7 @@ class MjcfNames {
   [[nodiscard]] const std::vector<std::string>& sites() const { return sites_.names; }
   [[nodiscard]] bool is_joint(const std::string& name) const { return joints_.lines.contains(name); }
   [[nodiscard]] bool is_body(const std::string& name) const { return bodies_.lines.contains(name); }
-  /// A body, joint, geom or site that the file has, but not the robot; `kind` is its tag.
+  /// Whether a body, joint, geom or site is in the file, but not part of the robot; `kind` is its tag.
   [[nodiscard]] bool is_elsewhere(const std::string& kind, const std::string& name) const {
     return elsewhere_.contains({kind, name});
   }

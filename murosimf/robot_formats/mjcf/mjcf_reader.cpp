@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/robot_formats/joint_inertia.h"
 #include "murosimf/robot_formats/mjcf/mjcf_actuator.h"
@@ -24,7 +25,7 @@
 namespace murosimf::robot_formats::mjcf {
 namespace {
 
-/// What is named with more than its kind, which is all that the schema knows.
+/// Whether parts of this kind are reported one by one, with more than their kind, which is all that the schema has.
 bool is_named_one_by_one(const std::string& word) { return word == "geom" || word == "site" || is_idle_relation(word); }
 
 void name_world(const files::XmlElement& world, bool bolted, std::vector<robot_formats::Unused>& unused) {
@@ -40,12 +41,13 @@ void name_world(const files::XmlElement& world, bool bolted, std::vector<robot_f
   }
 }
 
-/// settotalmass: masses and inertias in proportion.
+/// Applies settotalmass: scales masses and inertias in proportion.
 void scale_masses(const MjcfCompiler& compiler, robot_formats::RobotDescription& description) {
   double total = 0;
   for (const robot_formats::BodyDescription& body : description.bodies) total += body.solid.mass;
   if (!(compiler.total_mass > 0) || !(total > 0)) return;
   const double factor = compiler.total_mass / total;
+  MUROSIMF_ASSERT(factor > 0);
   for (robot_formats::BodyDescription& body : description.bodies) {
     body.solid.mass *= factor;
     body.solid.inertia = factor * body.solid.inertia;
@@ -68,6 +70,7 @@ robot_formats::RobotDescription read_mjcf(const std::filesystem::path& file,
   for (auto& [word, line] : files::validate(root, mjcf_schema(), options.lenient, description.warnings)) {
     if (!is_named_one_by_one(word)) description.unused.push_back({std::move(word), std::move(line)});
   }
+  // Attached models first, then replicates: copies may contain both, and the settings below need all elements.
   MjcfCompiler compiler = read_compiler(root);
   attach_models(xml, root, compiler, options.lenient, description);
   expand_replicates(xml, root, compiler);
@@ -95,6 +98,7 @@ robot_formats::RobotDescription read_mjcf(const std::filesystem::path& file,
                             .notes = description.notes,
                             .springs = springs};
   read_bodies(root, trees, context, description);
+  // The order matters: stiffness and damping follow from the scaled masses, and tendons add to both.
   scale_masses(compiler, description);
   resolve_spring_dampers(springs, description);
   apply_tendons(tendons, defaults, compiler, description);

@@ -7,14 +7,14 @@
 namespace murosimf::robot_formats::mjcf {
 namespace {
 
-/// "joint" of joint1, body of xbody, actuator of a motor.
+/// Kind of an element's tag: a motor is an actuator, a freejoint a joint.
 std::string kind_of_element(const std::string& tag) {
   if (is_actuator(tag)) return "actuator";
   return tag == "freejoint" ? "joint" : tag;
 }
 
-/// The kind of thing that an attribute names; empty: it names nothing.
-std::string kind_meant(const files::XmlTree& tree, const std::string& attribute) {
+/// Kind of the object that an attribute refers to; empty: none.
+std::string kind_of_reference(const files::XmlTree& tree, const std::string& attribute) {
   for (const char* kind : {"joint", "body", "geom", "site", "camera", "actuator"}) {
     if (attribute == kind || attribute == std::string(kind) + "1" || attribute == std::string(kind) + "2") return kind;
   }
@@ -24,7 +24,7 @@ std::string kind_meant(const files::XmlTree& tree, const std::string& attribute)
   const std::string type = attribute == "objname" ? "objtype" : "reftype";
   const auto found = std::ranges::find(tree.attributes, type, &files::XmlAttribute::name);
   if (found == tree.attributes.end()) return {};
-  return found->value == "xbody" ? "body" : found->value;
+  return found->value == "xbody" ? "body" : found->value;  // two frames of the same body
 }
 
 }  // namespace
@@ -40,18 +40,19 @@ void MjcfReferences::add_all(const files::XmlTree& tree) {
   for (const files::XmlTree& child : tree.children) add_all(child);
 }
 
-bool MjcfReferences::means(const files::XmlTree& tree, const files::XmlAttribute& attribute) const {
-  const auto known = names_.find(kind_meant(tree, attribute.name));
+bool MjcfReferences::refers(const files::XmlTree& tree, const files::XmlAttribute& attribute) const {
+  const auto known = names_.find(kind_of_reference(tree, attribute.name));
   return known != names_.end() && known->second.contains(attribute.value);
 }
 
 bool MjcfReferences::mentioned_in(const files::XmlTree& tree) const {
-  return std::ranges::any_of(tree.attributes, [&](const auto& attribute) { return means(tree, attribute); });
+  return std::ranges::any_of(tree.attributes, [&](const auto& attribute) { return refers(tree, attribute); });
 }
 
 void MjcfReferences::rename(files::XmlTree& tree, const std::string& prefix, const std::string& suffix) const {
   for (files::XmlAttribute& attribute : tree.attributes) {
-    if (attribute.name == "name" || means(tree, attribute)) attribute.value = prefix + attribute.value + suffix;
+    // Names and references together: a copy refers to its own parts.
+    if (attribute.name == "name" || refers(tree, attribute)) attribute.value = prefix + attribute.value + suffix;
   }
   for (files::XmlTree& child : tree.children) rename(child, prefix, suffix);
 }

@@ -1,4 +1,4 @@
-/// mjcf_references.h - names of some parts of an MJCF file, and the attributes by which other elements mean them.
+/// mjcf_references.h - names of some parts of an MJCF file, and the attributes of other elements that refer to them.
 #pragma once
 
 #include <cstddef>
@@ -11,24 +11,24 @@
 
 namespace murosimf::robot_formats::mjcf {
 
-/// Of copies that a file may make: more are a slip of the pen, not a robot.
+/// Limit of the copies of a file: more are an error of the file, not a robot.
 inline constexpr std::size_t most_elements = 100'000;
 
 class MjcfReferences {
  public:
-  /// The name of the element, and of all in it.
+  /// Adds the names of the element and its contents.
   void add_all(const files::XmlTree& tree);
-  /// The name of this element alone.
+  /// Adds the name of this element alone.
   void add(const files::XmlTree& tree);
 
-  /// Whether an attribute of the element names one of these parts.
+  /// Whether an attribute of the element refers to one of these parts.
   [[nodiscard]] bool mentioned_in(const files::XmlTree& tree) const;
 
-  /// Puts `prefix` before and `suffix` behind the names of the element and all in it, and of these parts where they are meant.
+  /// Puts `prefix` before and `suffix` behind the names of the element and its contents, and behind references to these parts.
   void rename(files::XmlTree& tree, const std::string& prefix, const std::string& suffix) const;
 
  private:
-  [[nodiscard]] bool means(const files::XmlTree& tree, const files::XmlAttribute& attribute) const;
+  [[nodiscard]] bool refers(const files::XmlTree& tree, const files::XmlAttribute& attribute) const;
 
   std::map<std::string, std::set<std::string>, std::less<>> names_;  // by kind: body, joint, geom, ...
 };

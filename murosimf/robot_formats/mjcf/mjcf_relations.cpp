@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/robot_formats/mjcf/mjcf_children.h"
 #include "murosimf/robot_formats/mjcf/mjcf_defaults.h"
@@ -31,7 +32,7 @@ std::string name_in(const files::XmlElement& element, const char* attribute, std
   return *name;
 }
 
-/// Of a joint, body or geom that the file has beside the robot.
+/// Whether the element refers to a joint, body or geom of the file that is not part of the robot.
 bool is_beside(const files::XmlElement& element, const MjcfNames& names, const std::string& kind) {
   return std::ranges::any_of(std::array{kind + "1", kind + "2"}, [&](const std::string& attribute) {
     const auto name = element.attribute(attribute.c_str());
@@ -39,7 +40,7 @@ bool is_beside(const files::XmlElement& element, const MjcfNames& names, const s
   });
 }
 
-/// Position of joint1 = polynomial of the position of joint2, both from their reference.
+/// Reads a coupling: position of joint1 = polynomial of the position of joint2, both from their reference.
 robot_formats::MimicDescription read_mimic(const files::XmlElement& element, const MjcfNames& names,
                                            const robot_formats::RobotDescription& description) {
   MjcfAttributes attributes(element);
@@ -47,12 +48,14 @@ robot_formats::MimicDescription read_mimic(const files::XmlElement& element, con
   auto polynomial = attributes.numbers("polycoef", 1, 5);
   constexpr std::array<double, 5> otherwise{0, 1, 0, 0, 0};
   for (std::size_t i = polynomial.size(); i < otherwise.size(); ++i) polynomial.push_back(otherwise[i]);
+  MUROSIMF_ASSERT(polynomial.size() == otherwise.size());
   if (std::any_of(polynomial.begin() + 2, polynomial.end(), [](double c) { return c != 0; })) {
     element.fail("only joints that are coupled linearly are supported; set the last three of polycoef to 0");
   }
   robot_formats::MimicDescription mimic{name_in(element, "joint1", "joint", names.joints()),
                                         name_in(element, "joint2", "joint", names.joints()), element.where(),
                                         polynomial[1]};
+  // The file counts from the references, the description from zero.
   mimic.offset = polynomial[0] + robot_formats::reference_of(description, mimic.joint) -
                  mimic.ratio * robot_formats::reference_of(description, mimic.leader);
   return mimic;
@@ -74,7 +77,7 @@ std::vector<files::XmlElement> geoms_of_world(const files::XmlElement& root) {
   return geoms;
 }
 
-/// The kinds of a geom that is no part of the robot, as may_touch (model/shape.h) wants them.
+/// The kinds of a geom outside of the robot, as may_touch (model/shape.h) needs them.
 struct Kinds {
   std::uint32_t contact_type = 1, contact_affinity = 1;
 };
@@ -86,7 +89,7 @@ Kinds kinds_of(const MjcfAttributes& geom) {
   return {mask("contype"), mask("conaffinity")};
 }
 
-/// The scene's ground has the usual kinds: what stands on the file's own floor shall stand on it, too.
+/// Lets shapes that stand on the file's own floor stand on the scene's ground, which has the usual kinds.
 void stand_on_usual_ground(const files::XmlElement& root, const MjcfDefaults& defaults,
                            robot_formats::RobotDescription& description) {
   std::vector<Kinds> world;
@@ -129,7 +132,7 @@ class Pairs {
     return name && names_.is_elsewhere("geom", *name) && std::ranges::find(outside_, *name) == outside_.end();
   }
 
-  /// None for a geom outside the robot.
+  /// The shapes of a geom; none for a geom outside of the robot.
   std::vector<robot_formats::ShapeDescription*> shapes_of(const files::XmlElement& element, const char* attribute) {
     const auto name = element.attribute(attribute);
     if (!name) element.fail(fmt::format("pair without {}; add it", attribute));
@@ -157,6 +160,7 @@ class Pairs {
     return shapes;
   }
 
+  /// Makes a shape collide; with the world it needs the usual kind as well, since the scene has no pairs.
   static void collide(robot_formats::ShapeDescription& shape, bool with_the_world) {
     shape.placed.collides = true;
     if (!with_the_world) return;
@@ -173,6 +177,7 @@ class Pairs {
 
 void read_relations(const files::XmlElement& root, const MjcfNames& names, const MjcfDefaults& defaults,
                     robot_formats::RobotDescription& description) {
+  // First: a pair may add kinds that would change the answer.
   stand_on_usual_ground(root, defaults, description);
   for (const files::XmlElement& element : elements(root, "equality", "joint")) {
     if (is_beside(element, names, "joint") || element.attribute("active") == "false") continue;

@@ -1,5 +1,5 @@
-/// mjcf_relations.h - what an MJCF file says about parts of a robot together: coupled joints (`equality/joint`), contacts
-/// that are excluded or wanted (`contact`), and sensors.
+/// mjcf_relations.h - relations between parts of a robot in an MJCF file: coupled joints (`equality/joint`), contacts
+/// that are excluded or requested (`contact`), and sensors.
 #pragma once
 
 #include "murosimf/robot_formats/mjcf/mjcf_defaults.h"
@@ -8,10 +8,10 @@
 
 namespace murosimf::robot_formats::mjcf {
 
-/// Fills mimics, exclusions, pairs and sensors of `description`, whose bodies are read already. Throws SetupError for unknown names,
-/// for a coupling that is not linear, and for a contact pair with a mesh that is only looked at.
-/// A geom whose masks let it touch the floor of the file, but not a usual one, becomes of kind 1, too: the scene brings its
-/// own floor. A geom that is paired with one outside the robot, like the floor, collides from now on whatever its masks say.
+/// Fills mimics, exclusions, pairs and sensors of `description`, after its bodies are read. Throws SetupError for unknown names,
+/// for a coupling that is not linear, and for a contact pair with a visual mesh.
+/// A geom with masks for the floor of the file, but not for a usual one, becomes of kind 1 as well: the scene brings its
+/// own floor. A geom that is paired with one outside the robot, like the floor, collides independent of its masks.
 void read_relations(const files::XmlElement& root, const MjcfNames& names, const MjcfDefaults& defaults,
                     robot_formats::RobotDescription& description);
 

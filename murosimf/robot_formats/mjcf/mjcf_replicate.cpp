@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/math/quaternion.h"
 #include "murosimf/math/transform.h"
 #include "murosimf/robot_formats/mjcf/mjcf_references.h"
@@ -25,7 +26,7 @@ struct Replicate {
     step = {attributes.vector("offset", {}), read_orientation(attributes, compiler)};
   }
 
-  /// "-07" of twelve
+  /// Ending of copy i: "-07" of twelve.
   [[nodiscard]] std::string suffix(int i) const {
     return fmt::format("{}{:0{}}", attributes.text("sep"), i, fmt::format("{}", count).size());
   }
@@ -51,7 +52,7 @@ class Expansion {
   Expansion(files::XmlFile& file, const files::XmlElement& root, const MjcfCompiler& compiler)
       : file_(file), root_(root), compiler_(compiler) {}
 
-  /// Innermost first.
+  /// Expands all replicates below an element, innermost first: outer ones copy the result.
   void expand(const files::XmlElement& parent) {
     for (const files::XmlElement& child : parent.children()) {
       expand(child);
@@ -73,13 +74,15 @@ class Expansion {
       files::XmlTree& frame = frames.emplace_back(frame_at(place, element));
       frame.children = content.children;
       for (files::XmlTree& child : frame.children) names.rename(child, "", replicate.suffix(i));
+      // A product of poses, not i times an offset: steps may turn.
       place = place * replicate.step;
     }
+    MUROSIMF_ASSERT(frames.size() == static_cast<std::size_t>(replicate.count));
     file_.replace(element, frames);
     repeat_references(replicate, names);
   }
 
-  /// Actuators first: sensors may name them.
+  /// Repeats elements that refer to a copy; actuators first: sensors may refer to them.
   void repeat_references(const Replicate& replicate, MjcfReferences& names) {
     for (const char* section : {"actuator", "contact", "equality", "sensor"}) {
       for (const files::XmlElement& element : root_.children(section)) repeat(element, replicate, names);

@@ -6,7 +6,7 @@ namespace murosimf::robot_formats::mjcf {
 namespace {
 
 const files::XmlWords actuators{"position", "velocity", "intvelocity", "motor", "general"};
-/// That move nothing here, each with a warning.
+/// Actuators without effect here, each with a warning.
 const files::XmlWords idle_actuators{"damper",  "cylinder",    "muscle", "adhesion",
                                      "dcmotor", "orientation", "pid",    "plugin"};
 
@@ -15,7 +15,7 @@ files::XmlWords operator+(files::XmlWords a, const files::XmlWords& b) {
   return a;
 }
 
-/// Those that become sensors of the robot, by what they are attached to, and those that do not.
+/// Adds the rules of sensors that become sensors of the robot, by their objects, and of others.
 void add_sensor_rules(files::XmlVocabulary& rules) {
   const files::XmlWords signal{"name", "noise", "cutoff"};
   const files::XmlWords at_site{"accelerometer", "gyro", "velocimeter", "force", "torque", "touch", "rangefinder"};
@@ -45,7 +45,7 @@ void add_sensor_rules(files::XmlVocabulary& rules) {
   add(of_frame, {"objtype", "objname"}, {"reftype", "refname"});
   add({"actuatorfrc"}, {"actuator"}, {});
   add({"subtreecom"}, {"body"}, {});
-  files::XmlRule& turn = rules["sensor/framequat"];  // a quaternion is not cut off
+  files::XmlRule& turn = rules["sensor/framequat"];  // components of a quaternion have no cutoff
   std::erase(turn.used, "cutoff");
   turn.unused.push_back("cutoff");
 }
@@ -153,12 +153,12 @@ files::XmlVocabulary make_rules() {
       {"intvelocity", {"kp", "kv", "dampratio", "inheritrange"}},
       {"motor", {}},
       {"general", {"gainprm", "biasprm", "gaintype", "biastype", "dyntype", "dynprm"}}};
-  // of a control that has several parts, or is called what it is
+  // Names of the parts of a control; without effect.
   const files::XmlWords labels{"input", "velrange", "ffrange"};
   for (const std::string_view actuator : actuators) {
     const files::XmlWords common{"name", "class", "joint", "tendon", "forcerange", "forcelimited", "gear"};
     const files::XmlWords control{"ctrlrange", "ctrllimited"}, activation{"actrange", "actlimited"};
-    // without a joint it moves nothing, which is a warning
+    // Without a joint it moves nothing, which is a warning.
     const files::XmlWords unused{"group", "user",    "lengthrange",   "actdim",     "actearly",  "site",
                                  "body",  "refsite", "jointinparent", "slidersite", "cranksite", "cranklength"};
     const bool general = actuator == "general", integrates = actuator == "intvelocity";

@@ -1,4 +1,4 @@
-/// mjcf_schema.h - which elements and attributes of MJCF the reader knows, and what it does with the others.
+/// mjcf_schema.h - the elements and attributes of MJCF that the reader uses, and the treatment of others.
 ///
 /// Source: the XML reference of the MuJoCo documentation.
 #pragma once
@@ -9,10 +9,10 @@ namespace murosimf::robot_formats::mjcf {
 
 [[nodiscard]] const files::XmlVocabulary& mjcf_schema();
 
-/// Tags of actuators, and of what joins bodies or tendons, that have no effect here but a warning each.
+/// Whether the tag is one of actuators and of relations of bodies or tendons that have no effect here except a warning.
 [[nodiscard]] bool is_idle_relation(std::string_view tag);
 
-/// Tags of the actuators that the reader understands.
+/// Whether the tag is one of the actuators that the reader supports.
 [[nodiscard]] bool is_actuator(std::string_view tag);
 
 }  // namespace murosimf::robot_formats::mjcf

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/robot_formats/mjcf/mjcf_camera.h"
 #include "murosimf/robot_formats/mjcf/mjcf_children.h"
 
@@ -27,9 +28,10 @@ constexpr std::array families{
            {"framepos", "framequat", "framexaxis", "frameyaxis", "framezaxis", "framelinvel", "frameangvel",
             "framelinacc", "frameangacc"}}};
 
-/// Null: no kind that is known.
+/// The attribute that names the object of a kind; null for unknown kinds.
 const char* attribute_of(std::string_view kind) {
   for (const Family& family : families) {
+    // Empty entries fill the arrays.
     if (!kind.empty() && std::ranges::find(family.kinds, kind) != family.kinds.end()) return family.attribute;
   }
   return nullptr;
@@ -65,7 +67,7 @@ std::vector<files::XmlElement> actuators_called(const files::XmlElement& root, c
   return found;
 }
 
-/// The force of an actuator is that of its joint if nothing is between them.
+/// Makes a sensor of an actuator one of its joint: the force is the same if no gear is between them.
 void move_to_joint(robot_formats::SensorDescription& sensor, const files::XmlElement& root,
                    const MjcfDefaults& defaults) {
   for (const files::XmlElement& actuator : actuators_called(root, sensor.frame)) {
@@ -84,6 +86,7 @@ void move_to_joint(robot_formats::SensorDescription& sensor, const files::XmlEle
 void place_on_body(robot_formats::SensorDescription& sensor, const robot_formats::RobotDescription& description) {
   if (sensor.kind == "framequat") {
     sensor.obstacle = "it shows axes of inertia; write objtype=\"xbody\"";
+    // Sensors of a "body" measure at the center of mass.
   } else if (const robot_formats::BodyDescription* body = find_body(description, sensor.frame)) {
     sensor.place.position = body->solid.center;
   }
@@ -98,7 +101,7 @@ void read_signal(const MjcfAttributes& attributes, robot_formats::SensorDescript
   sensor.signals[""].lowest = -cutoff;
 }
 
-/// The object is in the file that is written.
+/// Whether the object is in the written file.
 bool object_is_there(const robot_formats::SensorDescription& sensor,
                      const robot_formats::RobotDescription& description) {
   const std::string &kind = sensor.object_kind, &name = sensor.frame;
@@ -107,13 +110,14 @@ bool object_is_there(const robot_formats::SensorDescription& sensor,
   return has_frame(description, name, kind);
 }
 
-/// Actuators are written as sensors of their joints' torques.
+/// Kind in the written file: actuators are written as sensors of their joints' torques.
 const char* written_kind(const robot_formats::SensorDescription& sensor) {
   return sensor.kind == "actuatorfrc" ? "jointactuatorfrc" : sensor.kind.c_str();
 }
 
 void write_sensor(files::XmlText& xml, const robot_formats::SensorDescription& sensor) {
   const char* kind = written_kind(sensor);
+  MUROSIMF_ASSERT(attribute_of(kind) != nullptr);
   const std::string attribute = attribute_of(kind);
   xml.begin(kind).text_unless_empty("name", sensor.name);
   if (attribute == "objname") xml.text("objtype", sensor.object_kind);
@@ -162,7 +166,7 @@ void write_mjcf_sensors(files::XmlText& xml, const robot_formats::RobotDescripti
   const bool any = std::ranges::any_of(description.sensors, fits);
   if (any) xml.begin("sensor");
   for (const robot_formats::SensorDescription& sensor : description.sensors) {
-    if (is_mjcf_camera(sensor)) continue;  // it stands in its body
+    if (is_mjcf_camera(sensor)) continue;  // written in its body
     if (fits(sensor)) {
       write_sensor(xml, sensor);
     } else {

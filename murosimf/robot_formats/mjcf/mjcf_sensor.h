@@ -1,6 +1,6 @@
 /// mjcf_sensor.h - elements of the section `sensor` of an MJCF file.
 ///
-/// `noise` is the deviation of every sample, `cutoff` the largest magnitude that is shown; both hold for all outputs. A
+/// `noise` is the deviation of every sample, `cutoff` the largest magnitude of the output; both apply to all outputs. A
 /// frame sensor of an object of type "body" measures at the center of mass (those of "xbody" at the body's frame).
 /// Source: XML reference of the MuJoCo documentation, "sensor".
 #pragma once
@@ -12,17 +12,17 @@
 
 namespace murosimf::robot_formats::mjcf {
 
-/// `description`: its bodies are read already. A sensor of an actuator becomes one of the actuator's joint.
+/// Reads a sensor. `description`: its bodies are read already. A sensor of an actuator becomes one of the actuator's joint.
 [[nodiscard]] robot_formats::SensorDescription read_mjcf_sensor(const files::XmlElement& element,
                                                                 const files::XmlElement& root,
                                                                 const MjcfDefaults& defaults,
                                                                 const robot_formats::RobotDescription& description);
 
-/// The section `sensor`: an element for each sensor that MJCF has and whose object is in the description, a comment for the
-/// others. Cameras of MJCF are not among them: they stand in bodies (mjcf_camera.h).
+/// Writes the section `sensor`: an element for each sensor that MJCF has and that has its object in the description, a comment for
+/// others. Cameras of MJCF are written in bodies (mjcf_camera.h).
 void write_mjcf_sensors(files::XmlText& xml, const robot_formats::RobotDescription& description);
 
-/// It has an element of MJCF's own, in the section `sensor` or in a body.
+/// Whether MJCF has an element for the sensor, in the section `sensor` or in a body.
 [[nodiscard]] bool is_mjcf_sensor(const robot_formats::SensorDescription& sensor,
                                   const robot_formats::RobotDescription& description);
 

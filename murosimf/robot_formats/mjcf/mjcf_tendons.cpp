@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/robot_formats/mjcf/mjcf_children.h"
 
 namespace murosimf::robot_formats::mjcf {
@@ -23,7 +24,7 @@ struct Coupling {
   double ratio = 1;
 };
 
-/// Joints of the robot by what moves them.
+/// Couplings of the robot's joints.
 class Joints {
  public:
   Joints(const files::XmlElement& root, const MjcfDefaults& defaults, const MjcfCompiler& compiler,
@@ -35,10 +36,11 @@ class Joints {
     }
   }
 
-  /// The joint that `joint` follows in the end, itself if it follows none, with the product of the ratios; nothing if L would have an
-  /// offset.
+  /// The joint at the end of the chain of leaders from `joint`, itself if it follows none, with the product of the ratios; nothing if L would
+  /// have an offset.
   [[nodiscard]] std::optional<Coupling> leader_of(const std::string& joint) const {
     Coupling result{joint, 1};
+    // At most as many steps as couplings: more are a circle.
     for (std::size_t steps = 0; steps <= couplings_.size(); ++steps) {
       if (!names_.is_joint(result.leader) || special_.contains(result.leader)) return std::nullopt;
       const auto next = couplings_.find(result.leader);
@@ -49,7 +51,7 @@ class Joints {
   }
 
  private:
-  /// Joints whose zero is not where they start, or whose spring rests elsewhere.
+  /// Finds joints with a zero that is not their start, or with a spring that rests elsewhere.
   void find_bent(const files::XmlElement& body, const std::string& outer_class, const MjcfDefaults& defaults,
                  const MjcfCompiler& compiler) {
     const std::string child_class = defaults.child_class(body, outer_class);
@@ -77,6 +79,7 @@ class Joints {
 
 std::optional<MjcfTendon> read_tendon(const files::XmlElement& element, const MjcfDefaults& defaults,
                                       const Joints& joints) {
+  // Two different lengths are a dead band, which a linear spring at the joint does not have.
   const auto lengths = defaults.resolve(element).numbers("springlength", 1, 2);
   if (lengths.size() == 2 && lengths[0] != lengths[1]) return std::nullopt;
   MjcfTendon tendon{element, {}};
@@ -96,8 +99,9 @@ double at_least_zero(const MjcfAttributes& attributes, const char* name) {
   return number;
 }
 
-/// A second spring at the joint: stiffnesses add up, and rest is where both together pull with nothing.
+/// Adds a second spring at the joint: stiffnesses add up, and the rest position is where both together have no torque.
 void add_spring(const MjcfAttributes& attributes, double gear, robot_formats::JointDescription& joint) {
+  MUROSIMF_ASSERT(gear != 0);
   const double stiffness = gear * gear * at_least_zero(attributes, "stiffness");
   if (stiffness == 0) return;
   const auto lengths = attributes.numbers("springlength", 1, 2);
@@ -111,7 +115,8 @@ void add_limit(const MjcfAttributes& attributes, double gear, const MjcfCompiler
                robot_formats::JointDescription& joint) {
   if (!is_limited(attributes, "limited", "range", compiler)) return;
   const auto range = attributes.numbers("range", 2, 2);
-  auto [lowest, highest] = std::minmax({range[0] / gear, range[1] / gear});
+  MUROSIMF_ASSERT(gear != 0);
+  auto [lowest, highest] = std::minmax({range[0] / gear, range[1] / gear});  // a negative gear swaps the ends
   if (joint.range) {
     lowest = std::max(lowest, joint.range->x);
     highest = std::min(highest, joint.range->y);
@@ -146,6 +151,7 @@ void apply_tendons(const std::map<std::string, MjcfTendon>& tendons, const MjcfD
     for (robot_formats::BodyDescription& body : description.bodies) {
       const auto joint = std::ranges::find(body.joints, tendon.joint, &robot_formats::JointDescription::name);
       if (joint == body.joints.end()) continue;
+      // Powers of the gear: stiffness, damping and inertia are quadratic, forces linear.
       add_spring(attributes, tendon.gear, *joint);
       joint->damping += tendon.gear * tendon.gear * at_least_zero(attributes, "damping");
       joint->friction += std::abs(tendon.gear) * at_least_zero(attributes, "frictionloss");

@@ -1,4 +1,4 @@
-/// mjcf_tendons.h - fixed tendons whose length hangs on one joint: what they do is done at that joint.
+/// mjcf_tendons.h - fixed tendons with a length that depends on one joint: they act at that joint.
 ///
 /// A fixed tendon has the length L = sum c_i q_i of its joints. Where these are one, or all follow one joint q by linear couplings
 /// (equality/joint), L = gear q, so that a force F along it is a torque gear F about that joint: its spring, damper, friction, rotor and
@@ -24,13 +24,13 @@ struct MjcfTendon {
   double gear = 0;    ///< [1 | m/rad] L over the position of that joint; not 0
 };
 
-/// By name, those that act at one joint. Couplings with an offset, joints with `ref` or `springref` of their own, and dead bands of springs
-/// (`springlength` of two numbers) are beyond them.
+/// Tendons that act at one joint, by name. Couplings with an offset, joints with `ref` or `springref` of their own, and dead bands of
+/// springs (`springlength` of two numbers) are not supported.
 [[nodiscard]] std::map<std::string, MjcfTendon> find_tendons(const files::XmlElement& root,
                                                              const MjcfDefaults& defaults, const MjcfCompiler& compiler,
                                                              const MjcfNames& names);
 
-/// Once the bodies are read: what tendons do besides passing on forces of actuators. Throws SetupError for impossible numbers.
+/// Adds the effects of tendons besides forces of actuators; to be called after reading the bodies. Throws SetupError for impossible numbers.
 void apply_tendons(const std::map<std::string, MjcfTendon>& tendons, const MjcfDefaults& defaults,
                    const MjcfCompiler& compiler, robot_formats::RobotDescription& description);
 

@@ -27,6 +27,7 @@ std::optional<Vec3d> read_mean(const MjcfAttributes& texture) {
   const Vec3d first = read_color(texture, "rgb1", {0.8, 0.8, 0.8}),
               second = read_color(texture, "rgb2", {0.5, 0.5, 0.5});
   if (kind == "none") return std::nullopt;
+  // In equal parts: squares of a checker, and the mean of a gradient.
   return kind == "flat" ? first : 0.5 * (first + second);
 }
 

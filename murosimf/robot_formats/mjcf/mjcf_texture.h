@@ -1,4 +1,4 @@
-/// mjcf_texture.h - mean colors of the textures that an MJCF file makes itself (`builtin`): what a geom looks like from afar.
+/// mjcf_texture.h - mean colors of the textures that an MJCF file defines itself (`builtin`): the color of a geom from afar.
 ///
 /// flat is rgb1, checker and gradient are half rgb1 and half rgb2. Textures from files have no mean color here: they are not read.
 /// Source: MuJoCo documentation, XML reference, "texture".

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/robot_formats/mjcf/mjcf_body.h"
 #include "murosimf/robot_formats/mjcf/mjcf_children.h"
@@ -22,7 +23,8 @@ MjcfTree tree_of(const MjcfChild& child, const MjcfDefaults& defaults) {
   tree.mocap = child.element.attribute("mocap").value_or("false") == "true";
   tree.floats = has_free_joint(child.element, child.child_class, defaults);
   count(child.element, tree);
-  if (tree.floats && elements_in(child.element, "freejoint").empty()) --tree.joints;  // a joint of type free
+  if (tree.floats && elements_in(child.element, "freejoint").empty())
+    --tree.joints;  // a joint of type free is none of the robot's
   return tree;
 }
 
@@ -37,7 +39,7 @@ std::vector<MjcfTree> trees_in(const files::XmlElement& root, const MjcfDefaults
   return trees;
 }
 
-/// The floating tree that comes into question; null: none.
+/// The largest floating tree; null: there is none.
 MjcfTree* largest_floating(std::vector<MjcfTree>& trees) {
   MjcfTree* best = nullptr;
   for (MjcfTree& tree : trees) {
@@ -55,7 +57,7 @@ bool has_body(const files::XmlElement& body, const std::string& name) {
          std::ranges::any_of(children, [&](const files::XmlElement& child) { return has_body(child, name); });
 }
 
-/// Of a body that the user names.
+/// The tree with a body that the user names.
 MjcfTree& tree_with(std::vector<MjcfTree>& trees, const std::string& name, const files::XmlElement& root) {
   const bool is_world = name == world_name;
   const auto found = std::ranges::find_if(trees, [&](const MjcfTree& tree) {
@@ -91,6 +93,7 @@ void name_the_rest(const MjcfTrees& trees, robot_formats::RobotDescription& desc
   }
   if (!trees.bolted) return;
   const auto first = std::ranges::find_if(all, &MjcfTree::of_robot);
+  MUROSIMF_ASSERT(first != all.end());
   description.notes.push_back(
       fmt::format("{}: {} is bolted to the world, since it has no free joint; for a robot that moves freely "
                   "add <freejoint/> to it",
@@ -111,6 +114,7 @@ MjcfTrees find_trees(const files::XmlElement& root, const MjcfDefaults& defaults
   }
   MjcfTree* chosen = largest_floating(trees.all);
   if (!chosen && !any_bolted) root.fail("there is no body in worldbody; a robot needs one");
+  // Everything that is bolted is one robot, and is compared by all of its joints.
   trees.bolted = !chosen || bolted_joints > chosen->joints;
   if (!wanted.empty()) {
     chosen = &tree_with(trees.all, wanted, root);

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/files/xml_text.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/math/quaternion.h"
 #include "murosimf/robot_formats/mjcf/mjcf_camera.h"
 #include "murosimf/robot_formats/mjcf/mjcf_geom_writer.h"
@@ -19,13 +20,14 @@ namespace {
 
 constexpr double least_inertia = 1e-13;  // [kg m^2] readers refuse a mass without inertia
 constexpr double least_mass = 1e-13;     // [kg] of a body that moves
-constexpr double sole_thickness = 1e-3;  // [m] half; only looked at
+constexpr double sole_thickness = 1e-3;  // [m] half; only for drawing
 
 class Writer {
  public:
   Writer(const robot_formats::RobotDescription& description, const MjcfWriterOptions& options)
       : description_(description), geoms_(description, options.folder, xml_), children_(description.bodies.size()) {
     for (std::size_t i = 0; i < description.bodies.size(); ++i) {
+      MUROSIMF_ASSERT(description.bodies[i].parent < static_cast<int>(i));
       if (description.bodies[i].parent >= 0) children_[description.bodies[i].parent].push_back(i);
     }
   }
@@ -48,7 +50,7 @@ class Writer {
   }
 
  private:
-  /// What is fixed to the world is a body without joints, since the world has no mass.
+  /// Writes the base of a bolted robot as a body without joints, since MuJoCo's world has no mass.
   void write_world() {
     const robot_formats::BodyDescription& base = description_.bodies[0];
     if (has_fixed_part()) {
@@ -61,7 +63,7 @@ class Writer {
     for (const std::size_t child : children_[0]) write_body(child);
   }
 
-  /// Inertias that no solid body has keep MuJoCo from reading a file at all, unless it may even them out.
+  /// Writes the compiler's settings. MuJoCo refuses files with impossible inertias unless it may balance them.
   void write_compiler() {
     xml_.begin("compiler").text("angle", "radian").text("autolimits", "true").text("inertiafromgeom", "false");
     const auto is_impossible = [](const robot_formats::BodyDescription& body) {
@@ -72,7 +74,7 @@ class Writer {
     xml_.end();
   }
 
-  /// MuJoCo's usual integrator takes the damping of servos from the step before: with the gains of real ones it shakes.
+  /// Writes the integrator: MuJoCo's usual one takes the damping of servos from the last step and oscillates with the gains of real ones.
   void write_option() {
     for (const robot_formats::BodyDescription& body : description_.bodies) {
       for (const robot_formats::JointDescription& joint : body.joints) {
@@ -89,6 +91,7 @@ class Writer {
     write_place(xml_, body.place);
     if (index == 0) xml_.begin("freejoint").text_unless_empty("name", description_.base_joint).end();
     for (const robot_formats::JointDescription& joint : body.joints) write_joint(joint);
+    // Welded bodies may be massless in MuJoCo, moving ones may not.
     write_inertial(body.joints.empty() ? body.solid : with_least_mass(body.solid));
     geoms_.write_geoms(body);
     for (const robot_formats::FrameDescription& frame : body.frames) write_frame(frame);
@@ -114,13 +117,13 @@ class Writer {
     xml_.end();
   }
 
-  /// Of a bolted robot: its base has what the world cannot have.
+  /// Whether the base of a bolted robot has parts that the world cannot have.
   [[nodiscard]] bool has_fixed_part() const {
     const robot_formats::BodyDescription& base = description_.bodies[0];
     return base.solid.mass > 0 || !base.shapes.empty() || !base.visuals.empty();
   }
 
-  /// The base of a bolted robot is the world, or a body without joints in it. MuJoCo's world has the name "world".
+  /// Name of a body in the file. The base of a bolted robot is the world, or a body without joints in it. MuJoCo's world is "world".
   [[nodiscard]] std::string written_name(const std::string& body) const {
     if (description_.fixed_base && body == description_.bodies[0].name) {
       return has_fixed_part() ? body + ".fixed" : "world";
@@ -128,7 +131,7 @@ class Writer {
     return body == "world" ? "world_link" : body;
   }
 
-  /// MuJoCo refuses bodies that move and have no mass.
+  /// The mass of a moving body, which MuJoCo requires to be positive.
   [[nodiscard]] static robot_formats::MassProperties with_least_mass(const robot_formats::MassProperties& solid) {
     if (solid.mass > 0) return solid;
     return {least_mass, {}, {least_inertia, least_inertia, least_inertia, 0, 0, 0}};
@@ -168,7 +171,7 @@ class Writer {
     xml_.begin("contact");
     for (const robot_formats::ExclusionDescription& pair : description_.exclusions) {
       const std::string &first = body_of(pair.body1), &second = body_of(pair.body2);
-      if (first != second)
+      if (first != second)  // both may be welded into one body
         xml_.begin("exclude").text("body1", written_name(first)).text("body2", written_name(second)).end();
     }
     for (const robot_formats::PairDescription& pair : description_.pairs) {
@@ -193,7 +196,7 @@ class Writer {
     xml_.begin("equality");
     for (const robot_formats::MimicDescription& mimic : description_.mimics) {
       xml_.begin("joint").text("joint1", mimic.joint).text("joint2", mimic.leader);
-      // the format counts both positions from their references
+      // The format counts both positions from their references.
       const double offset = mimic.offset - robot_formats::reference_of(description_, mimic.joint) +
                             mimic.ratio * robot_formats::reference_of(description_, mimic.leader);
       xml_.numbers("polycoef", {offset, mimic.ratio, 0, 0, 0}).end();
@@ -225,6 +228,7 @@ class Writer {
       const Quaterniond q = from_matrix(R);
       std::vector<double> qpos, ctrl;
       if (!description_.fixed_base) qpos = {p.x, p.y, p.z, q.w, q.x, q.y, q.z};
+      MUROSIMF_ASSERT(key.positions.size() >= joints_.size());
       for (const std::string& joint : joints_) qpos.push_back(key.positions.at(joint));
       for (const robot_formats::JointDescription* joint : driven_) {
         const auto target = key.targets.find(joint->name);
@@ -238,6 +242,7 @@ class Writer {
   }
 
   void write_actuator(const robot_formats::JointDescription& joint) {
+    MUROSIMF_ASSERT(joint.servo.has_value());
     const Servo& servo = *joint.servo;
     const bool holds = servo.position_gain > 0, brakes = servo.velocity_gain > 0;
     const bool fixed = joint.target_range && joint.target_range->x == joint.target_range->y;
@@ -255,8 +260,9 @@ class Writer {
     xml_.end();
   }
 
-  /// What has no shortcut: a filter before a rate, or a control without a say.
+  /// Begins an actuator without a shortcut: a filter before a rate, or a control without effect.
   void write_general(const robot_formats::JointDescription& joint, bool fixed) {
+    MUROSIMF_ASSERT(joint.servo.has_value() && (!fixed || joint.target_range));
     const Servo& servo = *joint.servo;
     const double kp = servo.position_gain, kv = servo.velocity_gain, per_target = kp > 0 ? kp : kv;
     xml_.begin("general").text("name", joint.name).text("joint", joint.name).text("biastype", "affine");

@@ -1,11 +1,11 @@
-/// mjcf_writer.h - a description of a robot as an MJCF file in our normal form.
+/// mjcf_writer.h - writes a description of a robot as an MJCF file in normal form.
 ///
-/// One file that needs no other one but meshes: SI units and radians, no default classes, no includes, orientations as
-/// quaternions, all masses as inertials, visual shapes without contact in group 2. What has its default value in
-/// MJCF is left out. Springs, couplings, contact filters and actuators are written as MuJoCo has them.
-/// read_mjcf makes the same robot of it: lengths and masses to the last bit, orientations and places of meshes within 1e-15. What MJCF has no
-/// words for stands in comments (sensors) or is missing (rate limits of joints).
-/// Visual meshes that are not there, or neither STL nor OBJ, are left out with a comment.
+/// One file that needs only mesh files besides: SI units and radians, no default classes, no includes, orientations as
+/// quaternions, all masses as inertials, visual shapes without contact in group 2. Default values of
+/// MJCF are omitted. Springs, couplings, contact filters and actuators are written in MuJoCo's own form.
+/// read_mjcf makes the same robot of it: lengths and masses to the last bit, orientations and places of meshes within 1e-15. Parts that MJCF
+/// cannot express are comments (sensors) or missing (rate limits of joints).
+/// Visual meshes that do not exist, or are neither STL nor OBJ, are omitted with a comment.
 /// Source: XML reference of the MuJoCo documentation.
 #pragma once
 
@@ -17,11 +17,11 @@
 namespace murosimf::robot_formats::mjcf {
 
 struct MjcfWriterOptions {
-  std::filesystem::path folder{};  ///< where the file will stand: mesh files are named relative to it
+  std::filesystem::path folder{};  ///< folder of the future file: mesh files are named relative to it
 };
 
-/// Bodies without joints may be welded already; what is left of them are frames. Shapes that share a name stay apart:
-/// the first keeps it.
+/// Bodies without joints may be welded already; then only their frames remain. Of shapes with the same name
+/// only the first keeps it.
 [[nodiscard]] std::string to_mjcf(const robot_formats::RobotDescription& description,
                                   const MjcfWriterOptions& options = {});
 

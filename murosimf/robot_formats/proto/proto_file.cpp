@@ -9,6 +9,7 @@
 
 #include "murosimf/files/file_spelling.h"
 #include "murosimf/files/xml_element.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/robot_formats/proto/proto_parser.h"
 #include "murosimf/robot_formats/proto/proto_schema.h"
@@ -24,8 +25,9 @@ class ProtoFiles {
       : result_(result), folder_(std::move(folder)), lenient_(lenient) {}
 
   std::vector<NodePtr> read(const std::filesystem::path& file, const std::vector<Field>& values, bool outermost) {
+    MUROSIMF_ASSERT(outermost == (depth_ == 0));
     ProtoParser parser(file, values, budget_, [&](const Node& node, const std::vector<ExternProto>& externs) {
-      return write_out(node, externs);
+      return expand(node, externs);
     });
     std::vector<NodePtr> nodes = parser.parse();
     if (outermost) {
@@ -36,22 +38,24 @@ class ProtoFiles {
   }
 
  private:
-  std::optional<Node> write_out(const Node& node, const std::vector<ExternProto>& externs) {
+  std::optional<Node> expand(const Node& node, const std::vector<ExternProto>& externs) {
     if (is_base_node(node.type)) return std::nullopt;
     const auto file = find(node, externs);
     if (!file) return std::nullopt;
     const auto known = whole_.find(*file);
+    // A PROTO with defaults alone is the same wherever it is used; it is read once.
     if (node.fields.empty() && known != whole_.end()) return *known->second;
     if (depth_ >= most_files_inside) node.fail(fmt::format("PROTO {} is inside itself; open the circle", node.type));
     ++depth_;
-    const NodePtr written_out = read_inside(node, *file);
+    const NodePtr expanded = read_inside(node, *file);
     --depth_;
-    if (!written_out) return std::nullopt;
-    if (node.fields.empty()) whole_[*file] = written_out;
-    return *written_out;
+    MUROSIMF_ASSERT(depth_ >= 0);
+    if (!expanded) return std::nullopt;
+    if (node.fields.empty()) whole_[*file] = expanded;
+    return *expanded;
   }
 
-  /// Null: it cannot be read, which a lenient reader notes.
+  /// Reads the file of a node. Null: it cannot be read, which a lenient reader notes.
   NodePtr read_inside(const Node& node, const std::filesystem::path& file) {
     try {
       return with_context(node.where, [&] { return read(file, node.fields, false)[0]; });
@@ -62,12 +66,13 @@ class ProtoFiles {
     }
   }
 
-  /// The file of the node's PROTO.
+  /// Finds the file of the node's PROTO.
   std::optional<std::filesystem::path> find(const Node& node, const std::vector<ExternProto>& externs) {
     const std::filesystem::path folder = node.file->parent_path();
     for (const ExternProto& line : externs) {
       if (std::filesystem::path(line.url).stem() != node.type) continue;
-      const bool elsewhere = line.url.find("://") != std::string::npos;
+      const bool elsewhere =
+          line.url.find("://") != std::string::npos;  // nothing is fetched: runs are repeatable without a network
       if (!elsewhere) {
         if (auto file = files::find_spelled(folder, line.url)) return file;
       }
@@ -80,7 +85,7 @@ class ProtoFiles {
     return std::nullopt;
   }
 
-  /// The folder of the file, that of the outermost one, and the folders in these: where Webots before R2022b looked, too.
+  /// The folder of the file, that of the outermost one, and the folders in these, as Webots before R2022b searched.
   const std::vector<std::filesystem::path>& places(const std::filesystem::path& folder) {
     std::vector<std::filesystem::path>& all = places_[folder];
     if (!all.empty()) return all;
@@ -92,7 +97,7 @@ class ProtoFiles {
       for (; entry != std::filesystem::directory_iterator(); entry.increment(ignored)) {
         if (entry->is_directory(ignored)) inner.push_back(entry->path());
       }
-      std::ranges::sort(inner);  // the same file is found everywhere
+      std::ranges::sort(inner);  // directories list in any order: the same file must be found on every machine
       all.insert(all.end(), inner.begin(), inner.end());
     }
     return all;
@@ -106,7 +111,7 @@ class ProtoFiles {
   std::filesystem::path folder_;  ///< of the outermost file
   bool lenient_;
   ProtoBudget budget_;
-  std::map<std::filesystem::path, NodePtr> whole_;  ///< PROTOs without other values than their defaults
+  std::map<std::filesystem::path, NodePtr> whole_;  ///< PROTOs with defaults alone
   std::map<std::filesystem::path, std::vector<std::filesystem::path>> places_;
   std::set<std::string> said_;
   int depth_ = 0;

@@ -8,6 +8,7 @@
 #include "murosimf/files/file_spelling.h"
 #include "murosimf/geometry/hull.h"
 #include "murosimf/geometry/mesh_mass.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/robot_formats/mesh_entry.h"
 #include "murosimf/robot_formats/proto/proto_schema.h"
@@ -15,8 +16,8 @@
 namespace murosimf::robot_formats::proto {
 namespace {
 
-constexpr std::size_t most_nodes = 100'000;  // a node that is used at many places counts at each
-constexpr double standard_friction = 1.0;    // [1] coulombFriction where no ContactProperties says more
+constexpr std::size_t most_nodes = 100'000;  // a node that is used in many places counts in each
+constexpr double standard_friction = 1.0;    // [1] coulombFriction without ContactProperties
 
 PlacedShape placed_shape(const Shape& shape, const Transformd& place, bool collides) {
   PlacedShape placed;
@@ -32,11 +33,11 @@ Vec3d by_parts(const Vec3d& a, const Vec3d& b) { return {a.x * b.x, a.y * b.y, a
 
 Vec3d absolute(const Vec3d& v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
 
-/// The solid of density 1 kg/m^3 that fills the shape.
+/// The solid of density 1 kg/m^3 that fills the shape, in body axes.
 robot_formats::MassProperties filled(const PlacedShape& placed) {
   const double mass = robot_formats::volume(placed.shape);
   const SymMat3d inertia = mass * robot_formats::unit_inertia(placed.shape);
-  // a hull's center of mass is not where its axis-aligned box has its middle
+  // The center of mass of a hull is not the middle of its axis-aligned box, where its origin is.
   if (const Convex* convex = std::get_if<Convex>(&placed.shape)) {
     const geometry::SolidMass solid = geometry::solid_mass(*convex->hull);
     return robot_formats::moved({solid.volume, solid.center, solid.inertia}, placed.position, placed.orientation);
@@ -51,6 +52,7 @@ std::vector<Vec3d> points_of(const Node& geometry, const Vec3d& scale) {
   if (!field || field->numbers.empty() || field->numbers.size() % 3 != 0) {
     geometry.fail("IndexedFaceSet has no coord Coordinate { point [...] } with three numbers for each point");
   }
+  MUROSIMF_ASSERT(field->numbers.size() % 3 == 0);
   std::vector<Vec3d> points;
   for (std::size_t i = 0; i + 2 < field->numbers.size(); i += 3) {
     points.push_back(by_parts(scale, {field->numbers[i], field->numbers[i + 1], field->numbers[i + 2]}));
@@ -75,6 +77,7 @@ Placing placed_in(const Placing& outer, const Node& node) {
   const Vec3d scale = node.vector("scale", {1, 1, 1});
   if (scale.x == 0 || scale.y == 0 || scale.z == 0) node.fail("scale must not be 0", node.find("scale"));
   Transformd pose = node.pose();
+  // A turn inside an uneven scale shears, which no shape here can represent.
   if (!is_even(outer.scale) && !is_identity(pose.orientation)) {
     node.fail(fmt::format("{} turns what a Transform around it scales by {} {} {}; scale inside it", node.type,
                           outer.scale.x, outer.scale.y, outer.scale.z),
@@ -85,6 +88,7 @@ Placing placed_in(const Placing& outer, const Node& node) {
 }
 
 std::optional<ProtoGeometry::Part> ProtoGeometry::primitive(const Node& geometry, const Placing& at) const {
+  // Cylinders of old files are along y, those of shapes here along z.
   const auto turned = [&](const Shape& shape) {
     return Part{shape, upright_ ? at.place * Transformd{{}, rotation_x(-0.5 * pi)} : at.place};
   };
@@ -100,6 +104,7 @@ std::optional<ProtoGeometry::Part> ProtoGeometry::primitive(const Node& geometry
   if (!is_even(at.scale)) {
     geometry.fail(fmt::format("{} in a Transform with scale {} {} {}; write out its size", geometry.type, at.scale.x,
                               at.scale.y, at.scale.z));
+    MUROSIMF_ASSERT(is_even(at.scale));
   }
   const double scale = at.scale.x;
   if (!is_long) return Part{Sphere{scale * geometry.positive("radius", 0.1)}, at.place};
@@ -128,6 +133,7 @@ std::vector<ProtoGeometry::Part> ProtoGeometry::mesh_parts(const Node& geometry,
   }
   std::vector<Part> parts;
   for (const mesh::ConvexPart& part : solid.parts) {
+    MUROSIMF_ASSERT(part.shape.hull != nullptr);
     parts.push_back({part.shape, at.place * Transformd{part.middle, {}}, found->name, part.middle});
   }
   return parts;
@@ -149,6 +155,7 @@ std::vector<ProtoGeometry::Part> ProtoGeometry::convex_parts(const Node& geometr
 }
 
 void ProtoGeometry::count(const Node& node) {
+  // USE multiplies nodes: counted before memory for their bodies is needed.
   if (++seen_ > most_nodes) node.fail(fmt::format("the robot has more than {} nodes; make it smaller", most_nodes));
 }
 
@@ -169,6 +176,7 @@ std::vector<robot_formats::MassProperties> ProtoGeometry::add_bounding(const Nod
     return geometry ? add_bounding(*geometry, at, body) : solids;
   }
   for (Part& part : convex_parts(node, at)) {
+    // Each convex part counts with its own volume, overlaps twice, as in Webots.
     const PlacedShape placed = placed_shape(part.shape, part.place, true);
     solids.push_back(filled(placed));
     body.shapes.push_back({node.def, node.where, placed, part.mesh, part.middle});
@@ -185,6 +193,7 @@ Color ProtoGeometry::color_of(const Node& shape) {
   }
   const NodePtr material = appearance->type == "Appearance" ? appearance->child("material") : nullptr;
   if (!material) {
+    // PROTOs of appearances (brushed metal, ...) need no color to be simulated.
     if (appearance->type != "Appearance") {
       log_.note(appearance->where, fmt::format("appearance {} is not known here; gray is taken", appearance->type));
     }
@@ -199,6 +208,7 @@ void ProtoGeometry::add_visual(const Node& shape, const Placing& at, robot_forma
   if (!geometry) return;
   const Color color = color_of(shape);
   if (!is_even(at.scale) && geometry->type != "Mesh" && geometry->type != "Box") {
+    // A sphere with an uneven scale would be an ellipsoid; for a picture that is not worth an error.
     const std::string message = fmt::format("{} for the eye with an uneven scale is not drawn", geometry->type);
     return log_.unused(geometry->where, "Transform.scale", message);
   }

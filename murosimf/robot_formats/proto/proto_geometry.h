@@ -1,4 +1,4 @@
-/// proto_geometry.h - shapes of a PROTO file: what collides (boundingObject) and what is looked at (Shape).
+/// proto_geometry.h - shapes of a PROTO file: for collisions (boundingObject) and for drawing (Shape).
 ///
 /// Box, Sphere, Capsule and Cylinder (height of the straight part, axis along z; along y before R2022a, which turned them), Mesh and
 /// IndexedFaceSet as their convex hulls. Group, Pose and Transform place them; a `scale` that differs between directions is for meshes.
@@ -17,13 +17,13 @@
 
 namespace murosimf::robot_formats::proto {
 
-/// A frame in that of a body, along whose axes lengths are multiplied by `scale`.
+/// A frame in that of a body; lengths along its axes are multiplied by `scale`.
 struct Placing {
   Transformd place;
   Vec3d scale{1, 1, 1};  ///< [1] below 0: mirrored
 };
 
-/// The same in all directions, and not mirrored.
+/// Whether the scale is the same in all directions, without mirroring.
 [[nodiscard]] bool is_even(const Vec3d& scale);
 
 /// The frame of a Group, Pose or Transform in `outer`. Throws SetupError for a scale of 0, and for a turn inside a scale that differs
@@ -37,19 +37,19 @@ class ProtoGeometry {
                 ProtoLog& log)
       : description_(description), part_per_group_(options.part_per_group), upright_(upright), log_(log) {}
 
-  /// Adds the shapes of a boundingObject to the body. Each as a solid of density 1 kg/m^3, body axes.
+  /// Adds the shapes of a boundingObject to the body. Returns each as a solid of density 1 kg/m^3, body axes.
   std::vector<robot_formats::MassProperties> add_bounding(const Node& node, const Placing& at,
                                                           robot_formats::BodyDescription& body);
-  /// Adds a Shape for the eye.
+  /// Adds a Shape for drawing.
   void add_visual(const Node& shape, const Placing& at, robot_formats::BodyDescription& body);
-  /// Throws SetupError if more nodes are counted than a robot has: a few lines with USE can mean billions.
+  /// Counts a node. Throws SetupError for more nodes than a robot has: a few lines with USE can mean billions.
   void count(const Node& node);
 
  private:
   struct Part {
     Shape shape;
     Transformd place;
-    std::string mesh{};  ///< of which it is made
+    std::string mesh{};  ///< its mesh, if it is a part of one
     Vec3d middle{};
   };
 
@@ -65,7 +65,7 @@ class ProtoGeometry {
   bool upright_;
   ProtoLog& log_;
   robot_formats::mesh::MeshLibrary library_;
-  std::size_t seen_ = 0;  ///< nodes
+  std::size_t seen_ = 0;  ///< number of nodes
 };
 
 }  // namespace murosimf::robot_formats::proto

@@ -1,4 +1,4 @@
-/// proto_log.h - where the reader of PROTO files puts what it has to say about a file (robot_formats/reader_log.h).
+/// proto_log.h - diagnostics of the reader of PROTO files (robot_formats/reader_log.h).
 #pragma once
 
 #include "murosimf/robot_formats/proto/proto_node.h"
@@ -10,11 +10,11 @@ class ProtoLog : public robot_formats::ReaderLog {
  public:
   using ReaderLog::ReaderLog;
 
-  /// As of the base, at the field or else the node.
+  /// As in the base class, at the field or else at the node.
   void refuse(const Node& at, const std::string& message, const Field* field = nullptr) {
     ReaderLog::refuse(field ? field->where : at.where, message);
   }
-  /// Refuses fields that the type of the node does not have, where it acts (proto_schema.h).
+  /// Refuses fields that the type of the node does not have, where the type acts (proto_schema.h).
   void check_fields(const Node& node);
 };
 

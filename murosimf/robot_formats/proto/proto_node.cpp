@@ -10,7 +10,7 @@
 namespace murosimf::robot_formats::proto {
 namespace {
 
-/// The field, if it has a value; it has `count` numbers.
+/// The field if it has a value; null otherwise. Throws SetupError unless it has `count` numbers.
 const Field* numbers_of(const Node& node, std::string_view name, std::size_t count) {
   const Field* field = node.find(name);
   if (!field || field->empty()) return nullptr;
@@ -23,7 +23,7 @@ Mat3d rotation_of(const Node& node) {
   if (!field) return {};
   const Vec3d axis{field->numbers[0], field->numbers[1], field->numbers[2]};
   const double angle = field->numbers[3], length = norm(axis);
-  if (angle == 0) return {};
+  if (angle == 0) return {};  // files often have an axis of zeros with it
   if (!(length > 1e-9))
     node.fail(fmt::format("the axis of rotation of {} has no direction; write one", node.type), field);
   return rotation((1.0 / length) * axis, angle);

@@ -14,7 +14,7 @@ namespace murosimf::robot_formats::proto {
 struct Node;
 using NodePtr = std::shared_ptr<const Node>;
 
-/// A field and its value: of `NULL` and `[]` there is none.
+/// A field and its value; `NULL` and `[]` have none.
 struct Field {
   std::string name, where;
   std::vector<double> numbers;
@@ -31,14 +31,14 @@ struct Node {
   std::shared_ptr<const std::filesystem::path> file;
   std::vector<Field> fields;
 
-  /// Null: the file does not say it.
+  /// Null: the file does not contain the field.
   [[nodiscard]] const Field* find(std::string_view name) const;
   /// The first node in a field; null if there is none.
   [[nodiscard]] NodePtr child(std::string_view name) const;
   /// All nodes in a field.
   [[nodiscard]] const std::vector<NodePtr>& children(std::string_view name) const;
 
-  // Values of fields, or the fallback where the file does not say it. They throw SetupError (file:line) for another kind or number
+  // Values of fields, or the fallback where the file has none. They throw SetupError (file:line) for another kind or number
   // of values.
   [[nodiscard]] double number(std::string_view name, double fallback) const;
   [[nodiscard]] double positive(std::string_view name, double fallback) const;
@@ -46,7 +46,7 @@ struct Node {
   [[nodiscard]] Vec3d vector(std::string_view name, const Vec3d& fallback) const;
   [[nodiscard]] std::string text(std::string_view name, const std::string& fallback) const;
   [[nodiscard]] bool flag(std::string_view name, bool fallback) const;
-  /// Of `translation` and `rotation` (axis and angle).
+  /// From `translation` and `rotation` (axis and angle).
   [[nodiscard]] Transformd pose() const;
 
   /// Throws SetupError: file:line of the node, or of one of its fields.

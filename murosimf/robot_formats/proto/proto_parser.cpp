@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/files/text_lines.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::robot_formats::proto {
@@ -32,6 +33,7 @@ ProtoParser::ProtoParser(const std::filesystem::path& file, const std::vector<Fi
 
 void ProtoParser::spend(std::size_t count) {
   if (budget_.left < count) tokens_.fail("the file and the PROTOs in it mean too many nodes; make it smaller");
+  MUROSIMF_ASSERT(budget_.left >= count);
   budget_.left -= count;
 }
 
@@ -45,6 +47,7 @@ std::string ProtoParser::take_word(const char* what) {
 
 void ProtoParser::take_bracket(char bracket) {
   if (!tokens_.peek().is(bracket)) {
+    MUROSIMF_ASSERT(std::string_view("{}[]").find(bracket) != std::string_view::npos);
     const std::string& text = tokens_.peek().text;
     tokens_.fail(
         fmt::format("'{}' is missing {}", bracket, text.empty() ? "at the end" : "before " + files::quoted(text)));
@@ -87,11 +90,12 @@ void ProtoParser::parse_interface() {
   take_bracket('[');
   while (!tokens_.peek().is(']')) parse_declaration();
   take_bracket(']');
+  // Values from outside replace the defaults before the body is read, which refers to them by IS.
   for (const Field& value : values_) {
-    const auto found = seam_.find(value.name);
-    if (found == seam_.end()) {
+    const auto found = interface_.find(value.name);
+    if (found == interface_.end()) {
       std::vector<std::string_view> names;
-      for (const auto& [name, field] : seam_) names.push_back(name);
+      for (const auto& [name, field] : interface_) names.push_back(name);
       throw SetupError(fmt::format("{}: {}", value.where, unknown_name("field of " + name_, value.name, names)));
     }
     found->second = value;
@@ -105,16 +109,17 @@ void ProtoParser::parse_declaration() {
   (void)take_word("the type of the field");
   if (tokens_.peek().is('{')) skip_restriction();
   const std::string name = take_word("the name of the field");
-  seam_[name] = parse_value(name);
+  interface_[name] = parse_value(name);
 }
 
-/// The values that a field may have: {1, 2, 3}.
+/// Skips the allowed values of a field: {1, 2, 3}.
 void ProtoParser::skip_restriction() {
   int depth = 0;
   do {
     if (tokens_.peek().kind == Token::Kind::end) tokens_.fail("'}' is missing at the end");
     const Token token = tokens_.take();
     depth += token.is('{') ? 1 : token.is('}') ? -1 : 0;
+    MUROSIMF_ASSERT(depth >= 0);
   } while (depth > 0);
 }
 
@@ -143,9 +148,12 @@ NodePtr ProtoParser::parse_node() {
   parse_fields(node);
   take_bracket('}');
   --depth_;
-  std::optional<Node> written_out = expand_(node, externs_);
-  if (written_out && !node.def.empty()) written_out->def = node.def;
-  const auto result = std::make_shared<const Node>(written_out ? *std::move(written_out) : std::move(node));
+  MUROSIMF_ASSERT(depth_ >= 0);
+  // Expanded after its fields: they are the values of the other PROTO's fields.
+  std::optional<Node> expanded = expand_(node, externs_);
+  if (expanded && !node.def.empty()) expanded->def = node.def;
+  const auto result = std::make_shared<const Node>(expanded ? *std::move(expanded) : std::move(node));
+  // A later DEF of the same name replaces the earlier one, as in VRML.
   if (!result->def.empty()) defined_[result->def] = result;
   return result;
 }
@@ -154,7 +162,7 @@ void ProtoParser::parse_fields(Node& node) {
   while (!tokens_.peek().is('}')) {
     refuse_malformed();
     std::string name = take_word(tokens_.peek().kind == Token::Kind::end ? "'}'" : "the name of a field");
-    const bool hidden = name == "hidden";
+    const bool hidden = name == "hidden";  // written by Webots for its own state: read over
     if (hidden) name = take_word("the name of a field");
     Field field = parse_value(name);
     if (hidden) continue;
@@ -171,6 +179,7 @@ Field ProtoParser::parse_value(const std::string& name) {
   if (next.is('[')) {
     parse_array(field);
   } else if (next.kind == Token::Kind::number) {
+    // Vectors stand without brackets: all numbers up to the next word belong to the field.
     while (tokens_.peek().kind == Token::Kind::number) parse_element(field);
   } else if (next.kind == Token::Kind::word && next.text == "IS") {
     (void)tokens_.take();
@@ -211,16 +220,17 @@ void ProtoParser::parse_element(Field& field) {
   }
 }
 
-/// `name IS other`: the value of the PROTO's field.
+/// Resolves `name IS other`: copies the value of the PROTO's field.
 void ProtoParser::bind(Field& field) {
   const std::string source = take_word("the name after IS");
-  const auto found = seam_.find(source);
-  if (found == seam_.end()) {
+  const auto found = interface_.find(source);
+  if (found == interface_.end()) {
     std::vector<std::string_view> names;
-    for (const auto& [name, value] : seam_) names.push_back(name);
+    for (const auto& [name, value] : interface_) names.push_back(name);
     throw SetupError(fmt::format("{}: {}", field.where, unknown_name("field after IS", source, names)));
   }
   const Field& value = found->second;
+  // Copies count as well: IS in a chain of PROTOs doubles a value each time.
   spend(value.numbers.size() + value.texts.size() + value.nodes.size());
   field = Field{field.name, field.where, value.numbers, value.texts, value.nodes, value.word};
 }

@@ -1,4 +1,4 @@
-/// proto_parser.h - reads one PROTO file (proto_file.h has what it means).
+/// proto_parser.h - reads one PROTO file (proto_file.h has its meaning).
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@
 
 namespace murosimf::robot_formats::proto {
 
-/// What the nodes of one reading may have together: files of a few lines can mean billions of them.
+/// Limit of the nodes of one reading together: files of a few lines can mean billions of them.
 struct ProtoBudget {
   std::size_t left = 20'000'000;  ///< numbers, strings and nodes
 };
@@ -25,10 +25,10 @@ struct ExternProto {
 
 class ProtoParser {
  public:
-  /// Writes out a node whose type is a PROTO of another file; nothing if it is none.
+  /// Expands a node of a type that is a PROTO of another file; nothing if it is none.
   using Expand = std::function<std::optional<Node>(const Node&, const std::vector<ExternProto>&)>;
 
-  /// `values`: of fields of the file's PROTO, instead of their defaults.
+  /// `values` replace the defaults of fields of the file's PROTO.
   ProtoParser(const std::filesystem::path& file, const std::vector<Field>& values, ProtoBudget& budget, Expand expand);
 
   /// The nodes at the top. Throws SetupError.
@@ -60,7 +60,7 @@ class ProtoParser {
   Expand expand_;
   std::string name_;
   std::vector<ExternProto> externs_;
-  std::map<std::string, Field> seam_;
+  std::map<std::string, Field> interface_;
   std::map<std::string, NodePtr> defined_;
   int depth_ = 0;
 };

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::robot_formats::proto {
 namespace {
 
@@ -16,13 +18,15 @@ std::optional<SymMat3d> read_inertia(const Node& physics) {
   if (I.size() != 6) {
     physics.fail(fmt::format("inertiaMatrix has {} numbers; write Ixx Iyy Izz, Ixy Ixz Iyz", I.size()), field);
   }
+  MUROSIMF_ASSERT(I.size() == 6);
   if (!(I[0] > 0 && I[1] > 0 && I[2] > 0)) physics.fail("moments of inertia must be more than 0", field);
   return SymMat3d{I[0], I[1], I[2], I[3], I[4], I[5]};
 }
 
 double read_mass(const Node& physics, double volume) {
+  MUROSIMF_ASSERT(!(volume < 0));
   const double mass = physics.number("mass", -1), density = physics.number("density", usual_density);
-  if (mass >= 0) return mass;
+  if (mass >= 0) return mass;  // -1, the default, stands for "by density"
   if (mass != -1) physics.fail(fmt::format("mass {} kg is negative; correct it", mass), physics.find("mass"));
   if (density < 0) physics.fail("Physics has neither mass nor density; write one of them");
   if (volume == 0)
@@ -55,6 +59,7 @@ robot_formats::MassProperties read_physics(const Node& physics,
     check_inertia(physics, *inertia, log);
     solid.inertia = *inertia;
   } else if (all.mass > 0) {
+    // The shape's inertia at density 1, scaled to the mass.
     solid.inertia = (solid.mass / all.mass) * all.inertia;
   } else if (solid.mass > 0) {
     log.note(physics.where, "Solids with mass and without inertiaMatrix and boundingObject are points");

@@ -1,7 +1,7 @@
 /// proto_physics.h - the mass of a Solid of a PROTO file.
 ///
-/// `mass`, else `density` times the volume of the boundingObject, whose parts all count, overlaps twice. Center and inertia are what
-/// `centerOfMass` and `inertiaMatrix` (Ixx Iyy Izz Ixy Ixz Iyz, at the center, axes of the Solid) say, else those of the boundingObject
+/// `mass`, else `density` times the volume of the boundingObject; all its parts count, overlaps twice. Center and inertia are those of
+/// `centerOfMass` and `inertiaMatrix` (Ixx Iyy Izz Ixy Ixz Iyz, at the center, axes of the Solid), else those of the boundingObject
 /// with that mass.
 /// Source: Webots reference manual, "Physics".
 #pragma once
@@ -13,7 +13,7 @@
 
 namespace murosimf::robot_formats::proto {
 
-/// `bounding`: the parts of the boundingObject at density 1 kg/m^3, axes of the Solid. Throws SetupError (file:line) for masses that no
+/// `bounding`: the parts of the boundingObject at density 1 kg/m^3, axes of the Solid. Throws SetupError (file:line) for impossible
 /// body has.
 [[nodiscard]] robot_formats::MassProperties read_physics(const Node& physics,
                                                          const std::vector<robot_formats::MassProperties>& bounding,

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/robot_formats/proto/proto_file.h"
 #include "murosimf/robot_formats/proto/proto_schema.h"
@@ -14,6 +15,7 @@ constexpr int year_of_new_axes = 2022;  // R2022a: cylinders along z, cameras lo
 
 /// The node of the PROTO, or the only Robot of a world.
 const Node& robot_of(const ProtoFile& proto) {
+  MUROSIMF_ASSERT(!proto.nodes.empty());
   if (!proto.name.empty()) return *proto.nodes[0];
   const Node* robot = nullptr;
   for (const NodePtr& node : proto.nodes) {
@@ -46,6 +48,7 @@ robot_formats::RobotDescription read_proto(const std::filesystem::path& file,
     log.note(fmt::format("{}:1", file.string()),
              fmt::format("of Webots R{}: cylinders and capsules along y, cameras look along -z", proto.year));
   }
+  MUROSIMF_ASSERT(description.bodies.empty());
   ProtoWalk(description, options, old, log).add_base(robot);
   return description;
 }

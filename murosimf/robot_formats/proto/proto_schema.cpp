@@ -70,7 +70,7 @@ constexpr std::array parts{"Shape",
                            "ContactProperties",
                            "Billboard"};
 
-// of Pose, Transform and everything that is one
+// Fields of Pose, Transform and all nodes derived from them.
 const Words pose{"translation", "rotation", "scale", "children", "translationStep", "rotationStep"};
 const Words solid{"name",           "model",          "description", "contactMaterial",   "immersionProperties",
                   "boundingObject", "physics",        "locked",      "radarCrossSection", "recognitionColors",

@@ -36,7 +36,7 @@ void read_camera(const Node& camera, bool old, robot_formats::SensorDescription&
   }
   sensor.numbers = {{"width", pixels(camera, "width")}, {"height", pixels(camera, "height")}, {"fov", fov}};
   if (const double noise = camera.at_least_zero("noise", 0); noise > 0) sensor.numbers["read_noise"] = noise;
-  // the sensor looks along x with z up
+  // Cameras here look along x with z up, old ones along -z with y up.
   if (old) sensor.place.orientation = {{0, 0, -1}, {-1, 0, 0}, {0, 1, 0}};
 }
 
@@ -49,7 +49,7 @@ std::optional<robot_formats::SensorDescription> read_sensor(const Node& device, 
     robot_formats::SensorDescription sensor{known.kind, device.text("name", ""), body, device.where};
     sensor.object_kind = known.object_kind;
     if (device.type == "Camera") read_camera(device, old, sensor);
-    // the ray goes along x, that of a rangefinder along z
+    // The ray of a DistanceSensor goes along x, that of a rangefinder along z.
     if (device.type == "DistanceSensor") sensor.place.orientation = rotation_y(0.5 * pi);
     if (const Field* table = device.find("lookupTable"); table && !table->empty()) {
       log.unused(table->where, "lookupTable", "lookup tables are not used: sensors show SI units without noise");

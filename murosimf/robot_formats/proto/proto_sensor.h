@@ -5,7 +5,7 @@
 ///     Camera (width, height, fieldOfView)    camera
 ///     TouchSensor, DistanceSensor            contact_force, rangefinder
 ///
-/// What they show is in SI units: lookup tables are not used. Other devices are notes.
+/// Their output is in SI units: lookup tables are not used. Other devices are notes.
 /// Source: Webots reference manual, nodes of these names; a camera looks along x with z up, before R2022a along -z with y up.
 #pragma once
 
@@ -17,10 +17,10 @@
 
 namespace murosimf::robot_formats::proto {
 
-/// Of a device that is a Solid, called `body`; nothing if it measures nothing that is simulated. `old`: before R2022a.
+/// The sensor of a device that is a Solid, with the name `body`; nothing if it measures nothing that is simulated. `old`: before R2022a.
 [[nodiscard]] std::optional<robot_formats::SensorDescription> read_sensor(const Node& device, const std::string& body,
                                                                           bool old, ProtoLog& log);
-/// Of the PositionSensor of a joint.
+/// The sensor of the PositionSensor of a joint.
 [[nodiscard]] robot_formats::SensorDescription read_position_sensor(const Node& sensor, const std::string& joint);
 
 }  // namespace murosimf::robot_formats::proto

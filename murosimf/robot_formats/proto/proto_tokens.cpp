@@ -8,6 +8,7 @@
 
 #include "murosimf/files/text_encoding.h"
 #include "murosimf/files/xml_element.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::robot_formats::proto {
@@ -21,14 +22,16 @@ bool ends_word(char c) {
 }
 
 bool begins_number(std::string_view word) {
+  MUROSIMF_ASSERT(!word.empty());
   const std::string_view rest = word.substr(word[0] == '+' || word[0] == '-' ? 1 : 0);
   const bool dot = rest.size() > 1 && rest[0] == '.';
   const char first = rest.empty() ? 'x' : rest[dot ? 1 : 0];
   return first >= '0' && first <= '9';
 }
 
-/// False: it is no finite number.
+/// False if the word is no finite number.
 bool to_number(std::string_view word, double& number) {
+  MUROSIMF_ASSERT(!word.empty());
   if (word[0] == '+') word.remove_prefix(1);
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
   return error == std::errc() && end == word.data() + word.size() && std::isfinite(number);
@@ -74,6 +77,7 @@ void Tokens::skip_blank() {
 }
 
 void Tokens::refuse_template(std::size_t position) const {
+  // Templates are recognized anywhere in the text: their scripts may stand in words, strings and between them.
   const char next = position + 1 < text_.size() ? text_[position + 1] : ' ';
   if (text_[position] != '%' || (next != '<' && next != '{')) return;
   throw SetupError(
@@ -84,11 +88,12 @@ void Tokens::refuse_template(std::size_t position) const {
 
 std::string Tokens::scan_string() {
   const std::size_t begin = line_;
+  MUROSIMF_ASSERT(text_[at_] == '"');
   std::string text;
   for (++at_; at_ < text_.size() && text_[at_] != '"'; ++at_) {
     refuse_template(at_);
     if (text_[at_] == '\n') ++line_;
-    if (text_[at_] == '\\' && at_ + 1 < text_.size()) ++at_;
+    if (text_[at_] == '\\' && at_ + 1 < text_.size()) ++at_;  // an escaped quote or backslash stands for itself
     text += text_[at_];
   }
   if (at_ >= text_.size()) throw SetupError(fmt::format("{}: a string without end; close it with \"", where(begin)));
@@ -115,6 +120,7 @@ Token Tokens::scan() {
     refuse_template(at_);
     token.text += text_[at_];
   }
+  MUROSIMF_ASSERT(!token.text.empty());
   const bool numeric = begins_number(token.text);
   token.malformed = numeric && !to_number(token.text, token.number);
   token.kind = numeric && !token.malformed ? Token::Kind::number : Token::Kind::word;

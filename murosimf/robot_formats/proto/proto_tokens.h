@@ -26,9 +26,9 @@ class Tokens {
   /// Throws SetupError if the file cannot be read or its first token is none.
   explicit Tokens(std::filesystem::path file);
 
-  /// The next token, which stays.
+  /// The next token, without consuming it.
   [[nodiscard]] const Token& peek() const { return next_; }
-  /// The next token, which is taken. Throws SetupError for strings without end and templates.
+  /// Consumes and returns the next token. Throws SetupError for strings without end and templates.
   Token take();
 
   /// "robot.proto:12"

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/files/lower_case.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/robot_formats/proto/proto_joint.h"
 #include "murosimf/robot_formats/proto/proto_physics.h"
 #include "murosimf/robot_formats/proto/proto_schema.h"
@@ -11,14 +12,14 @@
 namespace murosimf::robot_formats::proto {
 namespace {
 
-/// Of a Solid without name: "solid", "camera", as in Webots.
+/// The name of a Solid; without one "solid", "camera", as in Webots.
 std::string name_of(const Node& solid) {
   const std::string usual = solid.def.empty() ? files::lower_case(solid.type) : solid.def;
   const std::string name = solid.text("name", usual);
   return name.empty() ? usual : name;
 }
 
-/// A device that neither measures nor has a body is nothing here.
+/// Whether a device without measurement has no effect at all: no body and no children.
 bool is_bodiless(const Node& device) {
   return !device.child("physics") && !device.child("boundingObject") && device.children("children").empty();
 }
@@ -45,6 +46,7 @@ int ProtoWalk::begin_body(const Node& solid) {
   }
   body.where = solid.where;
   description_.bodies.push_back(std::move(body));
+  MUROSIMF_ASSERT(!description_.bodies.empty());
   return static_cast<int>(description_.bodies.size()) - 1;
 }
 
@@ -58,7 +60,9 @@ void ProtoWalk::add_masses(const Node& solid, robot_formats::BodyDescription& bo
 }
 
 void ProtoWalk::fill_body(const Node& solid, int number) {
+  MUROSIMF_ASSERT(number >= 0 && number < static_cast<int>(description_.bodies.size()));
   log_.check_fields(solid);
+  // Moved out: children append bodies, which would invalidate a reference.
   robot_formats::BodyDescription body = std::move(description_.bodies[number]);
   add_masses(solid, body);
   description_.bodies[number] = std::move(body);
@@ -67,16 +71,18 @@ void ProtoWalk::fill_body(const Node& solid, int number) {
 
 void ProtoWalk::add_base(const Node& robot) {
   check_scale(robot, {});
+  MUROSIMF_ASSERT(description_.bodies.empty());
   const int base = begin_body(robot);
   if (!robot.child("physics")) {
     description_.fixed_base = true;
     log_.note(robot.where, fmt::format("the robot is bolted to the world, since its {} has no Physics", robot.type));
   }
   fill_body(robot, base);
+  // Without selfCollision parts of the robot touch the ground, of kind 1, and no other part, of kind 2.
   if (robot.flag("selfCollision", false)) return;
   for (robot_formats::BodyDescription& body : description_.bodies) {
     for (robot_formats::ShapeDescription& shape : body.shapes) {
-      if (shape.placed.collides) shape.placed.contact_type = 2;  // it touches the ground, of kind 1, and none of kind 2
+      if (shape.placed.collides) shape.placed.contact_type = 2;
     }
   }
 }
@@ -116,10 +122,11 @@ void ProtoWalk::add_fixed(const Node& solid, const Spot& spot) {
   check_scale(solid, spot);
   const int number = begin_body(solid);
   robot_formats::BodyDescription& body = description_.bodies[number];
+  MUROSIMF_ASSERT(spot.body < number);
   body.parent = spot.body;
   body.place = placed_in(spot.at, solid).place;
   if (auto sensor = read_sensor(solid, body.name, old_, log_)) description_.sensors.push_back(*std::move(sensor));
-  fill_body(solid, number);
+  fill_body(solid, number);  // last: it appends bodies, which invalidates `body`
 }
 
 void ProtoWalk::add_joint(const Node& joint, const Spot& spot) {
@@ -136,6 +143,7 @@ void ProtoWalk::add_joint(const Node& joint, const Spot& spot) {
   check_scale(*end, spot);
   const int number = begin_body(*end);
   robot_formats::BodyDescription& body = description_.bodies[number];
+  MUROSIMF_ASSERT(spot.body < number);
   body.parent = spot.body;
   const Transformd pose = placed_in({{}, spot.at.scale}, *end).place;
   body.place = spot.at.place * pose;
@@ -156,6 +164,7 @@ void ProtoWalk::add_joint(const Node& joint, const Spot& spot) {
 void ProtoWalk::add_joint_devices(const Node& joint, int body) {
   const auto& joints = description_.bodies[body].joints;
   constexpr const char* fields[] = {"device", "device2"};
+  MUROSIMF_ASSERT(joints.size() <= 2);
   for (std::size_t i = 0; i < joints.size(); ++i) {
     for (const NodePtr& device : joint.children(fields[i])) {
       if (device->type == "PositionSensor")

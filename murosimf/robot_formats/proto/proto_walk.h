@@ -1,4 +1,4 @@
-/// proto_walk.h - goes through the nodes of a robot and makes bodies of them.
+/// proto_walk.h - visits the nodes of a robot and makes bodies of them.
 #pragma once
 
 #include <optional>
@@ -13,16 +13,16 @@ namespace murosimf::robot_formats::proto {
 
 class ProtoWalk {
  public:
-  /// `old`: of a Webots before R2022a.
+  /// `old`: the file is of a Webots before R2022a.
   ProtoWalk(robot_formats::RobotDescription& description, const robot_formats::ReaderOptions& options, bool old,
             ProtoLog& log)
       : description_(description), log_(log), geometry_(description, options, old, log), old_(old) {}
 
-  /// The Robot or Solid at the top.
+  /// Adds the Robot or Solid at the top.
   void add_base(const Node& robot);
 
  private:
-  /// Where nodes are: on which body, and in which frame of it.
+  /// Place of nodes: the body, and the frame on it.
   struct Spot {
     int body = 0;
     Placing at;

@@ -1,4 +1,4 @@
-/// sdf_assembly.h - the bodies, joints, loops, frames and sensors of a model in an SDF file, put together.
+/// sdf_assembly.h - assembles the bodies, joints, loops, frames and sensors of a model in an SDF file.
 #pragma once
 
 #include <map>
@@ -17,7 +17,7 @@ class SdfAssembly {
               robot_formats::RobotDescription& description, urdf::UrdfLog& log)
       : model_(model), poses_(poses), description_(description), log_(log), links_(options, description, log) {}
 
-  /// Throws SetupError: no links, joints between unknown links, links that hang on nothing, types of joints that are not known.
+  /// Throws SetupError: no links, joints between unknown links, links without a joint, unknown types of joints.
   void assemble();
 
  private:

@@ -20,13 +20,14 @@ bool is_file(const fs::path& path) {
   return files::may_be_read(path) && fs::is_regular_file(path, error);
 }
 
-/// The file of the newest version that a `model.config` names.
+/// The model file of the newest version in a `model.config`.
 std::optional<fs::path> configured_file(const fs::path& folder) {
   const files::XmlFile config(folder / "model.config");
   std::optional<fs::path> best;
   double newest = -1;
   for (const files::XmlElement& sdf : config.root().children("sdf")) {
     const auto version = files::parse_numbers(sdf.attribute("version").value_or("0"));
+    // Versions are compared as numbers, as Gazebo does: 1.10 counts as 1.1.
     const double number = version && version->size() == 1 ? version->front() : 0;
     if (number <= newest || sdf.text().empty()) continue;
     newest = number;
@@ -46,6 +47,7 @@ std::vector<fs::path> include_places(const std::string& uri, const fs::path& fro
     if (!rest) continue;
     const std::size_t slash = std::min(rest->find('/'), rest->size());
     const std::string inside = slash < rest->size() ? rest->substr(slash + 1) : "";
+    // A package can be in several folders; all of them are tried in their order.
     for (const fs::path& folder : packages.folders_of(rest->substr(0, slash))) {
       places.push_back(inside.empty() ? folder : folder / inside);
     }

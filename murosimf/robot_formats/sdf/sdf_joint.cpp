@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/robot_formats/sdf/sdf_value.h"
 #include "murosimf/robot_formats/urdf/urdf_value.h"
@@ -14,7 +15,7 @@
 namespace murosimf::robot_formats::sdf {
 namespace {
 
-constexpr double far = 1e6;  // [rad | m] the other end of a range that has one only
+constexpr double far = 1e6;  // [rad | m] the other end of a range with one end
 
 std::string type_of(const files::XmlElement& joint) { return joint.attribute("type").value_or(""); }
 
@@ -25,10 +26,11 @@ void read_range(const files::XmlElement& limit, robot_formats::JointDescription&
                            lower, upper));
   }
   if (std::isinf(lower) && std::isinf(upper)) return;
+  MUROSIMF_ASSERT(lower <= upper);
   joint.range = Vec3d{std::max(lower, -far), std::min(upper, far), 0};
 }
 
-/// A limit of -1 or infinity is none.
+/// A limit; -1 and infinity stand for none, which is 0 here.
 double limit_of(const files::XmlElement& limit, const char* tag) {
   const double value = number(limit, tag, HUGE_VAL);
   return value < 0 || std::isinf(value) ? 0 : value;
@@ -41,6 +43,7 @@ void read_axis(const files::XmlElement& axis, bool endless, robot_formats::Joint
     joint.effort_limit = limit_of(*limit, "effort");
     joint.rate_limit = limit_of(*limit, "velocity");
     if (number(*limit, "effort", 1) == 0) {
+      // Old exporters write effort 0 for "not known": a joint without any effort would make the robot fall.
       log.warn(*limit, fmt::format("joint '{}' has an effort limit of 0; it is read as none", joint.name));
     }
   }
@@ -53,17 +56,19 @@ void read_axis(const files::XmlElement& axis, bool endless, robot_formats::Joint
   }
 }
 
-/// Turned round a joint keeps its positions if its axis points the other way.
+/// The axis in body axes. A joint that is reversed keeps its positions if its axis points the other way.
 Vec3d axis_in(const SdfJointSpot& spot, const Vec3d& axis) {
+  MUROSIMF_ASSERT(is_zero(axis) || std::abs(norm(axis) - 1) < 1e-6);
   const Vec3d seen = transposed_times(spot.body.orientation, axis);
   return spot.reversed ? -1.0 * seen : seen;
 }
 
-/// The joint is fixed where its limits hold it.
+/// Whether its limits hold the joint at one position.
 bool is_held(const robot_formats::JointDescription& joint) { return joint.range && joint.range->x == joint.range->y; }
 
 void hold(const robot_formats::JointDescription& joint, SdfJointSpot& spot, urdf::UrdfLog& log,
           const files::XmlElement& element) {
+  MUROSIMF_ASSERT(is_held(joint));
   const double at = joint.range->x;
   log.warn(element, fmt::format("joint '{}' cannot move: lower and upper limit are both {}; it is read as fixed",
                                 joint.name, at));
@@ -71,6 +76,7 @@ void hold(const robot_formats::JointDescription& joint, SdfJointSpot& spot, urdf
     spot.body = spot.body * Transformd{at * joint.axis, {}};
   } else {
     const Mat3d turn = rotation(joint.axis, at);
+    // Turned about the anchor, which stays in its place.
     spot.body = spot.body * Transformd{joint.anchor - turn * joint.anchor, turn};
   }
 }
@@ -96,6 +102,7 @@ std::vector<robot_formats::JointDescription> read_ball(const SdfPart& part, cons
                        "two are one",
                        part.name));
   std::vector<robot_formats::JointDescription> joints;
+  // In this order as MuJoCo's ball joints are read, so that a converted robot keeps its joints.
   constexpr std::array axes{Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}};
   constexpr std::array endings{".x", ".y", ".z"};
   for (std::size_t i = 0; i < axes.size(); ++i) {
@@ -105,7 +112,7 @@ std::vector<robot_formats::JointDescription> read_ball(const SdfPart& part, cons
   return joints;
 }
 
-/// The first axis is fixed to the parent, the second to the child.
+/// Reads a joint with two axes: the first is fixed to the parent, the second to the child.
 std::vector<robot_formats::JointDescription> read_two_axes(const SdfPart& part, const SdfJointPose& pose,
                                                            const SdfJointSpot& spot, urdf::UrdfLog& log) {
   if (pose.axes.size() != 2)
@@ -117,11 +124,13 @@ std::vector<robot_formats::JointDescription> read_two_axes(const SdfPart& part, 
     const auto axis = urdf::only_child(part.element, i == 0 ? "axis" : "axis2");
     if (axis) read_axis(*axis, false, joints.back(), log);
   }
-  if (spot.reversed) std::swap(joints[0], joints[1]);
+  if (spot.reversed)
+    std::swap(joints[0], joints[1]);  // the body is the joint's parent: its first axis is the inner one
+  MUROSIMF_ASSERT(joints.size() == 2);
   return joints;
 }
 
-/// Which joints there are, in order.
+/// Names and places of all joints of the bodies.
 std::map<std::string, std::string> moving_joints(const robot_formats::RobotDescription& description) {
   std::map<std::string, std::string> all;
   for (const robot_formats::BodyDescription& body : description.bodies) {
@@ -130,13 +139,13 @@ std::map<std::string, std::string> moving_joints(const robot_formats::RobotDescr
   return all;
 }
 
-/// By which name a follower or leader with several axes is known: its axis is called "axis" or "axis2".
+/// The name of a follower or leader with several axes: its axis is called "axis" or "axis2".
 std::string hinge_name(const std::map<std::string, std::string>& joints, const std::string& name, bool second) {
   if (joints.contains(name)) return name;
   return name + (second ? ".2" : ".1");
 }
 
-/// Names of leaders are relative to the model that the follower is in.
+/// The scope of a name: names of leaders are relative to the model that contains the follower.
 std::string scope_of(const std::string& name) {
   const std::size_t end = name.rfind("::");
   return end == std::string::npos ? "" : name.substr(0, end + 2);
@@ -154,12 +163,13 @@ void read_mimic(const SdfPart& part, const files::XmlElement& axis, const std::m
                     fmt::format("joint '{}' moves by itself: it mimics '{}', which does not move", follower, named));
   }
   const double ratio = number(*mimic, "multiplier", 1), offset = number(*mimic, "offset", 0);
+  // position = multiplier (leader - reference) + offset, as one offset here.
   const double start = offset - ratio * number(*mimic, "reference", 0);
   if (!std::isfinite(ratio) || !std::isfinite(start)) mimic->fail("numbers of mimic must be finite");
   description.mimics.push_back({follower, leader, mimic->where(), ratio, start});
 }
 
-/// Follows the leaders of every joint: more steps than there are joints is a circle.
+/// Refuses circles: follows the leaders of every joint; more steps than there are joints is a circle.
 void check_circles(const std::vector<robot_formats::MimicDescription>& mimics) {
   std::map<std::string, std::string> leaders;
   for (const robot_formats::MimicDescription& mimic : mimics) leaders.emplace(mimic.joint, mimic.leader);
@@ -192,7 +202,10 @@ std::vector<robot_formats::JointDescription> read_joints(const SdfPart& part, co
       hinge(part, pose, spot, axis_in(spot, pose.axes.empty() ? Vec3d{0, 0, 1} : pose.axes[0]));
   if (type == "prismatic") joint.kind = Kind::prismatic;
   if (const auto axis = urdf::only_child(part.element, "axis")) read_axis(*axis, type == "continuous", joint, log);
+  // Held at one position: the body gets no joint, and its place is that position.
   if (!is_held(joint)) return {joint};
+  /// limits is fixed there. A limit that is infinite, or beyond 1e15, is none. Source: SDFormat specification, "joint".
+  /// Whether joints of a type are supported; others are refused. fixed, revolute, continuous, prismatic, ball, universal, revolute2.
   hold(joint, spot, log, part.element);
   return {};
 }

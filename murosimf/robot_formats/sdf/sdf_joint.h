@@ -1,7 +1,7 @@
 /// sdf_joint.h - joints of an SDF file.
 ///
-/// `universal` and `revolute2` become two hinges NAME.1 and NAME.2, `ball` three, NAME.x, .y and .z, as in MJCF. A joint whose limits are
-/// one number is fixed there. A limit that is infinite, or beyond 1e15, is none. Source: SDFormat specification, "joint".
+/// `universal` and `revolute2` become two hinges NAME.1 and NAME.2, `ball` three, NAME.x, .y and .z, as in MJCF. A joint with equal
+/// limits is fixed there. A limit that is infinite, or beyond 1e15, is none. Source: SDFormat specification, "joint".
 #pragma once
 
 #include <vector>
@@ -12,20 +12,20 @@
 
 namespace murosimf::robot_formats::sdf {
 
-/// Whether joints of a type can be in the robot; the others are refused. fixed, revolute, continuous, prismatic, ball, universal, revolute2.
+/// Whether joints of a type are supported; others are refused. fixed, revolute, continuous, prismatic, ball, universal, revolute2.
 [[nodiscard]] bool is_known_type(const std::string& type);
 
-/// Where a joint is.
+/// Place of a joint.
 struct SdfJointSpot {
   Transformd body;        ///< frame of the body that it moves, in the frame of the model
   bool reversed = false;  ///< that body is the joint's parent
 };
 
-/// What moves a body: none of a fixed joint. A joint that its limits hold at an angle or a way other than 0 turns `spot.body`.
+/// The joints that move a body: none of a fixed joint. A joint that its limits hold at an angle or a distance other than 0 moves `spot.body`.
 [[nodiscard]] std::vector<robot_formats::JointDescription> read_joints(const SdfPart& joint, const SdfJointPose& pose,
                                                                        SdfJointSpot& spot, urdf::UrdfLog& log);
 
-/// What follows what: `mimic` of the axes of all joints that are among the bodies' joints. Throws SetupError for a circle.
+/// Reads `mimic` of the axes of all joints that are among the bodies' joints. Throws SetupError for a circle.
 void read_mimics(const std::vector<SdfPart>& joints, robot_formats::RobotDescription& description, urdf::UrdfLog& log);
 
 }  // namespace murosimf::robot_formats::sdf

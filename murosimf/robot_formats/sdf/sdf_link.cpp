@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/robot_formats/sdf/sdf_value.h"
 #include "murosimf/robot_formats/urdf/urdf_shape.h"
@@ -19,7 +20,7 @@ Transformd place_of(const std::map<std::string, Transformd>& places, const files
   return found == places.end() ? Transformd{} : found->second;
 }
 
-/// Of `material`, with the transparency of the visual.
+/// The color of `material`, with the transparency of the visual.
 Color color_of(const files::XmlElement& visual) {
   Color color;
   if (const auto material = urdf::only_child(visual, "material")) {
@@ -50,6 +51,7 @@ std::optional<Shape> primitive(const files::XmlElement& element) {
   return Ellipsoid{size};
 }
 
+/// Moments default to 1 kg m^2, as in the format.
 SymMat3d tensor(const files::XmlElement& inertia) {
   return {number(inertia, "ixx", 1), number(inertia, "iyy", 1), number(inertia, "izz", 1),
           number(inertia, "ixy", 0), number(inertia, "ixz", 0), number(inertia, "iyz", 0)};
@@ -60,6 +62,7 @@ SymMat3d tensor(const files::XmlElement& inertia) {
 urdf::UrdfMeshes& SdfLinks::meshes_of(const std::filesystem::path& file) {
   const auto known = meshes_.find(file);
   if (known != meshes_.end()) return known->second;
+  // Relative to the file that contains the link: an included model has its own folder of meshes.
   urdf::UrdfMeshPaths paths(file, options_.packages, options_.search_paths);
   return meshes_.try_emplace(file, std::move(paths), options_.part_per_group, description_, log_).first->second;
 }
@@ -75,6 +78,7 @@ robot_formats::MassProperties SdfLinks::read_inertial(const SdfPart& link, const
     if (!std::isfinite(moment)) inertia->fail("a moment of inertia is not finite");
   }
   solid.center = pose.inertial.position;
+  // The tensor is given in the inertial frame, which may be turned against the link.
   solid.inertia = rotated(pose.inertial.orientation, written);
   const Vec3d moments = robot_formats::principal_moments(solid.inertia);
   if (robot_formats::breaks_triangle_inequality(moments)) {
@@ -84,6 +88,7 @@ robot_formats::MassProperties SdfLinks::read_inertial(const SdfPart& link, const
                   "not be less than the third",
                   moments.x, moments.y, moments.z, link.name));
   }
+  MUROSIMF_ASSERT(solid.mass >= 0);
   return solid;
 }
 
@@ -94,6 +99,7 @@ double SdfLinks::friction_of(const files::XmlElement& collision) {
   }
   if (!element) return urdf::standard_friction;
   const double mu = at_least_zero(*element, "mu", urdf::standard_friction);
+  // Friction is isotropic in all contact laws here.
   if (at_least_zero(*element, "mu2", mu) != mu) {
     log_.warn(*element, "friction differs by direction; mu is taken for all");
   }
@@ -116,6 +122,7 @@ robot_formats::BodyDescription SdfLinks::read(const SdfPart& link, const SdfLink
   warn_of_settings(link.element);
   urdf::UrdfMeshes& meshes = meshes_of(link.file);
   const auto visuals = link.element.children("visual");
+  // Collision shapes have no color of their own: they get that of the first visual.
   const Color color = visuals.empty() ? Color{} : color_of(visuals[0]);
   for (const files::XmlElement& collision : link.element.children("collision")) {
     add_shape({collision, place_of(pose.collisions, collision), true, color, friction_of(collision)}, meshes, body);
@@ -131,7 +138,7 @@ void SdfLinks::add_shape(const Shape& shape, urdf::UrdfMeshes& meshes, robot_for
   for (const files::XmlElement& element : geometry.children()) {
     if (element.tag() == "mesh") return add_mesh(shape, element, meshes, body);
     const auto known = primitive(element);
-    if (!known) continue;  // the schema has told about it
+    if (!known) continue;  // the schema has reported it
     body.shapes.push_back({shape.owner.attribute("name").value_or(""), shape.owner.where(),
                            urdf::placed_shape(*known, shape.place, shape.color, shape.collides, shape.friction), ""});
     return;

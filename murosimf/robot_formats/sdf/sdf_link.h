@@ -1,7 +1,7 @@
 /// sdf_link.h - mass, shapes and sensors of a link of an SDF file.
 ///
-/// A link without `inertial` weighs 1 kg with 1 kg m^2 about each axis, as the format has it. Meshes that collide become convex hulls;
-/// those for the eye are named, not read. Source: SDFormat specification, "link", "inertial", "collision", "visual".
+/// A link without `inertial` weighs 1 kg with 1 kg m^2 about each axis, as the format defines it. Meshes that collide become convex hulls;
+/// visual meshes are named, not read. Source: SDFormat specification, "link", "inertial", "collision", "visual".
 #pragma once
 
 #include <filesystem>
@@ -21,8 +21,8 @@ class SdfLinks {
            urdf::UrdfLog& log)
       : options_(options), description_(description), log_(log) {}
 
-  /// The body of a link, in its frame, without place and joints. Throws SetupError: impossible sizes and masses, a mesh that collides is
-  /// missing or unreadable. A visual mesh that is missing is a warning.
+  /// The body of a link, in its frame, without place and joints. Throws SetupError: impossible sizes and masses, a missing or unreadable
+  /// collision mesh. A missing visual mesh is a warning.
   [[nodiscard]] robot_formats::BodyDescription read(const SdfPart& link, const SdfLinkPose& pose);
 
  private:

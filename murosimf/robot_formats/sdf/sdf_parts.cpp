@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/files/file_spelling.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/robot_formats/sdf/sdf_include.h"
 #include "murosimf/robot_formats/sdf/sdf_value.h"
@@ -45,6 +46,7 @@ SdfFile::SdfFile(fs::path file, const robot_formats::ReaderOptions& options, urd
   in_world_ = true;
   if (worlds.size() > 1) log_.unused(worlds[1], "more worlds", "worlds after the first are not read");
   read_world(worlds[0]);
+  MUROSIMF_ASSERT(!models_.empty());
   choose();
 }
 
@@ -66,7 +68,7 @@ void SdfFile::read_world(const files::XmlElement& world) {
       add_model(model, source.file, child_text(include, "name", name_of(model)));
       if (flag(include, "static", false)) models_[before].is_static = true;
     } catch (const SetupError& error) {
-      // grounds and houses are often not there, and are no part of the robot
+      // Grounds and houses are often missing, and are not part of the robot.
       log_.unused(include, "include", fmt::format("an include of the world is not read: {}", error.what()));
     }
   }
@@ -80,6 +82,7 @@ void SdfFile::add_model(const files::XmlElement& element, const fs::path& file, 
 }
 
 void SdfFile::choose() {
+  // The model with the most joints is the robot; of equal ones a movable one, then the first.
   for (std::size_t i = 1; i < models_.size(); ++i) {
     const SdfModel &one = models_[i], &best = models_[robot_];
     const bool more = one.joints.size() > best.joints.size();
@@ -91,16 +94,19 @@ void SdfFile::choose() {
     log_.unused(models_[i].element, fmt::format("model '{}'", name),
                 fmt::format("model '{}' of the world is not read", name));
   }
+  MUROSIMF_ASSERT(robot_ < models_.size());
 }
 
 void SdfFile::walk(const files::XmlElement& element, const fs::path& file, const std::string& scope, SdfModel& model,
                    int depth) {
+  MUROSIMF_ASSERT(depth >= 0);
   if (depth > deepest) element.fail("models stand in models more than 30 deep; does one include itself?");
   for (const files::XmlElement& child : element.children()) {
     const std::string tag = child.tag();
     if (tag == "link" || tag == "joint") {
       (tag == "link" ? model.links : model.joints).push_back({scope + name_of(child), child, file});
       if (++parts_ > most_parts) child.fail(fmt::format("the model has more than {} links and joints", most_parts));
+      // Counted over all models: a few includes of each other can have billions of parts.
     } else if (tag == "model") {
       walk(child, file, scope + name_of(child) + "::", model, depth + 1);
     } else if (tag == "include") {
@@ -123,6 +129,7 @@ SdfFile::Source SdfFile::open(const files::XmlElement& include, const fs::path& 
   if (uri.empty()) include.fail("include without uri; add it");
   const fs::path file = find(include, uri, from);
   const auto [known, is_new] = includes_.emplace(uri, fs::absolute(file).lexically_normal());
+  // libsdformat gets one file for each URI, whatever file includes it.
   if (!is_new && known->second != fs::absolute(file).lexically_normal()) {
     include.fail(fmt::format("'{}' means two files, {} and {}; call one of them otherwise", uri, known->second.string(),
                              file.string()));

@@ -1,8 +1,8 @@
-/// sdf_parts.h - links and joints of the robot in an SDF file, as they are written, with what includes bring in.
+/// sdf_parts.h - links and joints of the robot in an SDF file, as they are written, including those of its includes.
 ///
 /// The robot is the model at the top of the file, or of the models of its first world the one with the most joints, then the first that
 /// is not static. Names in nested models are those of Gazebo: "arm::upper"; an include with `merge` adds its links as if they stood in its place.
-/// A URI is relative to the file that it stands in, absolute, `file://...`, or of a package (robot_formats/urdf/package_folders.h): `model://name`
+/// A URI is relative to its file, absolute, `file://...`, or of a package (robot_formats/urdf/package_folders.h): `model://name`
 /// is a folder with a `model.config`, a `model.sdf`, or a file in it.
 /// Sources: SDFormat specification, "include"; documentation of Gazebo, "model.config".
 #pragma once
@@ -22,10 +22,10 @@ namespace murosimf::robot_formats::sdf {
 struct SdfPart {
   std::string name;
   files::XmlElement element;
-  std::filesystem::path file;  ///< that it stands in
+  std::filesystem::path file;  ///< that contains it
 };
 
-/// One model with all in it.
+/// One model with its contents.
 struct SdfModel {
   std::string name;
   files::XmlElement element;
@@ -39,11 +39,11 @@ class SdfFile {
   SdfFile(std::filesystem::path file, const robot_formats::ReaderOptions& options, urdf::UrdfLog& log);
 
   [[nodiscard]] const SdfModel& robot() const { return models_[robot_]; }
-  /// The name by which a world has it; empty: it stands at the top of the file.
+  /// Its name in the world; empty: it is at the top of the file.
   [[nodiscard]] std::string name_in_world() const { return in_world_ ? robot().name : ""; }
-  /// Files that URIs of includes mean.
+  /// Files of the URIs of includes.
   [[nodiscard]] const std::map<std::string, std::filesystem::path>& includes() const { return includes_; }
-  /// Roots of the file and of all that are included.
+  /// Roots of the file and of all included ones.
   [[nodiscard]] std::vector<files::XmlElement> roots() const;
 
  private:

@@ -21,7 +21,7 @@ using Json = nlohmann::json;
   throw SetupError(files::one_line(fmt::format("{}: {}", file.string(), why)));
 }
 
-/// Writes a number as JSON has it; one that is not finite is null there.
+/// Reads a number from JSON; one that is not finite is null there.
 double number(const Json& value) {
   if (!value.is_number() || !std::isfinite(value.get<double>()) || std::abs(value.get<double>()) > 1e100) {
     throw SetupError("a pose or an axis is not finite");
@@ -31,6 +31,7 @@ double number(const Json& value) {
 
 Transformd pose(const Json& values) {
   const Quaterniond turn{number(values.at(3)), number(values.at(4)), number(values.at(5)), number(values.at(6))};
+  // libsdformat normalizes; half a unit is far from both zero and one.
   if (!(turn.w * turn.w + turn.x * turn.x + turn.y * turn.y + turn.z * turn.z > 0.5)) {
     throw SetupError("a pose has a quaternion of zeros");
   }
@@ -53,7 +54,7 @@ SdfJointPose joint(const Json& entry) {
   for (const Json& axis : entry.at("axes")) {
     const Vec3d direction{number(axis.at(0)), number(axis.at(1)), number(axis.at(2))};
     const double length = norm(direction);
-    joint.axes.push_back(length > 1e-9 ? (1.0 / length) * direction : Vec3d{});
+    joint.axes.push_back(length > 1e-9 ? (1.0 / length) * direction : Vec3d{});  // zero: the reader reports it
   }
   return joint;
 }
@@ -89,6 +90,7 @@ SdfPoses resolve_poses(const fs::path& file, const std::string& model,
   const auto done = files::run_process({sdf_program(file).string(), path, model}, input);
   if (!done) fail(file, "the program that reads SDF files is gone; build or install it anew");
   if (done->exit_code != 0) {
+    // A crash of libsdformat ends the child process alone.
     fail(file, "libsdformat gives up: " +
                    (done->errors.empty() ? fmt::format("exit code {}", done->exit_code) : done->errors.substr(0, 300)));
   }
@@ -103,6 +105,7 @@ SdfPoses resolve_poses(const fs::path& file, const std::string& model,
 
 Transformd seen_from(const Transformd& frame, const Transformd& inner) {
   const Mat3d back = transpose(frame.orientation);
+  // The inverse of a rotation matrix is its transpose.
   return {back * (inner.position - frame.position), back * inner.orientation};
 }
 

@@ -1,6 +1,6 @@
-/// sdf_poses.h - where the parts of a model in an SDF file stand: frames of poses, axes and includes, resolved by libsdformat.
+/// sdf_poses.h - places of the parts of a model in an SDF file: frames of poses, axes and includes, resolved by libsdformat.
 ///
-/// libsdformat is not linked: it would cost every start of the program 18 ms, and looks for files where the program runs. The program
+/// libsdformat is not linked: it would cost every start of the program 18 ms, and searches for files in the working directory. The program
 /// `murosimf-sdf-frames` (apps/sdf_frames) is started instead, once for each file that is read.
 /// Source: SDFormat documentation, "Pose frame semantics".
 #pragma once
@@ -33,10 +33,10 @@ struct SdfFramePose {
   Transformd place;        ///< in the frame of the model
 };
 
-/// What libsdformat has to say.
+/// A message of libsdformat.
 struct SdfError {
   std::string kind;   ///< inertia, uri or other
-  std::string where;  ///< file:line; empty: libsdformat does not say
+  std::string where;  ///< file:line; empty: libsdformat does not report it
   std::string message;
 };
 
@@ -47,12 +47,12 @@ struct SdfPoses {
   std::vector<SdfError> errors;
 };
 
-/// `model`: of the first world; empty: the one at the top of the file. `includes`: the files that URIs of includes mean. Throws SetupError:
-/// this build has no libsdformat, or it gives up.
+/// `model`: of the first world; empty: the one at the top of the file. `includes`: the files of the URIs of includes. Throws SetupError:
+/// this build has no libsdformat, or it fails.
 [[nodiscard]] SdfPoses resolve_poses(const std::filesystem::path& file, const std::string& model,
                                      const std::map<std::string, std::filesystem::path>& includes);
 
-/// `inner` as it is seen from `frame`, both given in one frame.
+/// `inner` relative to `frame`, both given in one frame.
 [[nodiscard]] Transformd seen_from(const Transformd& frame, const Transformd& inner);
 
 }  // namespace murosimf::robot_formats::sdf

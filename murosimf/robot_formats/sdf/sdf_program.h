@@ -1,4 +1,4 @@
-/// sdf_program.h - where the program is that asks libsdformat.
+/// sdf_program.h - finds the program that calls libsdformat.
 #pragma once
 
 #include <filesystem>

@@ -2,9 +2,9 @@
 ///
 /// Every link becomes a body in its own frame; links at fixed joints are bodies without joints. Joints that close loops become loops: balls
 /// as `connect`, fixed ones as `weld`, hinges as two `connect` along their axis. A model that a joint holds in the world is bolted to it,
-/// as is a static one. The model's own place is left out: the scene places robots. Parts of a robot touch each other only with `self_collide`.
-/// Servos are not made here: `limit` gives a joint's largest effort and rate. What has no effect here is a note; what is unknown and looks
-/// like a slip, or would change the robot, is an error. Frames are resolved by libsdformat (sdf_poses.h).
+/// as is a static one. The model's own place is ignored: the scene places robots. Parts of a robot touch each other only with `self_collide`.
+/// Servos are not made here: `limit` gives a joint's largest effort and rate. Parts without effect become notes; unknown words that look
+/// like misspellings, or would change the robot, are errors. Frames are resolved by libsdformat (sdf_poses.h).
 /// Source: SDFormat specification.
 #pragma once
 

@@ -77,7 +77,7 @@ void add_joint_rules(files::XmlVocabulary& rules) {
 }
 
 files::XmlVocabulary make_rules() {
-  // sensors, their noise, and surfaces are those of gazebo blocks in URDF
+  // Sensors, their noise, and surfaces are those of gazebo blocks in URDF.
   files::XmlVocabulary rules = urdf::gazebo_schema();
   rules.erase("gazebo");
   rules["camera/pose"] = rules["pose"];

@@ -1,4 +1,4 @@
-/// sdf_schema.h - the elements and attributes of SDF: models, what is in them, and what of a world is read.
+/// sdf_schema.h - the elements and attributes of SDF: models, their contents, and the used parts of a world.
 ///
 /// Source: SDFormat specification 1.9; of `mimic` 1.11.
 #pragma once

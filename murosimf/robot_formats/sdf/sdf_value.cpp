@@ -11,7 +11,7 @@
 namespace murosimf::robot_formats::sdf {
 namespace {
 
-constexpr double endless = 1e15;  // where the format has 1e16, and says that it means infinity
+constexpr double endless = 1e15;  // the format writes 1e16 for infinity
 
 }  // namespace
 

@@ -118,6 +118,7 @@ const files::XmlVocabulary& gazebo_schema() {
 const files::XmlVocabulary& urdf_words() {
   static const files::XmlVocabulary words = [] {
     files::XmlVocabulary all = urdf_schema();
+    // Tags inside blocks have other rules than the same tags in URDF.
     for (const auto& [tag, rule] : gazebo_schema()) all[tag == "gazebo" ? tag : "gazebo//" + tag] = rule;
     return all;
   }();

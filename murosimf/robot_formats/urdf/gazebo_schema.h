@@ -1,6 +1,6 @@
 /// gazebo_schema.h - the elements and attributes of `gazebo` blocks of URDF, and of the sensors and collisions in them.
 ///
-/// What is not in it is a warning, not an error: blocks are full of what only plugins know.
+/// Elements that it lacks are warnings, not errors: blocks have many elements that only plugins use.
 /// Sources: SDFormat documentation, "URDF in Gazebo" and "sensor".
 #pragma once
 
@@ -8,10 +8,10 @@
 
 namespace murosimf::robot_formats::urdf {
 
-/// By tag. Of blocks themselves "gazebo" only; what they say is read by urdf_gazebo.h.
+/// Rules by tag. Of blocks themselves "gazebo" only; their contents are read by urdf_gazebo.h.
 [[nodiscard]] const files::XmlVocabulary& gazebo_schema();
 
-/// For people: the words of URDF (urdf_schema.h), and those of gazebo blocks as "gazebo//imu".
+/// For printing: the words of URDF (urdf_schema.h), and those of gazebo blocks as "gazebo//imu".
 [[nodiscard]] const files::XmlVocabulary& urdf_words();
 
 }  // namespace murosimf::robot_formats::urdf

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "murosimf/files/xml_element.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::robot_formats::urdf {
@@ -15,7 +16,7 @@ namespace fs = std::filesystem;
 using Folders = std::vector<fs::path>;
 
 constexpr int deepest_package = 5;           // folders below one of ROS_PACKAGE_PATH
-constexpr std::size_t most_folders = 20000;  // that are looked into below it
+constexpr std::size_t most_folders = 20000;  // examined below it: a search path may be a whole disk
 
 bool is_folder(const fs::path& path) {
   std::error_code error;
@@ -45,7 +46,7 @@ void add_if_package(const fs::path& folder, const std::string& name, Folders& fo
   if (is_folder(folder / name)) folders.push_back(folder / name);
 }
 
-/// Those of an environment variable, separated by colons.
+/// Folders of an environment variable, separated by colons.
 Folders folders_of_variable(const char* variable) {
   Folders folders;
   const char* text = std::getenv(variable);
@@ -62,12 +63,13 @@ Folders subfolders(const fs::path& folder) {
   for (const auto& entry : fs::directory_iterator(folder, fs::directory_options::skip_permission_denied, error)) {
     if (!entry.path().filename().string().starts_with('.') && is_folder(entry.path())) found.push_back(entry.path());
   }
-  std::ranges::sort(found);
+  std::ranges::sort(found);  // directories list in any order: the same package must be found on every machine
   return found;
 }
 
-/// Packages of the name below `folder`; a package has no packages inside.
+/// Finds packages of the name below `folder`; a package contains no packages.
 void crawl(const fs::path& folder, const std::string& name, int depth, std::size_t& rest, Folders& folders) {
+  MUROSIMF_ASSERT(depth >= 0);
   if (rest == 0) return;
   --rest;
   if (is_file(folder / "package.xml")) {
@@ -109,6 +111,7 @@ const Folders& PackageFolders::folders_of(const std::string& package) {
   const auto [entry, is_new] = found_.try_emplace(package);
   Folders& folders = entry->second;
   if (!is_new || package.empty()) return folders;
+  // The user's own map first, then nearby folders, then those of other programs.
   if (const auto mapped = packages_.find(package); mapped != packages_.end()) folders.push_back(mapped->second);
   for (fs::path folder = folder_;; folder = folder.parent_path()) {
     add_if_package(folder, package, folders);

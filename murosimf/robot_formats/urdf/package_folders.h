@@ -1,10 +1,10 @@
-/// package_folders.h - where the packages are that names like package://name/path speak of.
+/// package_folders.h - finds the packages of names like package://name/path.
 ///
-/// In this order: the package map; from the URDF file's folder upwards, a folder that is called so or whose package.xml says so, or
-/// that has one called so; below the search paths in the same way; below the folders in the environment variable MUROSIMF_PACKAGE_PATH
-/// (separated by colons); then where other programs look:
+/// In this order: the package map; from the URDF file's folder upwards, a folder with that name or with the name in its package.xml, or
+/// one that has such a subfolder; below the search paths in the same way; below the folders in the environment variable MUROSIMF_PACKAGE_PATH
+/// (separated by colons); then the folders of other programs:
 ///
-///     ROS_PACKAGE_PATH                                  folders whose package.xml says so, down to the fifth level below each
+///     ROS_PACKAGE_PATH                                  folders with the name in package.xml, down to the fifth level below each
 ///     AMENT_PREFIX_PATH, COLCON_PREFIX_PATH, CMAKE_PREFIX_PATH      PREFIX/share/NAME, PREFIX/NAME/share/NAME
 ///     GAZEBO_MODEL_PATH, GZ_SIM_RESOURCE_PATH, IGN_GAZEBO_RESOURCE_PATH      FOLDER/NAME
 ///
@@ -27,7 +27,7 @@ class PackageFolders {
   /// Folders that may be the package, best first; they need not exist.
   [[nodiscard]] const std::vector<std::filesystem::path>& folders_of(const std::string& package);
 
-  /// Those given, then those of MUROSIMF_PACKAGE_PATH.
+  /// The given search paths, then those of MUROSIMF_PACKAGE_PATH.
   [[nodiscard]] const std::vector<std::filesystem::path>& search_paths() const { return search_paths_; }
 
  private:

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/robot_formats/urdf/gazebo_schema.h"
 #include "murosimf/robot_formats/urdf/urdf_sensor.h"
 #include "murosimf/robot_formats/urdf/urdf_value.h"
@@ -28,16 +29,17 @@ bool takes_weight(const files::XmlElement& element) {
   return tag == "gravity" ? !is_true(element) : tag == "turnGravityOff" && is_true(element);
 }
 
-/// What takes motion or speed away from a part of the robot.
+/// Whether the element takes motion or speed from a part of the robot.
 bool takes_motion(const files::XmlElement& element) {
   const std::string tag = element.tag();
   if (tag == "static" || tag == "kinematic") return is_true(element);
   return tag == "dampingFactor" && text_number(element) != 0;
 }
 
-/// Elements that mean the same wherever they stand.
+/// Reports elements with the same meaning in any block.
 void note_other(const files::XmlElement& element, UrdfLog& log) {
   const std::string tag = element.tag();
+  // Order: what changes the motion, then known words, then unknown ones.
   if (takes_weight(element)) {
     log.warn(element, "gravity is switched off for parts of the robot in gazebo; here all of it has weight");
   } else if (takes_motion(element)) {
@@ -60,7 +62,7 @@ double text_at_least_zero(const files::XmlElement& element) {
   return number;
 }
 
-/// Along the first direction it is called `first`.
+/// Reads friction; `first` is the tag of the first direction.
 void read_friction(const files::XmlElement& block, const char* first, robot_formats::BodyDescription& body,
                    UrdfLog& log) {
   const auto mu1 = only_child(block, first), mu2 = only_child(block, "mu2");
@@ -69,6 +71,7 @@ void read_friction(const files::XmlElement& block, const char* first, robot_form
   if (mu2 && text_at_least_zero(*mu2) != friction) {
     log.warn(*mu2, fmt::format("friction of link '{}' differs by direction; {} is taken for all", body.name, first));
   }
+  // A block replaces the friction of all shapes of its link, as Gazebo does.
   for (robot_formats::ShapeDescription& shape : body.shapes) shape.placed.surface.friction = friction;
 }
 
@@ -77,7 +80,7 @@ void note_surface(const files::XmlElement& element, UrdfLog& log) {
              fmt::format("element '{}' of a collision in gazebo is not used", element.tag()));
 }
 
-/// Of a surface, friction acts like mu1 and mu2; how a contact is solved, and bouncing, do not.
+/// Reads a surface: friction acts like mu1 and mu2; contact solving and bouncing are not used.
 void read_surface(const files::XmlElement& surface, robot_formats::BodyDescription& body, UrdfLog& log) {
   for (const files::XmlElement& part : surface.children()) {
     const auto ode = part.tag() == "friction" ? only_child(part, "ode") : std::nullopt;
@@ -89,7 +92,7 @@ void read_surface(const files::XmlElement& surface, robot_formats::BodyDescripti
   }
 }
 
-/// SDF inside URDF: of what is at a collision only its surface may be said here.
+/// Reads SDF inside URDF: only the surface of a collision is allowed here.
 void read_collision(const files::XmlElement& collision, robot_formats::BodyDescription& body, UrdfLog& log) {
   for (const files::XmlElement& element : collision.children()) {
     const std::string tag = element.tag();
@@ -114,6 +117,7 @@ void read_link_block(const files::XmlElement& block, robot_formats::BodyDescript
       continue;
     }
     if (tag == "sensor") {
+      MUROSIMF_ASSERT(body.parent < static_cast<int>(description.bodies.size()));
       const std::string parent = body.parent < 0 ? "" : description.bodies[body.parent].name;
       description.sensors.push_back(read_sensor(element, {body.name, parent, body.name}, log));
     } else {
@@ -122,7 +126,7 @@ void read_link_block(const files::XmlElement& block, robot_formats::BodyDescript
   }
 }
 
-/// A sensor is on the link behind the joint, which has the joint's frame: a fixed joint is no object of the model.
+/// Reads a block of a joint. A sensor is on the link behind the joint, which has the joint's frame: a fixed joint is no object of the model.
 void read_joint_block(const files::XmlElement& block, const SensorPlace& at, robot_formats::JointDescription* joint,
                       robot_formats::RobotDescription& description, UrdfLog& log) {
   for (const files::XmlElement& element : block.children()) {
@@ -154,6 +158,7 @@ void read_block(const files::XmlElement& block, const std::string& name, const U
       std::ranges::find_if(description.bodies, [&](const robot_formats::BodyDescription& b) { return b.name == name; });
   if (body != description.bodies.end()) return read_link_block(block, *body, description, log);
   if (const int joint = tree.find_joint(name); joint >= 0) {
+    MUROSIMF_ASSERT(tree.joints[joint].child >= 0 && tree.joints[joint].parent >= 0);
     const std::string& child = tree.links[tree.joints[joint].child].name;
     const std::string& parent = tree.links[tree.joints[joint].parent].name;
     robot_formats::JointDescription* moving = moving_joint(description, name);

@@ -1,7 +1,7 @@
-/// urdf_gazebo.h - what the `gazebo` blocks of a URDF file say about links and joints.
+/// urdf_gazebo.h - reads the `gazebo` blocks of a URDF file for links and joints.
 ///
-/// Read are friction (mu1, or mu of the surface of a collision; where mu2 differs: a warning), springs at joints, and sensors; what would change the
-/// robot otherwise is refused; plugins, looks and solver settings are notes.
+/// Read are friction (mu1, or mu of the surface of a collision; where mu2 differs: a warning), springs at joints, and sensors; other changes
+/// of the robot are refused; plugins, appearance and solver settings are notes.
 /// Source: SDFormat documentation, "URDF in Gazebo".
 #pragma once
 

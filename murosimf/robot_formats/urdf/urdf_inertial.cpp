@@ -4,12 +4,13 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/robot_formats/urdf/urdf_value.h"
 
 namespace murosimf::robot_formats::urdf {
 namespace {
 
-/// Some files write both halves of the tensor.
+/// Warns if a file has both halves of the tensor and they differ.
 void compare_halves(const UrdfLink& link, const files::XmlElement& element, UrdfLog& log) {
   constexpr const char* halves[][2] = {{"ixy", "iyx"}, {"ixz", "izx"}, {"iyz", "izy"}};
   for (const auto& [upper, lower] : halves) {
@@ -26,7 +27,7 @@ SymMat3d read_tensor(const UrdfLink& link, const files::XmlElement& inertial, Ur
           number_or(element, "ixy", 0),  number_or(element, "ixz", 0),  number_or(element, "iyz", 0)};
 }
 
-constexpr double rounding = 1e-15;  // [kg m^2] zero, as programs write it
+constexpr double rounding = 1e-15;  // [kg m^2] written by programs for zero
 
 bool is_zero(const SymMat3d& I) {
   const double sum =
@@ -43,6 +44,7 @@ double read_mass(const UrdfLink& link, const files::XmlElement& inertial) {
 
 void balance_moments(const UrdfLink& link, const files::XmlElement& inertial, robot_formats::MassProperties& solid,
                      UrdfLog& log) {
+  // The mean is the moment of a ball, which every solid can have.
   solid.inertia = diagonal((solid.inertia.xx + solid.inertia.yy + solid.inertia.zz) / 3.0);
   log.note(inertial, fmt::format("inertia of link '{}' replaced by its mean: balanceinertia", link.name));
 }
@@ -67,6 +69,7 @@ robot_formats::MassProperties read_inertial(const UrdfLink& link, bool balance, 
   const Transformd place = read_origin(*inertial);
   solid.mass = read_mass(link, *inertial);
   solid.center = place.position;
+  // The tensor is given in the axes of the inertial frame.
   solid.inertia = rotated(place.orientation, read_tensor(link, *inertial, log));
   if (is_zero(solid.inertia)) {
     solid.inertia = {};
@@ -75,6 +78,7 @@ robot_formats::MassProperties read_inertial(const UrdfLink& link, bool balance, 
   }
   if (solid.mass == 0) log.note(*inertial, "links with inertia and without mass turn but weigh nothing");
   check_tensor(link, *inertial, balance, solid, log);
+  MUROSIMF_ASSERT(solid.mass >= 0);
   return solid;
 }
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/robot_formats/urdf/urdf_value.h"
 
@@ -23,6 +24,7 @@ Vec3d read_axis(const UrdfJoint& joint) {
 
 void read_range(const UrdfJoint& joint, const files::XmlElement& limit, robot_formats::JointDescription& description,
                 UrdfLog& log) {
+  // Both ends default to 0 in the format, which would fix the joint: no program reads it so.
   if (!limit.attribute("lower") && !limit.attribute("upper")) {
     log.warn(limit, fmt::format("joint '{}' has no lower and upper limit; here it has no range, write it", joint.name));
     return;
@@ -32,6 +34,7 @@ void read_range(const UrdfJoint& joint, const files::XmlElement& limit, robot_fo
     limit.fail(fmt::format("limits of joint '{}' are upside down: lower {} is above upper {}; swap them", joint.name,
                            lower, upper));
   }
+  MUROSIMF_ASSERT(lower <= upper);
   description.range = {lower, upper, 0};
 }
 
@@ -60,7 +63,7 @@ void warn_of_leader(const UrdfTree& tree, const UrdfJoint& follower, const std::
                                 unknown_name("joint", leader, names)));
 }
 
-/// Nothing if there is no such leader: others that read the file let the joint move by itself, too.
+/// Reads a coupling; nothing if there is no such leader: other programs let the joint move by itself as well.
 std::optional<robot_formats::MimicDescription> read_mimic(const UrdfTree& tree, const UrdfJoint& follower,
                                                           const files::XmlElement& element, UrdfLog& log) {
   robot_formats::MimicDescription mimic{follower.name, needed_text(element, "joint"), element.where(),
@@ -79,7 +82,7 @@ std::optional<robot_formats::MimicDescription> read_mimic(const UrdfTree& tree, 
   return mimic;
 }
 
-/// Follows the leaders of every joint: more steps than there are joints is a circle.
+/// Refuses circles: follows the leaders of every joint; more steps than there are joints is a circle.
 void check_circles(const UrdfTree& tree, const std::vector<robot_formats::MimicDescription>& mimics) {
   std::map<std::string, std::string> leaders;
   for (const robot_formats::MimicDescription& mimic : mimics) leaders.emplace(mimic.joint, mimic.leader);
@@ -101,6 +104,7 @@ Transformd read_place(const UrdfJoint& joint) {
   const Transformd origin = read_origin(joint.element);
   if (joint.held_at == 0) return origin;
   const Vec3d axis = read_axis(joint);
+  // The type is `fixed` for a joint that is held: the element has the original one.
   if (joint.element.attribute("type") == "prismatic") return origin * Transformd{joint.held_at * axis, {}};
   return origin * Transformd{{}, rotation(axis, joint.held_at)};
 }

@@ -8,14 +8,14 @@
 
 namespace murosimf::robot_formats::urdf {
 
-/// A joint that moves. Its frame is that of the link below it. Throws SetupError: no axis direction, no limits where
+/// A moving joint. Its frame is that of the link below it. Throws SetupError: no axis direction, no limits where
 /// the type needs them, impossible numbers.
 [[nodiscard]] robot_formats::JointDescription read_joint(const UrdfJoint& joint, UrdfLog& log);
 
-/// Where the link below a joint stands in the link above it, the joint at 0 or where its limits hold it.
+/// Place of the link below a joint in the link above it, with the joint at 0 or where its limits hold it.
 [[nodiscard]] Transformd read_place(const UrdfJoint& joint);
 
-/// All `mimic` elements of joints that move; without its leader one is left out, with a warning. Throws SetupError: fixed
+/// Reads all `mimic` elements of moving joints; without its leader one is left out, with a warning. Throws SetupError: fixed
 /// leader, circles.
 [[nodiscard]] std::vector<robot_formats::MimicDescription> read_mimics(const UrdfTree& tree, UrdfLog& log);
 

@@ -4,10 +4,10 @@ namespace murosimf::robot_formats::urdf {
 
 void UrdfLog::take(const files::XmlFindings& findings) {
   for (const auto& [word, text] : findings.unused) {
-    if (tell(word)) description().unused.push_back({word, text});
+    if (report(word)) description().unused.push_back({word, text});
   }
   for (const std::string& text : findings.refused) {
-    if (tell(text)) description().warnings.push_back(text);
+    if (report(text)) description().warnings.push_back(text);
   }
 }
 

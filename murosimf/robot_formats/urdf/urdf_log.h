@@ -1,4 +1,4 @@
-/// urdf_log.h - where the readers of URDF put what they have to say about a file (robot_formats/reader_log.h).
+/// urdf_log.h - diagnostics of the readers of URDF (robot_formats/reader_log.h).
 #pragma once
 
 #include "murosimf/files/xml_element.h"
@@ -17,7 +17,7 @@ class UrdfLog : public robot_formats::ReaderLog {
   }
   void warn(const files::XmlElement& at, const std::string& message) { ReaderLog::warn(at.where(), message); }
   void refuse(const files::XmlElement& at, const std::string& message) { ReaderLog::refuse(at.where(), message); }
-  /// What a schema says of a part of the file; what it does not know is a warning.
+  /// Adds the findings of a schema; unknown words are warnings.
   void take(const files::XmlFindings& findings);
 };
 

@@ -11,7 +11,7 @@
 namespace murosimf::robot_formats::urdf {
 namespace {
 
-/// "$(find package)/..." is no macro but means a package, too.
+/// The file name of a mesh: "$(find package)/..." is not a macro here but refers to a package as well.
 std::string file_name(const files::XmlElement& mesh) {
   const auto name = mesh.attribute("filename");
   const bool of_package = name && (name->starts_with("$(find ") || name->starts_with("$(find-pkg-share "));
@@ -39,6 +39,7 @@ const std::vector<robot_formats::mesh::ConvexPart>& UrdfMeshes::parts(const robo
     return library_.get(mesh.file, mesh.scale, split);
   });
   if (!solid.flat.empty()) throw SetupError(files::one_line(fmt::format("{}: {}", where, solid.flat)));
+  // Reported where the mesh collides: for a visual mesh none of it matters.
   for (const std::string& doubt : robot_formats::mesh::mesh_doubts(solid))
     log_.warn(user, fmt::format("mesh '{}': {}", mesh.name, doubt));
   return solid.parts;

@@ -1,6 +1,6 @@
-/// urdf_mesh.h - meshes of a URDF file: named once, and read once, when something shall collide.
+/// urdf_mesh.h - meshes of a URDF file: entered once, and read once, on first use in a collision.
 ///
-/// A mesh is called by the stem of its file; another file or another scale with the same stem gets a number.
+/// A mesh is named after the stem of its file; another file or another scale with the same stem gets a number.
 #pragma once
 
 #include <optional>
@@ -21,17 +21,17 @@ class UrdfMeshes {
              UrdfLog& log)
       : paths_(std::move(paths)), part_per_group_(std::move(part_per_group)), description_(description), log_(log) {}
 
-  /// The entry among the description's meshes for a `mesh` element; nothing if its file is not there.
+  /// The entry among the description's meshes for a `mesh` element; nothing if its file does not exist.
   [[nodiscard]] std::optional<robot_formats::MeshDescription> find(const files::XmlElement& mesh);
-  /// The same of a file by its name, at a scale; `where` [file:line] names it.
+  /// The same for a file by its name, at a scale; `where` [file:line] refers to it.
   [[nodiscard]] std::optional<robot_formats::MeshDescription> find(const std::string& name, const Vec3d& scale,
                                                                    const std::string& where);
 
-  /// What contact sees of it. Throws SetupError: the line of the element, then what is wrong with the mesh.
+  /// Its convex parts for contact. Throws SetupError: the line of the element, then what is wrong with the mesh.
   [[nodiscard]] const std::vector<robot_formats::mesh::ConvexPart>& parts(const robot_formats::MeshDescription& mesh,
                                                                           const files::XmlElement& user);
 
-  /// That there is no such file, and what to do. Of the element looked for last.
+  /// The message that there is no such file, with advice. For the last element searched for.
   [[nodiscard]] std::string complaint(const files::XmlElement& mesh) const;
   [[nodiscard]] std::string complaint(const std::string& name) const;
 

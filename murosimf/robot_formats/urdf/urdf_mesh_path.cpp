@@ -7,25 +7,27 @@
 #include <fmt/format.h>
 
 #include "murosimf/files/file_spelling.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::robot_formats::urdf {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// A name by package: "pkg" and "meshes/a.stl" of package://pkg/meshes/a.stl.
+/// A name in a package: "pkg" and "meshes/a.stl" of package://pkg/meshes/a.stl.
 struct PackageName {
   std::string package, rest;
 };
 
 PackageName split(std::string name) {
   const std::size_t first = std::min(name.find_first_not_of("/\\"), name.size());
+  MUROSIMF_ASSERT(first <= name.size());
   name.erase(0, first);
   const std::size_t slash = std::min(name.find_first_of("/\\"), name.size());
   return {name.substr(0, slash), slash < name.size() ? name.substr(slash + 1) : ""};
 }
 
-/// "$(find pkg)/a.stl", as macros of launch files write it.
+/// Splits "$(find pkg)/a.stl", a macro of launch files.
 std::optional<PackageName> of_find(std::string_view name) {
   for (const std::string_view begin : {"$(find ", "$(find-pkg-share "}) {
     const std::size_t end = name.find(')');
@@ -46,7 +48,7 @@ bool is_web_address(const std::string& name) {
   return files::after_scheme(name, "http") || files::after_scheme(name, "https");
 }
 
-/// At most three of them.
+/// The first three of the paths, for a message.
 std::string list_of(const std::vector<fs::path>& paths) {
   constexpr std::size_t most = 3;
   std::string text;
@@ -72,6 +74,7 @@ std::optional<fs::path> UrdfMeshPaths::find(const std::string& name) {
   if (const auto known = files_.find(name); known != files_.end() && known->second) return known->second;
   looked_at_.clear();
   auto file = find_anew(name);
+  // Last, as MuJoCo does it: the folder of the compiler's options, with or without the folders of the name.
   if (!file && mesh_folder_) {
     const auto of_package = package_name(name);
     const fs::path part = of_package ? fs::path(of_package->package) / of_package->rest : fs::path(name);
@@ -100,6 +103,7 @@ std::optional<fs::path> UrdfMeshPaths::find_in_package(const std::string& packag
   for (const fs::path& folder : packages_.folders_of(package)) {
     if (auto file = look(folder, rest)) return file;
   }
+  // A package name with escapes is tried as it is first: a folder may have such a name.
   const std::string decoded = files::percent_decoded(package);
   return decoded == package ? std::nullopt : find_in_package(decoded, rest);
 }

@@ -1,8 +1,8 @@
-/// urdf_mesh_path.h - finding the mesh files that a URDF file names.
+/// urdf_mesh_path.h - finds the mesh files of a URDF file.
 ///
 /// Names are relative to the URDF file, absolute, file: addresses, or package://name/path; model://name/path and $(find name)/path
 /// mean the same. They may have percent escapes, backslashes and other capital letters than the file (files/file_spelling.h).
-/// A package is looked for where package_folders.h says.
+/// Packages are found as described in package_folders.h.
 #pragma once
 
 #include <filesystem>
@@ -21,14 +21,14 @@ class UrdfMeshPaths {
   UrdfMeshPaths(const std::filesystem::path& file, std::map<std::string, std::filesystem::path> packages,
                 std::vector<std::filesystem::path> search_paths);
 
-  /// A folder to look in for what is not found otherwise, relative to the URDF file; with `strip`, for the last part
+  /// Adds a folder for files that are not found otherwise, relative to the URDF file; with `strip`, for the last part
   /// of the name only. From the compiler options meshdir and strippath.
   void also_look_in(const std::filesystem::path& folder, bool strip);
 
   /// The file; nothing if there is no such file.
   [[nodiscard]] std::optional<std::filesystem::path> find(const std::string& name);
 
-  /// What to do about a name that was not found, and where it was looked for.
+  /// What to do about a name that was not found, and the examined places.
   [[nodiscard]] std::string advice(const std::string& name) const;
 
  private:
@@ -41,7 +41,7 @@ class UrdfMeshPaths {
   PackageFolders packages_;
   std::optional<std::filesystem::path> mesh_folder_;
   bool strip_ = false;
-  std::vector<std::filesystem::path> looked_at_;                       ///< of the name looked for last
+  std::vector<std::filesystem::path> looked_at_;                       ///< examined places of the last name
   std::map<std::string, std::optional<std::filesystem::path>> files_;  ///< found so far
 };
 

@@ -21,7 +21,7 @@ double deviation(const files::XmlElement& noise, const char* tag) {
   return value;
 }
 
-/// Today an attribute, earlier an element.
+/// The type of noise: an attribute in new files, an element in old ones.
 std::string type_of(const files::XmlElement& noise) {
   if (const auto type = noise.attribute("type")) return *type;
   const auto type = only_child(noise, "type");
@@ -42,6 +42,7 @@ sensors::SignalSpec read_noise(const files::XmlElement& noise, UrdfLog& log) {
   signal.bias = deviation(noise, "bias_stddev");
   const double walk = deviation(noise, "dynamic_bias_stddev");
   const double time = deviation(noise, "dynamic_bias_correlation_time");
+  // A first-order Gauss-Markov process: without a time it would be a random walk, which the format does not mean.
   if (walk > 0 && time > 0) {
     signal.bias_random_walk = walk;
     signal.bias_correlation_time = time;
@@ -68,6 +69,7 @@ void read_axes(const files::XmlElement& parent, const char* quantity, const std:
     const auto noise = axis ? only_child(*axis, "noise") : std::nullopt;
     if (noise) axes[i] = read_noise(*noise, log);
   }
+  // One for all axes where they agree, so that reports show one line instead of three.
   if (axes[0] == axes[1] && axes[0] == axes[2]) {
     if (axes[0] != sensors::SignalSpec{}) description.signals[output] = axes[0];
     return;

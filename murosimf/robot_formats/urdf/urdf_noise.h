@@ -5,7 +5,7 @@
 ///     dynamic_bias_stddev, ..._correlation_time      bias_random_walk, bias_correlation_time; nothing if one of them is 0
 ///     precision                           resolution, where the type is gaussian_quantized
 ///
-/// on the right the members of sensors::SignalSpec. Nothing of it counts where the type is none.
+/// On the right are the members of sensors::SignalSpec. Nothing is used where the type is none.
 /// Source: SDFormat documentation, "noise"; of Gazebo the equations of its Gaussian noise model.
 #pragma once
 
@@ -20,8 +20,8 @@ namespace murosimf::robot_formats::urdf {
 /// Throws SetupError with file:line for a deviation that is negative.
 [[nodiscard]] sensors::SignalSpec read_noise(const files::XmlElement& noise, UrdfLog& log);
 
-/// Noise of the axes x, y, z inside the element `quantity` of `parent`, for an output of the sensor: one for all, or, where they
-/// differ, each of its own ("accelerometer.x").
+/// Reads the noise of the axes x, y, z inside the element `quantity` of `parent`, for an output of the sensor: one for all, or, where
+/// they differ, one for each ("accelerometer.x").
 void read_axes(const files::XmlElement& parent, const char* quantity, const std::string& output,
                robot_formats::SensorDescription& description, UrdfLog& log);
 

@@ -1,4 +1,4 @@
-/// urdf_place_writer.h - places as `origin` elements of a URDF file.
+/// urdf_place_writer.h - writes places as `origin` elements of a URDF file.
 #pragma once
 
 #include "murosimf/files/xml_text.h"
@@ -6,7 +6,7 @@
 
 namespace murosimf::robot_formats::urdf {
 
-/// An `origin` in the open element; none for the identity.
+/// Writes an `origin` in the open element; none for the identity.
 void write_origin(files::XmlText& xml, const Transformd& place);
 
 }  // namespace murosimf::robot_formats::urdf

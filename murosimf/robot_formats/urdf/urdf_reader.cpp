@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/robot_formats/urdf/urdf_gazebo.h"
 #include "murosimf/robot_formats/urdf/urdf_inertial.h"
@@ -14,7 +15,7 @@
 namespace murosimf::robot_formats::urdf {
 namespace {
 
-/// What a `mujoco` block asks for.
+/// Settings of a `mujoco` block.
 struct Compiler {
   std::optional<std::string> mesh_folder;
   bool strip_path = true;  // MuJoCo's default for URDF
@@ -64,7 +65,7 @@ robot_formats::BodyDescription read_body(const UrdfLink& link, bool balance, Urd
   return body;
 }
 
-/// Bodies by the order of the tree; `number` of a link is that of its body.
+/// Reads bodies in the order of the tree; `number` of a link is that of its body.
 void read_bodies(const UrdfTree& tree, bool balance, UrdfShapes& shapes, robot_formats::RobotDescription& description,
                  UrdfLog& log) {
   std::vector<int> number(tree.links.size());
@@ -75,12 +76,14 @@ void read_bodies(const UrdfTree& tree, bool balance, UrdfShapes& shapes, robot_f
     shapes.add(link.element, body);
     if (index != tree.order[0]) {
       const UrdfJoint& joint = tree.joints[link.joint];
+      MUROSIMF_ASSERT(number[joint.parent] < number[index]);
       body.parent = number[joint.parent];
       body.place = read_place(joint);
       if (!is_fixed(tree, link.joint)) body.joints.push_back(read_joint(joint, log));
     }
     description.bodies.push_back(std::move(body));
   }
+  MUROSIMF_ASSERT(description.bodies.size() == tree.order.size());
 }
 
 robot_formats::RobotDescription read_root(const std::filesystem::path& file, const files::XmlElement& robot,
@@ -99,6 +102,7 @@ robot_formats::RobotDescription read_root(const std::filesystem::path& file, con
   const Compiler compiler = read_compiler(robot);
   UrdfMeshes meshes(mesh_paths(file, options, compiler), options.part_per_group, description, log);
   UrdfShapes shapes(read_colors(robot), std::move(meshes), log);
+  // Couplings, blocks and transmissions refer to bodies and joints.
   read_bodies(tree, compiler.balance, shapes, description, log);
   description.mimics = read_mimics(tree, log);
   read_gazebo(robot, tree, description, log);

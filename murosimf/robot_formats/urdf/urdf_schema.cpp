@@ -10,7 +10,7 @@ void add_link_rules(files::XmlVocabulary& rules) {
                    .unused = {"type"},
                    .children = {"inertial", "visual", "collision", "contact"},
                    .unused_children = {"self_collision_checking", "sensor", "origin"}};
-  // of Bullet
+  // Elements of Bullet.
   rules["contact"] = {.children = {"lateral_friction"},
                       .unused_children = {"rolling_friction", "spinning_friction", "restitution", "stiffness",
                                           "damping", "contact_cfm", "contact_erp", "inertia_scaling",
@@ -78,6 +78,7 @@ const files::XmlVocabulary& urdf_schema() {
 }
 
 void refuse_xacro(const files::XmlElement& robot) {
+  // An explicit stack: depth of a file must not exhaust that of the program.
   std::vector<files::XmlElement> open{robot};
   while (!open.empty()) {
     const files::XmlElement element = open.back();

@@ -2,7 +2,7 @@
 ///
 /// Sources: URDF XML specification; XML reference of the MuJoCo documentation, "URDF extensions", for `mujoco`;
 /// manual of Bullet ("PyBullet Quickstart Guide", "loadURDF") for `contact`.
-/// Contents of `gazebo` blocks are urdf_gazebo.h's.
+/// Contents of `gazebo` blocks have their own schema (gazebo_schema.h).
 #pragma once
 
 #include "murosimf/files/xml_schema.h"

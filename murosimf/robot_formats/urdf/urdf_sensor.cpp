@@ -34,7 +34,7 @@ constexpr std::array distortions{Distortion{"k1", "k1", "distortionK1"}, Distort
                                  Distortion{"k3", "k3", "distortionK3"}, Distortion{"p1", "p1", "distortionT1"},
                                  Distortion{"p2", "p2", "distortionT2"}};
 
-/// Also from the element `name` of each plugin of the sensor.
+/// A coefficient of the lens, also from the element `in_plugin` of each plugin of the sensor.
 double distortion(const files::XmlElement& sensor, const std::optional<files::XmlElement>& lens, const char* in_lens,
                   const char* in_plugin) {
   if (lens && only_child(*lens, in_lens)) return child_number(*lens, in_lens);
@@ -50,7 +50,7 @@ double pixels(const files::XmlElement& image, const char* tag, double usual) {
   image.fail(fmt::format("{} of the image is {}; write whole pixels, 1 to 100000", tag, number));
 }
 
-/// The format counts the center of the picture from the picture's corner, not from the middle of a pixel.
+/// Reads a lens. The format counts the center of the picture from the picture's corner, not from the middle of a pixel.
 void read_lens(const files::XmlElement& intrinsics, std::map<std::string, double>& numbers) {
   numbers["fx"] = child_number(intrinsics, "fx", 277);
   numbers["fy"] = child_number(intrinsics, "fy", 277);
@@ -68,7 +68,7 @@ void read_fov(const files::XmlElement& camera, std::map<std::string, double>& nu
   numbers["fov"] = fov;
 }
 
-/// What is not said is as the format has it by default.
+/// Reads a camera; missing numbers have the defaults of the format.
 std::map<std::string, double> read_camera(const files::XmlElement& sensor, const files::XmlElement& camera) {
   std::map<std::string, double> numbers{{"width", 320}, {"height", 240}};
   if (const auto image = only_child(camera, "image")) {
@@ -84,6 +84,7 @@ std::map<std::string, double> read_camera(const files::XmlElement& sensor, const
   const auto bend = only_child(camera, "distortion");
   std::map<std::string, double> bends;
   for (const auto& [key, in_lens, in_plugin] : distortions) bends[key] = distortion(sensor, bend, in_lens, in_plugin);
+  // Without coefficients the camera has no distortion at all, instead of five zeros.
   if (std::ranges::any_of(bends, [](const auto& entry) { return entry.second != 0; })) numbers.merge(bends);
   return numbers;
 }
@@ -98,7 +99,7 @@ Transformd read_pose(const files::XmlElement& sensor) {
 void read_imu(const files::XmlElement& imu, robot_formats::SensorDescription& description, UrdfLog& log) {
   read_axes(imu, "angular_velocity", "gyroscope", description, log);
   read_axes(imu, "linear_acceleration", "accelerometer", description, log);
-  const auto noise = only_child(imu, "noise");  // older than SDFormat 1.5
+  const auto noise = only_child(imu, "noise");  // of files older than SDFormat 1.5
   if (!noise) return;
   const auto type = noise->attribute("type").value_or(child_text(*noise, "type"));
   if (type == "none") return;
@@ -113,13 +114,14 @@ void read_scan(const files::XmlElement& scan, robot_formats::SensorDescription& 
   }
   if (!horizontal) return;
   const double first = child_number(*horizontal, "min_angle"), last = child_number(*horizontal, "max_angle");
+  // Samples times resolution: the format interpolates rays between the simulated ones.
   description.numbers["rays"] =
       std::round(child_number(*horizontal, "samples", 640) * child_number(*horizontal, "resolution", 1));
   description.numbers["fov"] = last - first;
   description.numbers["first_angle"] = first;
 }
 
-/// A scanner's element is called as its kind, without the GPU.
+/// Reads a scanner, of which the element has the name of the kind, without the GPU.
 void read_laser(const files::XmlElement& laser, robot_formats::SensorDescription& description, UrdfLog& log) {
   double step = 0;  // [m]
   if (const auto scan = only_child(laser, "scan")) read_scan(*scan, description, log);
@@ -133,7 +135,7 @@ void read_laser(const files::XmlElement& laser, robot_formats::SensorDescription
   if (step > 0) description.signals[""].resolution = step;
 }
 
-/// Of every pixel; a mean would be a brighter picture.
+/// Reads the noise of every pixel; a mean would be a brighter picture.
 void read_pixel_noise(const files::XmlElement& camera, robot_formats::SensorDescription& description, UrdfLog& log) {
   const auto element = only_child(camera, "noise");
   if (!element) return;
@@ -146,12 +148,13 @@ void read_pixel_noise(const files::XmlElement& camera, robot_formats::SensorDesc
   }
 }
 
-/// What a sensor at a joint measures, and how it shows it.
+/// Reads axes and direction of a sensor at a joint.
 void read_force_torque(const files::XmlElement& sensor, const SensorPlace& at,
                        robot_formats::SensorDescription& description, UrdfLog& log) {
   const auto element = only_child(sensor, "force_torque");
   const std::string frame = element ? child_text(*element, "frame") : "";
   const std::string direction = element ? child_text(*element, "measure_direction") : "";
+  // The child's axes are the default of the format.
   if (frame.empty() || frame == "child") {
     description.texts["axes"] = at.child;
   } else if (frame == "parent") {
@@ -183,6 +186,7 @@ double text_number(const files::XmlElement& element) {
 }
 
 robot_formats::SensorDescription read_sensor(const files::XmlElement& sensor, const SensorPlace& at, UrdfLog& log) {
+  // A given place means SDF: its reader has checked all words with its own schema.
   if (!at.place) log.take(files::validate(sensor, gazebo_schema()));
   name_plugins(sensor, log);
   robot_formats::SensorDescription description{

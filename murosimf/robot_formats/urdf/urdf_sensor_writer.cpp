@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/math/roll_pitch_yaw.h"
 #include "murosimf/robot_formats/urdf/urdf_place_writer.h"
 #include "murosimf/robot_formats/urdf/urdf_writer.h"
@@ -25,9 +26,10 @@ void write_pose(files::XmlText& xml, const Transformd& place) {
   xml.content(fmt::format("{} {} {} {} {} {}", p.x, p.y, p.z, turn.x, turn.y, turn.z)).end();
 }
 
-/// The format counts the center of the picture from the picture's corner, not from the middle of a pixel.
+/// Writes a lens. The format counts the center of the picture from the picture's corner, not from the middle of a pixel.
 void write_lens(files::XmlText& xml, const std::map<std::string, double>& numbers) {
   xml.begin("lens").begin("intrinsics");
+  MUROSIMF_ASSERT(numbers.contains("fx") && numbers.contains("cx"));
   for (const char* key : {"fx", "fy"}) write_number(xml, key, numbers.at(key));
   for (const char* key : {"cx", "cy"}) write_number(xml, key, numbers.at(key) + 0.5);
   xml.end().end();
@@ -63,6 +65,7 @@ bool is_urdf_sensor(const robot_formats::SensorDescription& sensor) {
 
 void write_sensor(files::XmlText& xml, const robot_formats::SensorDescription& sensor, const std::string& link,
                   const Transformd& place) {
+  MUROSIMF_ASSERT(is_urdf_sensor(sensor));
   xml.begin("gazebo").text("reference", link);
   xml.begin("sensor").text("name", sensor.name.empty() ? sensor.kind : sensor.name).text("type", sensor.kind);
   if (sensor.rate > 0) write_number(xml, "update_rate", sensor.rate);

@@ -7,7 +7,7 @@
 
 namespace murosimf::robot_formats::urdf {
 
-/// A `gazebo` element with the sensor, which is one for which is_urdf_sensor (urdf_writer.h) holds. `link`: that carries it; `place`: of the
+/// Writes a `gazebo` element with the sensor; is_urdf_sensor (urdf_writer.h) must hold. `link`: carries it; `place`: of the
 /// sensor there.
 void write_sensor(files::XmlText& xml, const robot_formats::SensorDescription& sensor, const std::string& link,
                   const Transformd& place);

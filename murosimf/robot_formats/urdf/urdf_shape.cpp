@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/robot_formats/urdf/urdf_value.h"
 
@@ -21,7 +22,7 @@ void add_color(const files::XmlElement& material, UrdfColors& colors) {
   if (color && !name.empty()) colors.emplace(name, *color);
 }
 
-/// Lengths of URDF are whole ones.
+/// Reads a primitive. Lengths of URDF are whole ones, those of shapes half ones.
 Shape read_primitive(const files::XmlElement& element) {
   const std::string tag = element.tag();
   if (tag == "sphere") return Sphere{positive(element, "radius")};
@@ -45,7 +46,7 @@ files::XmlElement only_shape(const files::XmlElement& owner) {
   return shapes[0];
 }
 
-/// [1] What the link's `contact` says.
+/// [1] Friction of the link's `contact`.
 std::optional<double> own_friction(const files::XmlElement& link) {
   const auto contact = only_child(link, "contact");
   const auto friction = contact ? only_child(*contact, "lateral_friction") : std::nullopt;
@@ -70,6 +71,7 @@ PlacedShape placed_shape(const Shape& shape, const Transformd& place, const Colo
 UrdfColors read_colors(const files::XmlElement& robot) {
   UrdfColors colors;
   for (const files::XmlElement& material : robot.children("material")) add_color(material, colors);
+  // Materials are global: a link may use one that a later link defines.
   for (const files::XmlElement& link : robot.children("link")) {
     for (const files::XmlElement& visual : link.children("visual")) {
       for (const files::XmlElement& material : visual.children("material")) add_color(material, colors);
@@ -90,6 +92,7 @@ Color UrdfShapes::color_of(const files::XmlElement& visual) {
 
 void UrdfShapes::add(const files::XmlElement& link, robot_formats::BodyDescription& body) {
   const auto visuals = link.children("visual");
+  // Collision shapes have no color of their own: they get that of the first visual.
   const Color color = visuals.empty() ? Color{} : color_of(visuals[0]);
   for (const files::XmlElement& collision : link.children("collision")) add_part({collision, true, color}, body);
   for (const files::XmlElement& visual : visuals) add_part({visual, false, color_of(visual)}, body);
@@ -103,7 +106,7 @@ void UrdfShapes::add_part(const Part& part, robot_formats::BodyDescription& body
   const files::XmlElement shape = only_shape(part.element);
   const std::string tag = shape.tag();
   if (tag == "mesh") return add_mesh(part, shape, body);
-  if (!is_primitive(tag)) return;  // the schema has told about it
+  if (!is_primitive(tag)) return;  // the schema has reported it
   body.shapes.push_back({part.element.attribute("name").value_or(""), part.element.where(),
                          placed_shape(read_primitive(shape), read_origin(part.element), part.color, part.collides),
                          ""});
@@ -133,6 +136,7 @@ void UrdfShapes::add_collision_mesh(const Part& part, const files::XmlElement& m
   if (!found) mesh.fail(meshes_.complaint(mesh));
   const Transformd place = read_origin(part.element);
   for (const robot_formats::mesh::ConvexPart& convex : meshes_.parts(*found, mesh)) {
+    MUROSIMF_ASSERT(convex.shape.hull != nullptr);
     const Transformd at_middle = place * Transformd{convex.middle, {}};
     body.shapes.push_back({part.element.attribute("name").value_or(""), part.element.where(),
                            placed_shape(convex.shape, at_middle, part.color, true), found->name, convex.middle});

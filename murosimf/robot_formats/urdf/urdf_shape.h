@@ -1,6 +1,6 @@
 /// urdf_shape.h - `visual` and `collision` elements of links of a URDF file.
 ///
-/// Meshes that collide become convex hulls. Those for the eye are named, not read: the physics does not need them.
+/// Meshes that collide become convex hulls. Visual ones are named, not read: the physics does not need them.
 #pragma once
 
 #include <map>
@@ -12,11 +12,11 @@
 
 namespace murosimf::robot_formats::urdf {
 
-/// Colors by name of material, wherever in the file they are defined; the first definition counts.
+/// Colors by name of material, independent of where the file defines them; the first definition counts.
 using UrdfColors = std::map<std::string, Color>;
 [[nodiscard]] UrdfColors read_colors(const files::XmlElement& robot);
 
-inline constexpr double standard_friction = 1.0;  ///< [1] what Gazebo and MuJoCo take where a URDF file is silent
+inline constexpr double standard_friction = 1.0;  ///< [1] default of Gazebo and MuJoCo for URDF files
 
 /// A shape at its place in a body [m, axes of the body], with its `friction` [1] and color.
 [[nodiscard]] PlacedShape placed_shape(const Shape& shape, const Transformd& place, const Color& color, bool collides,
@@ -27,12 +27,12 @@ class UrdfShapes {
   UrdfShapes(UrdfColors colors, UrdfMeshes meshes, UrdfLog& log)
       : colors_(std::move(colors)), meshes_(std::move(meshes)), log_(log) {}
 
-  /// Adds the shapes of a link to its body, with the friction that Bullet's `contact` gives the link. Shapes that collide have the color of the link's first visual. Throws
-  /// SetupError: impossible sizes, collision mesh missing or unreadable. A visual mesh that is missing is a warning.
+  /// Adds the shapes of a link to its body, with the friction that Bullet's `contact` gives the link. Shapes that collide have the color of
+  /// the link's first visual. Throws SetupError: impossible sizes, missing or unreadable collision mesh. A missing visual mesh is a warning.
   void add(const files::XmlElement& link, robot_formats::BodyDescription& body);
 
  private:
-  /// Something that fills space, before it is a shape.
+  /// A part with a geometry, before it becomes a shape.
   struct Part {
     files::XmlElement element;
     bool collides = false;

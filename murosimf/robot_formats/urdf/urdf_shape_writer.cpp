@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/robot_formats/urdf/urdf_place_writer.h"
 
 namespace murosimf::robot_formats::urdf {
@@ -17,7 +18,7 @@ constexpr int rings = 16;            // of an ellipsoid, from pole to pole
 
 bool is_uniform(const Vec3d& scale) { return scale.x == scale.y && scale.y == scale.z; }
 
-/// The place of the scaled file in the mesh frame: a vertex v of the file stands at S R^T (v - p) there. With different scales along
+/// Whether the scaled file has a place in the mesh frame: a vertex v of the file stands at S R^T (v - p) there. With different scales along
 /// turned axes there is none.
 bool has_place(const robot_formats::MeshDescription& mesh) {
   return is_uniform(mesh.scale) || is_identity(mesh.origin.orientation);
@@ -30,12 +31,12 @@ Transformd file_place(const robot_formats::MeshDescription& mesh) {
   return {-times(mesh.scale, back * mesh.origin.position), back};
 }
 
-/// Of the mesh that the shape is a part of.
+/// Place of the mesh that the shape is a part of.
 Transformd mesh_place(const robot_formats::ShapeDescription& shape) {
   return shape.placed.place() * Transformd{-shape.middle, {}};
 }
 
-/// Other parts of the same mesh at the same place.
+/// Whether both are different parts of the same mesh at the same place.
 bool is_same_mesh(const robot_formats::ShapeDescription& a, const robot_formats::ShapeDescription& b) {
   if (a.mesh.empty() || a.mesh != b.mesh || a.where != b.where || a.name != b.name) return false;
   return !is_zero(a.middle - b.middle) && norm(mesh_place(a).position - mesh_place(b).position) < same_place;
@@ -48,13 +49,14 @@ std::string obj_of(const ConvexHull& hull) {
   for (const Vec3d& v : hull.vertices) text += vertex_line(v);
   for (const auto& face : hull.faces) {
     text += 'f';
+    // OBJ counts from 1.
     for (const std::uint32_t corner : face) text += fmt::format(" {}", corner + 1);
     text += '\n';
   }
   return text;
 }
 
-/// Points of the surface, and the faces between them; half as long as it is around.
+/// Points of the surface, and the faces between them; twice as many points around as from pole to pole.
 std::string obj_of(const Ellipsoid& ellipsoid) {
   constexpr int around = 2 * rings;
   std::string text = vertex_line({0, 0, ellipsoid.semi_axes.z});
@@ -66,6 +68,7 @@ std::string obj_of(const Ellipsoid& ellipsoid) {
     }
   }
   text += vertex_line({0, 0, -ellipsoid.semi_axes.z});
+  // Number of a vertex in the file: 1 is the upper pole.
   const auto number = [](int ring, int k) { return 2 + (ring - 1) * around + k % around; };
   for (int k = 0; k < around; ++k) {
     text += fmt::format("f 1 {} {}\n", number(1, k), number(1, k + 1));
@@ -77,7 +80,7 @@ std::string obj_of(const Ellipsoid& ellipsoid) {
   return text;
 }
 
-/// Adds the element of a shape that URDF has; false: it has none.
+/// Adds the element of a shape if URDF has one; false otherwise.
 struct WritePrimitive {
   files::XmlText& xml;
 
@@ -143,6 +146,7 @@ void UrdfShapeWriter::write_shape(const char* tag, const robot_formats::ShapeDes
 
 void UrdfShapeWriter::write_capsule(const char* tag, const robot_formats::ShapeDescription& shape,
                                     const Transformd& place) {
+  MUROSIMF_ASSERT(std::holds_alternative<Capsule>(shape.placed.shape));
   const auto& [radius, half_length] = std::get<Capsule>(shape.placed.shape);
   const auto write_part = [&](const Shape& part, double height, const char* name) {
     robot_formats::ShapeDescription one = shape;
@@ -163,10 +167,11 @@ void UrdfShapeWriter::write_geometry(const robot_formats::ShapeDescription& shap
   if (const auto* ellipsoid = std::get_if<Ellipsoid>(&shape.placed.shape)) text = obj_of(*ellipsoid);
   const std::string stem = file_safe(shape.mesh.empty() ? shape.name : shape.mesh);
   std::string name = fmt::format("{}/{}.obj", options_.mesh_folder, stem);
-  // the same shape elsewhere, also for the eye, is the same file
+  // The same shape in another place, also as a visual, is the same file.
   for (int number = 2; result_.meshes.contains(name) && result_.meshes.at(name) != text; ++number) {
     name = fmt::format("{}/{}_{}.obj", options_.mesh_folder, stem, number);
   }
+  MUROSIMF_ASSERT(!text.empty());
   result_.meshes.emplace(name, std::move(text));
   write_mesh(name, {1, 1, 1});
 }
@@ -193,7 +198,7 @@ void UrdfShapeWriter::write_visual(const robot_formats::VisualDescription& visua
   xml_.end();
 }
 
-/// A material of the same name has the same color in all of the file.
+/// Writes a material. One of the same name has the same color in all of the file, so the name is the color.
 void UrdfShapeWriter::write_color(const Color& color) {
   if (color == Color{}) return;
   const auto byte = [](double share) { return static_cast<int>(std::lround(255 * std::clamp(share, 0.0, 1.0))); };
@@ -204,7 +209,7 @@ void UrdfShapeWriter::write_color(const Color& color) {
   xml_.end();
 }
 
-/// Null: the mesh has no file, or one that cannot be placed.
+/// The mesh of a shape. Null: the mesh has no file, or one that cannot be placed.
 const robot_formats::MeshDescription* UrdfShapeWriter::mesh_in_file(const std::string& name) const {
   if (name.empty()) return nullptr;
   const auto mesh = std::ranges::find(description_.meshes, name, &robot_formats::MeshDescription::name);

@@ -14,13 +14,13 @@ namespace murosimf::robot_formats::urdf {
 
 class UrdfShapeWriter {
  public:
-  /// All must live longer.
+  /// All arguments must outlive the object.
   UrdfShapeWriter(const robot_formats::RobotDescription& description, const UrdfWriterOptions& options,
                   files::XmlText& xml, UrdfText& result);
 
-  /// Of a link whose frame the body's stands in at `place`. A capsule is a cylinder and two spheres, which
-  /// are the same set of points: most programs that read URDF have no capsule. A body without anything for the eye shows what collides. Parts of one mesh
-  /// are one collision: readers split the file again.
+  /// Writes the shapes of a link; `place`: frame of the body in that of the link. A capsule is written as a cylinder and two spheres, which
+  /// are the same set of points: most programs that read URDF have no capsule. A body without visuals shows its collision shapes. Parts of one
+  /// mesh are one collision: readers split the file again.
   void write(const robot_formats::BodyDescription& body, const Transformd& place);
 
  private:

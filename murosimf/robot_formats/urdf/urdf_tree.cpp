@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/robot_formats/urdf/urdf_value.h"
 
@@ -48,6 +49,7 @@ void read_links(const files::XmlElement& robot, UrdfTree& tree, Index& names) {
 }
 
 void connect(UrdfTree& tree, int number) {
+  MUROSIMF_ASSERT(number >= 0 && static_cast<std::size_t>(number) < tree.joints.size());
   const UrdfJoint& joint = tree.joints[number];
   UrdfLink& child = tree.links[joint.child];
   if (joint.parent == joint.child) {
@@ -61,7 +63,7 @@ void connect(UrdfTree& tree, int number) {
   tree.links[joint.parent].children.push_back(number);
 }
 
-/// A joint that its limits hold still is fixed.
+/// Makes a joint fixed if its limits hold it at one position.
 void fix_held(UrdfJoint& joint, UrdfLog& log) {
   if (joint.type != "revolute" && joint.type != "prismatic") return;
   const auto limit = only_child(joint.element, "limit");
@@ -75,7 +77,7 @@ void fix_held(UrdfJoint& joint, UrdfLog& log) {
                                joint.name, lower));
 }
 
-/// A joint that follows one that cannot move is fixed where that puts it. True if it is one of these.
+/// Makes a joint fixed if it follows one that cannot move. True if it does.
 bool fix_follower(UrdfJoint& joint, const std::vector<UrdfJoint>& joints, const Index& names, UrdfLog& log) {
   const auto mimic =
       joint.type == "fixed" || joint.type == "floating" ? std::nullopt : only_child(joint.element, "mimic");
@@ -88,7 +90,7 @@ bool fix_follower(UrdfJoint& joint, const std::vector<UrdfJoint>& joints, const 
   return true;
 }
 
-/// Until there are no more: followers may be followed.
+/// Repeats until there are no more: followers may be followed. Each round fixes a joint, so it ends.
 void fix_followers(UrdfTree& tree, const Index& names, UrdfLog& log) {
   bool more = true;
   while (more) {
@@ -122,6 +124,7 @@ int find_root(const UrdfTree& tree) {
     }
     root = i;
   }
+  MUROSIMF_ASSERT(!tree.links.empty());
   if (root < 0) {
     const UrdfJoint& joint = tree.joints[tree.links[0].joint];
     joint.element.fail(fmt::format("joint '{}' is part of a circle: no link is without parent; open it", joint.name));
@@ -129,8 +132,9 @@ int find_root(const UrdfTree& tree) {
   return root;
 }
 
-/// The links below `root`, parents first.
+/// The links below `root`, parents first, branches in the order of the file.
 std::vector<int> below(const UrdfTree& tree, int root) {
+  // An explicit stack takes the last child first.
   std::vector<int> order, open{root};
   while (!open.empty()) {
     const int link = open.back();
@@ -139,6 +143,7 @@ std::vector<int> below(const UrdfTree& tree, int root) {
     const auto& children = tree.links[link].children;
     for (auto joint = children.rbegin(); joint != children.rend(); ++joint) open.push_back(tree.joints[*joint].child);
   }
+  MUROSIMF_ASSERT(order.front() == root && order.size() <= tree.links.size());
   return order;
 }
 
@@ -148,6 +153,7 @@ void check_reached(const UrdfTree& tree, const std::vector<int>& order) {
   for (std::size_t i = 0; i < reached.size(); ++i) {
     if (reached[i]) continue;
     const UrdfJoint& joint = tree.joints[tree.links[i].joint];
+    // Such links have parents, so find_root() did not count them.
     joint.element.fail(fmt::format("joint '{}' is part of a circle that the root '{}' does not reach; open it",
                                    joint.name, tree.links[order[0]].name));
   }
@@ -155,7 +161,7 @@ void check_reached(const UrdfTree& tree, const std::vector<int>& order) {
 
 bool is_empty(const UrdfLink& link) { return link.element.children().empty(); }
 
-/// The robot's base: the root, or what floats below it. An empty root called "world" is the world, as in Gazebo.
+/// The robot's base: the root, or the floating link below it. An empty root called "world" is the world, as in Gazebo.
 int find_base(UrdfTree& tree, int root, UrdfLog& log) {
   const UrdfLink& link = tree.links[root];
   if (link.children.empty() || !is_empty(link)) return root;
@@ -201,6 +207,7 @@ UrdfTree read_tree(const files::XmlElement& robot, UrdfLog& log) {
   check_reached(tree, below(tree, root));
   const int base = find_base(tree, root, log);
   refuse_floating(tree, base);
+  MUROSIMF_ASSERT(base >= 0);
   tree.order = below(tree, base);
   return tree;
 }

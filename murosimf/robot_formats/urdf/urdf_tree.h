@@ -1,4 +1,4 @@
-/// urdf_tree.h - links and joints of a URDF file as a tree: who is whose parent.
+/// urdf_tree.h - links and joints of a URDF file as a tree.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ namespace murosimf::robot_formats::urdf {
 struct UrdfLink {
   std::string name;
   files::XmlElement element;
-  int joint = -1;               ///< to its parent; -1: it has none
+  int joint = -1;               ///< to its parent; -1: none
   std::vector<int> children{};  ///< joints below it, as in the file
 };
 
@@ -22,7 +22,7 @@ struct UrdfJoint {
   std::string type;  ///< revolute, continuous, prismatic or fixed; floating only above the base
   files::XmlElement element;
   int parent = -1, child = -1;  ///< links
-  double held_at = 0;           ///< [rad | m] fixed since both of its limits are this
+  double held_at = 0;           ///< [rad | m] position of a joint that is fixed because both of its limits are this
 };
 
 struct UrdfTree {
@@ -36,8 +36,8 @@ struct UrdfTree {
   [[nodiscard]] int find_joint(std::string_view name) const;
 };
 
-/// A joint whose limits are written as one number is fixed there, with a warning. An empty link above a floating joint stands for the
-/// world and is no part of the robot; an empty root called "world" is the base of a robot that is bolted to it. Throws SetupError if
+/// Reads the tree. A joint with equal limits is fixed there, with a warning. An empty link above a floating joint stands for the
+/// world and is not part of the robot; an empty root called "world" is the base of a robot that is bolted to it. Throws SetupError if
 /// links and joints form no tree, for missing and double names, and for planar joints and floating ones inside the robot.
 [[nodiscard]] UrdfTree read_tree(const files::XmlElement& robot, UrdfLog& log);
 

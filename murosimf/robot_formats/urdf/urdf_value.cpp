@@ -1,4 +1,5 @@
 #include "murosimf/robot_formats/urdf/urdf_value.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/math/roll_pitch_yaw.h"
 
 #include <fmt/format.h>
@@ -46,6 +47,7 @@ std::vector<double> needed_numbers(const files::XmlElement& element, const std::
     const std::string wanted = count == 1 ? "one finite number" : fmt::format("{} finite numbers", count);
     element.fail(fmt::format("{} is '{}'; write {}", what, text, wanted));
   }
+  MUROSIMF_ASSERT(numbers->size() == count);
   return *numbers;
 }
 

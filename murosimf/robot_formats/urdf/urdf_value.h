@@ -1,4 +1,4 @@
-/// urdf_value.h - values of URDF elements and attributes. Each complaint has file, line, and what to do.
+/// urdf_value.h - values of URDF elements and attributes. Each error has file, line, and what to do.
 ///
 /// SI units and radians. `rpy` are those of math/roll_pitch_yaw.h. Source: URDF XML specification, "joint" and "link".
 #pragma once
@@ -12,21 +12,21 @@
 
 namespace murosimf::robot_formats::urdf {
 
-/// The element inside of that name; nothing if there is none. A second one is an error.
+/// The element of that name inside; nothing if there is none. A second one is an error.
 [[nodiscard]] std::optional<files::XmlElement> only_child(const files::XmlElement& parent, const char* tag);
-/// The same; it must be there.
+/// The same; required.
 [[nodiscard]] files::XmlElement needed_child(const files::XmlElement& parent, const char* tag);
 
-/// An attribute that must be there and not be empty.
+/// A required attribute that is not empty.
 [[nodiscard]] std::string needed_text(const files::XmlElement& element, const char* attribute);
-/// Throws SetupError unless `text` is a list of exactly `count` finite numbers; `what` says of what.
+/// Throws SetupError unless `text` is a list of exactly `count` finite numbers; `what` names them.
 [[nodiscard]] std::vector<double> needed_numbers(const files::XmlElement& element, const std::string& text,
                                                  std::size_t count, const std::string& what);
 
 [[nodiscard]] double needed_number(const files::XmlElement& element, const char* attribute);
 [[nodiscard]] double number_or(const files::XmlElement& element, const char* attribute, double fallback);
 [[nodiscard]] double at_least_zero(const files::XmlElement& element, const char* attribute);
-/// A size: must be there and be more than zero.
+/// A size: required and more than zero.
 [[nodiscard]] double positive(const files::XmlElement& element, const char* attribute);
 [[nodiscard]] Vec3d needed_vector(const files::XmlElement& element, const char* attribute);
 [[nodiscard]] Vec3d vector_or(const files::XmlElement& element, const char* attribute, const Vec3d& fallback);

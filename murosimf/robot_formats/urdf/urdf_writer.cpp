@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/robot_formats/urdf/urdf_place_writer.h"
 #include "murosimf/robot_formats/urdf/urdf_sensor_writer.h"
 #include "murosimf/robot_formats/urdf/urdf_shape.h"
@@ -17,9 +18,9 @@ namespace {
 
 constexpr double least_inertia = 1e-13;      // [kg m^2] readers refuse a mass without inertia
 constexpr const char* world_link = "world";  // an empty root of this name bolts a robot
-constexpr double endless = 1e3;              // [m] range of a slider that has none: URDF wants one
+constexpr double endless = 1e3;              // [m] range of a slider without one: URDF requires it
 
-/// A link of the file, and where it stands.
+/// A link of the file, and its place.
 struct Link {
   std::string name;
   Transformd body;  ///< the frame of the description's body in that of the link
@@ -46,9 +47,11 @@ class Writer {
  private:
   void write_body(const robot_formats::BodyDescription& body) {
     Link link{body.name, {}};
+    MUROSIMF_ASSERT(body.parent < static_cast<int>(links_.size()));
     if (body.parent < 0 && description_.fixed_base) bolt(body, link);
     std::string parent = body.parent < 0 ? "" : links_[body.parent].name;
     Transformd place = body.parent < 0 ? Transformd{} : links_[body.parent].body * body.place;
+    // URDF has one joint between two links: joints of one body get massless links between them.
     for (std::size_t i = 0; i < body.joints.size(); ++i) {
       const robot_formats::JointDescription& joint = body.joints[i];
       const bool last = i + 1 == body.joints.size();
@@ -56,6 +59,7 @@ class Writer {
       if (!last) xml_.begin("link").text("name", child).end();
       write_joint(joint, parent, child, place * Transformd{joint.anchor, {}} * back_to_zero(joint));
       parent = child;
+      // The link's frame is that of its joint: the body's own is shifted in it.
       place = Transformd{-joint.anchor, {}};
     }
     if (!body.joints.empty()) {
@@ -68,7 +72,7 @@ class Writer {
     links_.push_back(std::move(link));
   }
 
-  /// An empty root called "world" is the world; a base with mass or shapes hangs on it.
+  /// Adds the world of a bolted robot: an empty root called "world", to which a base with mass or shapes is attached.
   void bolt(const robot_formats::BodyDescription& base, Link& link) {
     const bool empty = !(base.solid.mass > 0) && base.shapes.empty() && base.visuals.empty();
     if (empty && base.name == world_link) return;
@@ -78,8 +82,9 @@ class Writer {
     write_fixed(link.name, world_link, {});
   }
 
-  /// In the pose of the file the joint stands at its reference: in URDF it does so at zero.
+  /// Turns a joint from its reference, where it is in the pose of the file, to zero, where it is in URDF.
   [[nodiscard]] static Transformd back_to_zero(const robot_formats::JointDescription& joint) {
+    MUROSIMF_ASSERT(norm(joint.axis) > 0);
     const Vec3d axis = (1.0 / norm(joint.axis)) * joint.axis;
     if (joint.reference == 0) return {};
     if (joint.kind == Kind::prismatic) return {-joint.reference * axis, {}};
@@ -96,6 +101,7 @@ class Writer {
   void write_inertial(const robot_formats::MassProperties& solid) {
     if (!(solid.mass > 0)) return;
     SymMat3d I = solid.inertia;
+    // Readers refuse a mass without inertia.
     if (!(robot_formats::principal_moments(I).x > 0)) I = robot_formats::with_least_moment(I, least_inertia);
     xml_.begin("inertial");
     write_origin(xml_, {solid.center, {}});
@@ -156,7 +162,7 @@ class Writer {
     xml_.numbers("effort", {effort}).numbers("velocity", {joint.rate_limit}).end();
   }
 
-  /// Of the file, else of what drives the joint.
+  /// [N m | N] Limit of the file, else of the joint's servo.
   [[nodiscard]] double largest_effort(const robot_formats::JointDescription& joint) {
     if (joint.effort_limit > 0) return joint.effort_limit;
     double lowest = 0, highest = 0;
@@ -171,6 +177,7 @@ class Writer {
       leave_out(joint.where, fmt::format("torque of joint '{}' from {} to {}: the larger one holds both ways",
                                          joint.name, lowest, highest));
     }
+    // Limits of URDF are the same in both directions.
     return std::max({std::fabs(lowest), std::fabs(highest), 0.0});
   }
 
@@ -210,6 +217,7 @@ class Writer {
       return write_sensor(xml_, sensor, frame->second, sensor.place);
     }
     for (std::size_t i = 0; i < links_.size(); ++i) {
+      MUROSIMF_ASSERT(links_.size() == description_.bodies.size());
       const robot_formats::BodyDescription& body = description_.bodies[i];
       const bool of_joint = !body.joints.empty() && body.joints.back().name == sensor.frame;
       if (body.name != sensor.frame && !of_joint) continue;
@@ -264,7 +272,7 @@ class Writer {
   UrdfText result_;
   UrdfShapeWriter shapes_;
   std::vector<Link> links_;                         // of each body
-  std::set<std::string> link_names_;                // also those of bodies to come
+  std::set<std::string> link_names_;                // also those of later bodies
   std::map<std::string, std::string> frame_links_;  // by the name of the frame
 };
 

@@ -9,6 +9,7 @@
 #include "murosimf/files/child_process.h"
 #include "murosimf/files/input_file.h"
 #include "murosimf/files/xml_element.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/robot_formats/urdf/package_folders.h"
 #include "murosimf/robot_formats/urdf/urdf_reader.h"
@@ -18,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// exit codes of the script below
+// Exit codes of the script below.
 constexpr int package_is_missing = 3, xacro_is_missing = 4;
 
 /// Standard input: name and folder of each known package, a line each. Arguments: the file, then name:=value.
@@ -60,7 +61,7 @@ std::string lines_of(const std::map<std::string, fs::path>& packages) {
   return text;
 }
 
-/// The nearest one that is there.
+/// The nearest existing folder of the package.
 fs::path folder_of(const fs::path& file, const std::string& package, PackageFolders& packages) {
   std::error_code error;
   for (const fs::path& folder : packages.folders_of(package)) {
@@ -92,6 +93,7 @@ std::string expand_xacro(const fs::path& file, const robot_formats::ReaderOption
   files::check_input_file(file, files::most_xml_bytes);
   PackageFolders packages(fs::absolute(file).lexically_normal().parent_path(), options.packages, options.search_paths);
   const std::vector<std::string> command = command_of(file, options);
+  // Each run reports one missing package: the script cannot ask back.
   for (std::map<std::string, fs::path> known;;) {
     const auto result = files::run_process(command, lines_of(known));
     if (!result || result->exit_code == xacro_is_missing) {
@@ -103,6 +105,7 @@ std::string expand_xacro(const fs::path& file, const robot_formats::ReaderOption
       fail(file, "xacro gives up: " +
                      (result->errors.empty() ? fmt::format("exit code {}", result->exit_code) : result->errors));
     }
+    MUROSIMF_ASSERT(!known.contains(package));
     known[package] = folder_of(file, package, packages);
   }
 }

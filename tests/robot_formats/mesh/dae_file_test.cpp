@@ -142,7 +142,7 @@ std::string repeated(const std::string& text, int times) {
   return result;
 }
 
-// A small file can ask for a thousand times what stands in it.
+// A small file can expand to a thousand times its size.
 TEST(DaeFile, RefusesMoreThanAFileCanMean) {
   const std::string twice = "<node id='n0'>" + repeated("<instance_geometry url='#g'/>", 100) + "</node>" +
                             "<node id='n1'>" + repeated("<instance_node url='#n0'/>", 100) + "</node>" + "<node>" +

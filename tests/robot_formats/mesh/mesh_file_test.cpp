@@ -21,7 +21,7 @@ namespace {
 using fixtures::error_of;
 using fixtures::says;
 
-/// A file of its own for every test.
+/// An own file for every test.
 std::filesystem::path test_file(const std::string& ending) {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
   return fixtures::temp_folder() / (std::string("mesh_") + test->name() + ending);
@@ -35,7 +35,7 @@ std::filesystem::path write(const std::string& bytes, const std::string& ending)
 
 MeshFile read(const std::string& bytes, const std::string& ending) { return read_mesh_file(write(bytes, ending)); }
 
-/// What reading complains about; it must be one line that begins with the file's name.
+/// The error of the reader; it must be one line that begins with the file's name.
 std::string complaint(const std::filesystem::path& file) {
   const std::string what = error_of([&] { (void)read_mesh_file(file); });
   EXPECT_TRUE(what.starts_with(file.string() + ":")) << what;
@@ -254,7 +254,7 @@ TEST(MeshFile, RefusesFacesOfObjThatNameNoVertices) {
   EXPECT_TRUE(says(complaint(start + "f 1 2\n", ".obj"), {":4: ", "2 vertices"}));
 }
 
-/// A tetrahedron with normals and texture coordinates, which are passed over; `last`: the last corner of its last face.
+/// A tetrahedron with normals and texture coordinates, which are skipped; `last`: the last corner of its last face.
 std::string msh(std::int32_t last = 3, std::int32_t faces = 4) {
   std::string bytes;
   for (const std::int32_t count : {4, 4, 4, faces}) append(bytes, count);

@@ -1,4 +1,4 @@
-/// mjcf_acts_test - the table `murosimf list mjcf` is true: whatever it says acts makes another model when it changes.
+/// mjcf_acts_test - the table `murosimf list mjcf` is true: a change of anything that it lists as used changes the model.
 #include "murosimf/robot/robot_reader.h"
 
 #include <filesystem>
@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// ---- everything that a simulation knows of a robot, as text ----
+// ---- all data of a robot in a simulation, as text ----
 
 std::string text_of(const Color& c) { return fmt::format("{} {} {} {}", c.red, c.green, c.blue, c.alpha); }
 std::string text_of(const Vec3d& v) { return fmt::format("{} {} {}", v.x, v.y, v.z); }
@@ -138,7 +138,7 @@ std::string result_of(const std::string& text) {
   }
 }
 
-/// Parts of a file that a test puts something into.
+/// Parts of a file that are inserted by a test.
 struct Parts {
   std::string compiler = "<compiler angle='radian'/>";
   std::string defaults{}, assets{};

@@ -12,7 +12,7 @@
 namespace murosimf::robot_formats::mjcf {
 namespace {
 
-/// The servo of an arm whose hinge stands beside its body's origin.
+/// The servo of an arm with its hinge beside its body's origin.
 Servo servo(const std::string& joint, const std::string& actuator) {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
   const auto file = fixtures::temp_folder() / (std::string("mjcf_numbers_") + test->name() + ".xml");

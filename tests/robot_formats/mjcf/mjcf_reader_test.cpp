@@ -144,7 +144,7 @@ TEST(MjcfReader, Kid21HasServosOfItsTable) {
   EXPECT_EQ(model->find(properties::servo, model->object_index("j_head"))->type, "mx28");
   EXPECT_EQ(knee.law, "dc_motor");
   EXPECT_EQ(knee.rotor_inertia, 0.01);
-  // kid21.xml says the same of the same part; both would count it twice
+  // kid21.xml has the same data of the same part; both would count it twice
   EXPECT_TRUE(model->having(properties::joint_armature).empty());
   EXPECT_TRUE(model->having(properties::joint_damping).empty());
   EXPECT_TRUE(model->having(properties::joint_friction).empty());
@@ -165,7 +165,7 @@ TEST(MjcfReader, Kid21HasTwentyBodiesWithOneShapeEach) {
   const auto with_shapes = model->having(properties::shapes);
   EXPECT_EQ(with_shapes.size(), 20u);
   for (const int i : with_shapes) EXPECT_EQ(model->find(properties::shapes, i)->size(), 1u);
-  // the ankle servo keeps clear of the ground on a foot that stands
+  // the ankle servo is above the ground when the foot stands
   const double sole_height = 0.04;
   const Shapes& ankle = *model->find(properties::shapes, model->object_index("l_ankle"));
   EXPECT_LT(std::get<Sphere>(ankle[0].shape).radius, sole_height - 0.01);
@@ -585,7 +585,7 @@ TEST(MjcfReader, MassesFollowTheCompilersRules) {
 }
 
 TEST(MjcfReader, ADampingRatioIsTurnedIntoAGain) {
-  // 2 kg in 3 m and the rotor; the trunk does not matter
+  // 2 kg in 3 m and the rotor; the trunk has no effect
   const std::string heavy = "<body name='c' pos='3 0 0'><inertial mass='2' pos='0 0 0' diaginertia='1 1 1'/></body>";
   const Servo damped =
       servo("<position joint='j' kp='4' dampratio='0.5'/>",
@@ -693,7 +693,7 @@ TEST(MjcfReader, NamesDuplicates) {
   expect_complaint(message(closed_robot("<site name='s'/><site name='s'/>")), 5, "site 's' appears twice");
   expect_complaint(message(closed_robot("", "<default>\n<default class='a'/><default class='a'/></default>")), 2,
                    "default class 'a' is already there");
-  // a name that the reader itself gives
+  // a name that the reader itself makes
   expect_complaint(message(closed_robot("<body name='c' pos='1 0 0'>" + limb("<joint axis='1 0 0'/>") +
                                         "</body>"
                                         "<body name='c.offset'/>")),

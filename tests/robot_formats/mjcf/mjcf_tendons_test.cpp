@@ -1,4 +1,4 @@
-/// mjcf_tendons_test - fixed tendons that act at one joint, against their forces worked out by hand.
+/// mjcf_tendons_test - fixed tendons that act at one joint, against forces computed by hand.
 #include "murosimf/robot_formats/mjcf/mjcf_tendons.h"
 
 #include <fstream>
@@ -75,7 +75,7 @@ TEST(MjcfTendons, PassOnTheForcesOfActuators) {
   EXPECT_NEAR(joint_i(alone).target_range->y, .5, 1e-14);
 }
 
-// What would be wrong at one joint stays a warning.
+// Errors at one joint are warnings.
 TEST(MjcfTendons, OfSeveralJointsDoNotAct) {
   struct Case {
     std::string tendon;

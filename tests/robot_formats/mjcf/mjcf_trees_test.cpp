@@ -1,4 +1,4 @@
-/// mjcf_trees_test - files whose robot is bolted to the world, is one of several things, has ball joints, or has parts that do not act.
+/// mjcf_trees_test - files of robots that are fixed to the world, are one of several bodies, have ball joints, or have parts without effect.
 #include "murosimf/robot/robot_reader.h"
 
 #include <algorithm>
@@ -147,7 +147,7 @@ TEST(MjcfTrees, TheRobotIsWhatHasTheMostJoints) {
   const auto& key = robot.description.keyframes.at(0);
   EXPECT_EQ(difference(key.base.position, Vec3d{1, 2, 3}), 0);
   EXPECT_EQ(key.positions.at("h"), .2);
-  // of things without joints one that floats is the robot, not what stands around
+  // of bodies without joints one that floats is the robot, not those that are fixed
   EXPECT_EQ(read(world("<body name='table'><geom size='1'/></body>" + std::string(ball))).model->objects()[0].name,
             "ball");
 }
@@ -237,7 +237,7 @@ TEST(MjcfTrees, WeightIsNotTakenFromBodies) {
   EXPECT_TRUE(any_says(read(weightless("1"), true).warnings, "body 'arm' feels another gravity"));
 }
 
-/// What is bolted is written so that it is read again as the same.
+/// A robot that is fixed to the world is written so that it is read as the same.
 TEST(MjcfTrees, WrittenFilesAreBoltedAsWell) {
   const auto robot = read(
       world(std::string(arm) + "<body name='table'><geom type='box' size='.5 .5 .5' mass='30'/></body>",

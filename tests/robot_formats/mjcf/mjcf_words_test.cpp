@@ -1,4 +1,4 @@
-/// mjcf_words_test - actuators, copies, other files, materials and keys of MJCF files mean what they mean to MuJoCo. The expected numbers
+/// mjcf_words_test - actuators, copies, other files, materials and keys of MJCF files have the same meaning as in MuJoCo. The expected numbers
 /// are those that MuJoCo 4.0 has for the same files.
 #include "murosimf/robot/robot_reader.h"
 
@@ -299,7 +299,7 @@ TEST(MjcfWords, JointsMayStandInFrames) {
   EXPECT_NEAR(norm(joint.anchor - Vec3d{1, 0, 1}), 0, 1e-15);
 }
 
-/// What the writer writes of all this is read as the same.
+/// The reader reads the writer's output as the same robot.
 TEST(MjcfWords, WrittenFilesSayTheSame) {
   const auto robot =
       read(arm("<position joint='j' kp='30' kv='3' ctrlrange='-.2 .3' forcerange='-1 3' timeconst='.1'/></actuator>"

@@ -33,7 +33,7 @@ inline robot_formats::RobotDescription read(const std::string& text, const robot
   return read_proto(write("robot.proto", text), options);
 }
 
-/// A Robot of 1 kg whose children begin in line 5.
+/// A Robot of 1 kg with children from line 5 on.
 inline std::string robot(const std::string& children, const std::string& version = "R2023b") {
   return "#VRML_SIM " + version + " utf8\n" +
          "PROTO Mine [ field SFString name \"mine\" ]\n"
@@ -47,7 +47,7 @@ inline std::string limb(const std::string& inside = "", const std::string& name 
   return "Solid { name \"" + name + "\" physics Physics { mass 1 inertiaMatrix [ 1 1 1, 0 0 0 ] } " + inside + " }";
 }
 
-/// A Robot whose own Solid has a boundingObject and this Physics.
+/// A Robot with a boundingObject and this Physics in its own Solid.
 inline std::string block(const std::string& bounding, const std::string& physics,
                          const std::string& version = "R2023b") {
   return "#VRML_SIM " + version + " utf8\nPROTO B [ ] { Solid { name \"b\"\nboundingObject " + bounding +

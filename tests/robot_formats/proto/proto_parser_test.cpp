@@ -1,4 +1,4 @@
-/// proto_parser_test - syntax: fields, defaults, IS, DEF and USE, PROTOs inside, and what is wrong in which line.
+/// proto_parser_test - syntax: fields, defaults, IS, DEF and USE, PROTOs inside, and errors with their lines.
 #include "tests/robot_formats/proto/proto_files.h"
 
 namespace murosimf::robot_formats::proto {

@@ -42,7 +42,7 @@ inline robot_formats::RobotDescription read(const std::string& text, const robot
   return read_sdf(write("robot.sdf", text), options);
 }
 
-/// A model whose links and joints begin in line 2.
+/// A model with links and joints from line 2 on.
 inline std::string model(const std::string& inside, const std::string& name = "r") {
   return "<sdf version='1.9'><model name='" + name + "'>\n" + inside + "\n</model></sdf>\n";
 }

@@ -1,4 +1,4 @@
-/// sdf_mistakes_test - what is wrong in an SDF file is told in one line, with the place; what has no effect is named.
+/// sdf_mistakes_test - each error in an SDF file is one line with its place; parts without effect are reported.
 #include "murosimf/model/error.h"
 #include "tests/robot_formats/sdf/sdf_files.h"
 

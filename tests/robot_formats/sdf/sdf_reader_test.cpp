@@ -1,4 +1,4 @@
-/// sdf_reader_test - what an SDF file says becomes the right description of a robot.
+/// sdf_reader_test - SDF files become the right description of a robot.
 #include "murosimf/robot_formats/sdf/sdf_reader.h"
 
 #include <algorithm>

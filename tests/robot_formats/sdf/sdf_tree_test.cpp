@@ -1,4 +1,4 @@
-/// sdf_tree_test - links and joints in any order become a tree and what closes its loops.
+/// sdf_tree_test - links and joints in any order become a tree and the loops in it.
 #include "murosimf/robot_formats/sdf/sdf_tree.h"
 
 #include "tests/robot_formats/sdf/sdf_files.h"

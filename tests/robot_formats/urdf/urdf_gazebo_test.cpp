@@ -1,4 +1,4 @@
-/// urdf_gazebo_test - what gazebo blocks say about friction, springs and sensors.
+/// urdf_gazebo_test - friction, springs and sensors in gazebo blocks.
 #include "tests/robot_formats/urdf/urdf_files.h"
 
 namespace murosimf::robot_formats::urdf {

@@ -1,4 +1,4 @@
-/// urdf_held_test - joints that cannot move, and those that follow nothing.
+/// urdf_held_test - joints that cannot move, and those that follow no other.
 #include <cmath>
 
 #include "tests/robot_formats/urdf/urdf_files.h"
@@ -42,7 +42,7 @@ TEST(UrdfMimic, IsLeftOutWithoutItsLeader) {
       any_contains(description.warnings, "robot.urdf:3: joint 'j' moves by itself: it mimics an unknown joint 'k'"));
 }
 
-// k at 0.25 of 2 x 0.5 + 0.1: two joints in a row that follow one that stands.
+// k at 0.25 of 2 x 0.5 + 0.1: two joints in a row that follow one at rest.
 TEST(UrdfMimic, HoldsWhatFollowsAHeldJoint) {
   const std::string held = "<limit lower='0.5' upper='0.5' effort='1' velocity='1'/>";
   const auto description =

@@ -12,7 +12,7 @@ std::string mesh(const std::string& name, const std::string& more = "") {
   return "<mesh filename='" + name + "' " + more + "/>";
 }
 
-/// The description of a robot in folder `pkg/urdf` whose link has one collision mesh.
+/// The description of a robot in folder `pkg/urdf` with a link with one collision mesh.
 robot_formats::RobotDescription read_package_robot(const std::string& name,
                                                    const robot_formats::ReaderOptions& options = {}) {
   return read_urdf(write("pkg/urdf/robot.urdf", with_link(collision_xml(mesh(name)))), options);

@@ -1,4 +1,4 @@
-/// urdf_mistakes_test - every error in a URDF file is one line that says where it is and what to do.
+/// urdf_mistakes_test - every error in a URDF file is one line with its place and a correction.
 #include "tests/robot_formats/urdf/urdf_files.h"
 
 namespace murosimf::robot_formats::urdf {

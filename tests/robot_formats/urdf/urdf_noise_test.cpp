@@ -1,4 +1,4 @@
-/// urdf_noise_test - errors of sensors in gazebo blocks: what acts, and what is named.
+/// urdf_noise_test - errors of sensors in gazebo blocks: those with an effect, and those that are reported.
 #include "murosimf/robot_formats/urdf/gazebo_schema.h"
 #include "tests/robot_formats/urdf/urdf_files.h"
 
@@ -13,7 +13,7 @@ robot_formats::RobotDescription read_sensor_of_base(const std::string& type, con
       robot_xml("<gazebo reference='base'><sensor name='s' type='" + type + "'>" + inside + "</sensor></gazebo>"));
 }
 
-/// What becomes of the noise of the x axis of an accelerometer.
+/// The noise that is read for the x axis of an accelerometer.
 SignalSpec signal_of(const std::string& noise) {
   const auto description =
       read_sensor_of_base("imu", "<imu><linear_acceleration><x>" + noise + "</x></linear_acceleration></imu>");

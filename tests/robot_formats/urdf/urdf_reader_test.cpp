@@ -1,4 +1,4 @@
-/// urdf_reader_test - what a URDF file says becomes the right description of a robot.
+/// urdf_reader_test - URDF files become the right description of a robot.
 #include "murosimf/robot_formats/urdf/urdf_reader.h"
 
 #include "tests/robot_formats/urdf/urdf_files.h"

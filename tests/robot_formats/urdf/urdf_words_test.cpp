@@ -1,4 +1,4 @@
-/// urdf_words_test - words of other programs in a URDF file: those without a meaning here are named, others act.
+/// urdf_words_test - words of other programs in a URDF file: those without a meaning here are reported, others have an effect.
 #include "tests/robot_formats/urdf/urdf_files.h"
 
 namespace murosimf::robot_formats::urdf {

@@ -1,4 +1,4 @@
-/// urdf_writer_test - what is written as URDF is read as the same robot, by eye and by reader.
+/// urdf_writer_test - the written URDF is read as the same robot, by its text and by the reader.
 #include "murosimf/robot_formats/urdf/urdf_writer.h"
 
 #include <map>

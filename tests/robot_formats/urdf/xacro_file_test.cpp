@@ -46,7 +46,7 @@ TEST(Xacro, PackagesAreFoundAsThoseOfMeshes) {
                              {"lost.xacro: there is no package 'nowhere'", "MUROSIMF_PACKAGE_PATH"}));
 }
 
-// Python looks for modules in the folder where it is started, which may be that of a downloaded robot.
+// Python searches for modules in the folder where it is started, which may be that of a downloaded robot.
 TEST(Xacro, NoModuleBesideTheRobotIsRun) {
   if (!has_xacro()) GTEST_SKIP() << "python3 has no package xacro: pip install xacro";
   const auto file = write("robot.urdf.xacro", with_macros());
@@ -67,7 +67,7 @@ TEST(Xacro, MistakesAreOneLine) {
   EXPECT_EQ(error.find('\n'), std::string::npos);
 }
 
-// Programs are not started for what comes over a network.
+// No program is started for a file that comes over a network.
 TEST(Xacro, IsRefusedWhereReadsAreLimited) {
   const auto file = write("robot.xacro", with_macros());
   const files::AllowedFiles allowed({test_folder()});
