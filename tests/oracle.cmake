@@ -31,6 +31,7 @@ add_oracle_test(kid21_against_mujoco $<TARGET_FILE:dump_poses> ${PROJECT_SOURCE_
 add_oracle_test(meshes_against_mujoco $<TARGET_FILE:dump_masses>)
 add_oracle_test(robots_against_mujoco $<TARGET_FILE:dump_robot> ${PROJECT_SOURCE_DIR}/../shared/data)
 add_oracle_test(mjcf_words_against_mujoco $<TARGET_FILE:murosimf_app>)
+add_oracle_test(tendons_against_mujoco $<TARGET_FILE:murosimf_app>)
 add_oracle_test(macros_by_xacro $<TARGET_FILE:murosimf_app> $<TARGET_FILE:test_robot_formats>)
 add_oracle_test(random_trees_against_mujoco $<TARGET_FILE:dump_dynamics>)
 add_oracle_test(random_trees_against_pinocchio $<TARGET_FILE:dump_dynamics>)

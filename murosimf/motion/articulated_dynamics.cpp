@@ -152,6 +152,7 @@ void ArticulatedDynamics::begin_step(double dt) noexcept {
   MUROSIMF_ASSERT(dt > 0);
   dt_ = dt;
   tree_.take_changes();
+  couplings_.take_up(tree_.columns);
   targets_sane_ = drives_.take_targets(dt);
   drive_joints(dt);
   couplings_.look(tree_);
@@ -267,7 +268,7 @@ void ArticulatedDynamics::factor() noexcept {
 
 /// Corrects the accelerations so that coupled joints and loops hold; they count as forces that drive the joints.
 void ArticulatedDynamics::couple() noexcept {
-  if (!accelerations_are_sane()) return;  // the step is rejected later; a factorization of such numbers is meaningless
+  if (!accelerations_are_numbers()) return;  // the step is rejected later; a factorization of such numbers is meaningless
   factor();
   add_impulses(couplings_.solve(tree_, bodies_, root_, dt_));
   couplings_.count_as_drive(friction_);
@@ -331,6 +332,13 @@ void ArticulatedDynamics::finish_drives() noexcept {
     MUROSIMF_ASSERT(l > 0 && l < bodies_.size());
     drives_.finish(i, {motor_torque(l), joint_torque_[i], columns.q[i], columns.qd[i]}, dt_);
   }
+}
+
+/// Not whether they are sane: joints without inertia of their own may be of any rate before their couplings hold them.
+bool ArticulatedDynamics::accelerations_are_numbers() const noexcept {
+  double sum = norm(bodies_[0].acceleration.v) + norm(bodies_[0].acceleration.w);
+  for (const auto& body : bodies_) sum += body.joint_acceleration;
+  return std::isfinite(sum);
 }
 
 /// Whether rates after the step and positions are sane; sums, since one NaN makes them NaN and the comparison false.

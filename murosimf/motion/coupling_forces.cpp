@@ -15,7 +15,9 @@ constexpr double shift = 0.02e-3;        // [m] deflection under T
 constexpr double damping_time = 0.5e-3;  // [s] d / k
 constexpr double fastest_shift = 0.5;    // [m/s] rate at which a gap closes at most
 constexpr double fastest_turn_back = 5;  // [rad/s]
+constexpr double far_away = 0.05;        // [m] more than a tendon gives way
 constexpr double trace_share = 1e-6;     // [1] of the leader's inertia: enough for the factors, too little to be seen
+constexpr double tendon_share = 1e-3;    // [1] of the inertia along a tendon
 
 double stall_torque(const Model& model, int joint) {
   const Servo* servo = model.find(properties::servo, joint);
@@ -29,6 +31,16 @@ double stiffness(const Model& model, const MimicJoints::Pair& pair) {
   const double servos =
       std::max(stall_torque(model, pair.follower), stall_torque(model, pair.leader) / std::abs(pair.ratio));
   return slider ? std::max(servos, weight) / shift : std::max(servos, 0.1 * weight) / bend;
+}
+
+/// The slider of a tendon.
+double stiffness(const Model& model, int tendon) {
+  constexpr double stiffer = 1000;  // than what pulls along the tendon
+  const double weight = model.tree().mass * 9.81;
+  const double* spring = model.find(properties::joint_stiffness, tendon);
+  const Servo* servo = model.find(properties::servo, tendon);
+  const double pulls = (spring ? *spring : 0) + (servo ? servo->position_gain : 0);
+  return std::max(std::max(stall_torque(model, tendon), weight) / shift, stiffer * pulls);
 }
 
 double product(std::span<const double> a, std::span<const double> b) {
@@ -55,10 +67,7 @@ CouplingForces::CouplingForces(Setup& setup)
   if (!loops_.empty()) loop_force_ = setup.write(properties::loop_force);
   shift_stiffness_ = model.tree().mass * 9.81 / shift;
   turn_stiffness_ = 0.1 * model.tree().mass * 9.81 / bend;
-  const auto& link_of = model.tree().link_of;
-  for (const auto& pair : joints_.pairs()) {
-    rods_.push_back({link_of[pair.follower], link_of[pair.leader], stiffness(model, pair)});
-  }
+  add_rods(model);
   coordinates_ = 5 + model.tree().links.size();
   rows_.resize(size() * coordinates_);
   matrix_.resize(size() * size());
@@ -70,9 +79,36 @@ CouplingForces::CouplingForces(Setup& setup)
   answer_.resize(size());
 }
 
+void CouplingForces::add_rods(const Model& model) {
+  const auto joint = [&](int object, double share) { return Joint{object, model.tree().link_of[object], share}; };
+  for (const auto& pair : joints_.pairs()) {
+    rods_.push_back(
+        {joint(pair.follower, 1), {joint(pair.leader, pair.ratio)}, pair.offset, stiffness(model, pair), trace_share});
+  }
+  for (const auto& tendon : joints_.tendons()) {
+    Rod rod{joint(tendon.follower, 1), {}, 0, stiffness(model, tendon.follower), tendon_share};
+    for (const auto& part : tendon.parts) rod.leaders.push_back(joint(part.joint, part.coefficient));
+    rods_.push_back(rod);
+  }
+}
+
 void CouplingForces::start() noexcept {
   std::fill(torque_.begin(), torque_.end(), 0.0);
   std::fill(loop_force_.begin(), loop_force_.end(), Wrenchd{});
+}
+
+void CouplingForces::take_up(PoseColumns& columns) const noexcept {
+  for (const Rod& rod : std::span(rods_).subspan(joints_.pairs().size())) {
+    double length = 0, rate = 0;
+    for (const Joint& leader : rod.leaders) {
+      length += leader.share * columns.q[leader.object];
+      rate += leader.share * columns.qd[leader.object];
+    }
+    if (std::abs(columns.q[rod.follower.object] - length) < far_away) continue;
+    columns.q[rod.follower.object] = length;
+    columns.qd[rod.follower.object] = rate;
+    torque_[rod.follower.object] = 0;
+  }
 }
 
 void CouplingForces::look(const MovingTree& tree) noexcept {
@@ -97,25 +133,23 @@ double& CouplingForces::force_of(const multibody::LoopRow& row) const noexcept {
 }
 
 void CouplingForces::count_at_leaders(std::span<double> moved) noexcept {
-  for (std::size_t i = 0; i < rods_.size(); ++i) {
-    Rod& rod = rods_[i];
-    MUROSIMF_ASSERT(static_cast<std::size_t>(rod.leader) < moved.size() &&
-                    static_cast<std::size_t>(rod.follower) < moved.size());
-    const double leader = moved[rod.leader], ratio = joints_.pairs()[i].ratio;
-    if (moved[rod.follower] > least_inertia || !(leader > least_inertia)) continue;
-    // seen from the leader, by the square of the ratio
-    rod.trace = trace_share * leader / (ratio * ratio);
-    moved[rod.follower] = leader;
+  for (Rod& rod : rods_) {
+    MUROSIMF_ASSERT(static_cast<std::size_t>(rod.follower.link) < moved.size());
+    double mobility = 0;
+    for (const Joint& leader : rod.leaders) mobility += leader.share * leader.share / moved[leader.link];
+    if (moved[rod.follower.link] > least_inertia || !(1 / mobility > least_inertia)) continue;
+    rod.trace = rod.lightest / mobility;
+    moved[rod.follower.link] = 1 / mobility;
   }
 }
 
 void CouplingForces::drive(std::span<multibody::FrictionalJoint<double>> joints) const noexcept {
-  MUROSIMF_ASSERT(joints_.pairs().size() == rods_.size());
-  for (std::size_t i = 0; i < rods_.size(); ++i) {
-    const auto& pair = joints_.pairs()[i];
-    joints[rods_[i].follower].torque += torque_[pair.follower];
-    joints[rods_[i].follower].inertia += rods_[i].trace;
-    joints[rods_[i].leader].torque -= pair.ratio * torque_[pair.follower];
+  for (const Rod& rod : rods_) {
+    MUROSIMF_ASSERT(static_cast<std::size_t>(rod.follower.link) < joints.size());
+    const double torque = torque_[rod.follower.object];
+    joints[rod.follower.link].torque += torque;
+    joints[rod.follower.link].inertia += rod.trace;
+    for (const Joint& leader : rod.leaders) joints[leader.link].torque -= leader.share * torque;
   }
 }
 
@@ -139,16 +173,16 @@ void CouplingForces::count_as_drive(std::span<multibody::FrictionalJoint<double>
   MUROSIMF_ASSERT(h_ > 0);
   // the change has acted as a load in the accelerations; from now on it is part of the drive, so the sum p stays the same
   for (std::size_t i = 0; i < rods_.size(); ++i) {
-    const auto& pair = joints_.pairs()[i];
+    const Rod& rod = rods_[i];
     const double change = change_[i] / h_;
-    torque_[pair.follower] += change;
+    torque_[rod.follower.object] += change;
     const auto move = [](multibody::FrictionalJoint<double>& joint, double torque) {
       joint.torque += torque;
       joint.drive += torque;
       joint.load -= torque;
     };
-    move(joints[rods_[i].follower], change);
-    move(joints[rods_[i].leader], -pair.ratio * change);
+    move(joints[rod.follower.link], change);
+    for (const Joint& leader : rod.leaders) move(joints[leader.link], -leader.share * change);
   }
   for (std::size_t i = 0; i < loops_.rows().size(); ++i) force_of(loops_.rows()[i]) += change_[rods_.size() + i] / h_;
 }
@@ -165,13 +199,13 @@ void CouplingForces::fill_rows(const MovingTree& tree, std::span<const multibody
   }
 }
 
-void CouplingForces::fill_row(std::size_t pair, const MovingTree& tree,
+void CouplingForces::fill_row(std::size_t rod, const MovingTree& tree,
                               std::span<const multibody::ArticulatedLink<double>> bodies,
                               std::span<const double> roots) noexcept {
-  const std::span row(rows_.data() + pair * coordinates_, coordinates_);
+  const std::span row(rows_.data() + rod * coordinates_, coordinates_);
   std::fill(row.begin(), row.end(), 0.0);
-  add_response(rods_[pair].follower, 1, {}, tree, bodies, roots, row);
-  add_response(rods_[pair].leader, -joints_.pairs()[pair].ratio, {}, tree, bodies, roots, row);
+  add_response(rods_[rod].follower.link, 1, {}, tree, bodies, roots, row);
+  for (const Joint& leader : rods_[rod].leaders) add_response(leader.link, -leader.share, {}, tree, bodies, roots, row);
 }
 
 /// Adds the response F^-1 of a torque in a link's joint and a force on the link: the joints on the path to the base, then the base.
@@ -192,13 +226,18 @@ void CouplingForces::fill_right_side(const MovingTree& tree, std::span<const mul
   MUROSIMF_ASSERT(h > 0);
   const PoseColumns& columns = tree.columns;
   for (std::size_t i = 0; i < rods_.size(); ++i) {
-    const auto& pair = joints_.pairs()[i];
+    const Rod& rod = rods_[i];
+    const auto next_rate = [&](const Joint& joint) {
+      return columns.qd[joint.object] + h * bodies[joint.link].joint_acceleration;
+    };
     // implicit Euler of spring and damper: the error at the end of the step, see the header
-    const double e = columns.q[pair.follower] - pair.offset - pair.ratio * columns.q[pair.leader];
-    const double rate = columns.qd[pair.follower] + h * bodies[rods_[i].follower].joint_acceleration -
-                        pair.ratio * (columns.qd[pair.leader] + h * bodies[rods_[i].leader].joint_acceleration);
-    const double softness = 1 / (rods_[i].stiffness * h * (h + damping_time));
-    change_[i] = -(rate + e / (h + damping_time) + softness * h * torque_[pair.follower]);
+    double e = columns.q[rod.follower.object] - rod.offset, rate = next_rate(rod.follower);
+    for (const Joint& leader : rod.leaders) {
+      e -= leader.share * columns.q[leader.object];
+      rate -= leader.share * next_rate(leader);
+    }
+    const double softness = 1 / (rod.stiffness * h * (h + damping_time));
+    change_[i] = -(rate + e / (h + damping_time) + softness * h * torque_[rod.follower.object]);
     fill_matrix(i, softness);
   }
   for (std::size_t i = 0; i < loops_.rows().size(); ++i) {

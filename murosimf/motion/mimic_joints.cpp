@@ -8,6 +8,7 @@
 
 #include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/motion/joint_tendon.h"
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/motion/rate_limit.h"
 #include "murosimf/motion/servo_law.h"
@@ -55,6 +56,27 @@ MimicJoints::MimicJoints(const Model& model)
   }
   for (const int i : model.having(properties::joint_coupling)) pairs_.push_back(pair(model, i));
   narrow(model);
+  for (const int i : model.having(properties::joint_tendon)) tendons_.push_back(tendon(model, i));
+}
+
+MimicJoints::Tendon MimicJoints::tendon(const Model& model, int follower) const {
+  const auto refuse = [&](const std::string& why) {
+    throw SetupError(fmt::format("model '{}', tendon '{}': {}", model.name(), model.objects()[follower].name, why));
+  };
+  if (!model.objects()[follower].is_joint()) refuse("it is no joint");
+  Tendon tendon{follower, {}};
+  for (const auto& [name, coefficient] : model.find(properties::joint_tendon, follower)->parts) {
+    const int joint = with_context(fmt::format("tendon '{}'", model.objects()[follower].name),
+                                   [&, &other = name] { return model.object_index(other); });
+    if (!model.objects()[joint].is_joint()) refuse(fmt::format("'{}' is no joint", name));
+    if (model.find(properties::joint_tendon, joint)) refuse(fmt::format("'{}' is a tendon itself", name));
+    if (!std::isfinite(coefficient) || coefficient == 0) {
+      refuse(fmt::format("the coefficient {} of '{}' must be finite and not zero", coefficient, name));
+    }
+    tendon.parts.push_back({joint, coefficient});
+  }
+  if (tendon.parts.empty()) refuse("it runs over no joint");
+  return tendon;
 }
 
 MimicJoints::Pair MimicJoints::pair(const Model& model, int follower) const {
@@ -119,6 +141,15 @@ void MimicJoints::follow(std::span<double> q, std::span<double> qd) const noexce
   for (const Pair& pair : pairs_) {
     q[pair.follower] = pair.offset + pair.ratio * q[pair.leader];
     qd[pair.follower] = pair.ratio * qd[pair.leader];
+  }
+  for (const Tendon& tendon : tendons_) {
+    double length = 0, rate = 0;
+    for (const auto& [joint, coefficient] : tendon.parts) {
+      length += coefficient * q[joint];
+      rate += coefficient * qd[joint];
+    }
+    q[tendon.follower] = length;
+    qd[tendon.follower] = rate;
   }
 }
 

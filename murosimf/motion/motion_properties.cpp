@@ -3,6 +3,7 @@
 #include <array>
 
 #include "murosimf/model/fixed_base.h"
+#include "murosimf/motion/joint_tendon.h"
 
 namespace murosimf::properties {
 namespace {
@@ -14,6 +15,7 @@ constexpr std::array motion_entries{constant(joint_damping),
                                     constant(joint_rate_limit),
                                     constant(joint_spring_reference),
                                     constant(joint_coupling),
+                                    constant(joint_tendon),
                                     constant(fixed_base),
                                     variable(joint_load),
                                     constant(loop_closure),

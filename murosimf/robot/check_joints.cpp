@@ -75,10 +75,14 @@ void examine_ranges(const std::vector<const robot_formats::JointDescription*>& j
   }
 }
 
-/// Joints that nothing drives, and neither a coupling nor a loop takes along.
+/// Joints that nothing drives, and neither a coupling, a tendon with an actuator nor a loop takes along.
 std::vector<std::string> idle_joints(const robot_formats::RobotDescription& description, const Model& model) {
   std::set<std::string> coupled;
   for (const robot_formats::MimicDescription& mimic : description.mimics) coupled.insert(mimic.joint);
+  for (const robot_formats::TendonDescription& tendon : description.tendons) {
+    if (!tendon.joint.servo) continue;
+    for (const auto& [joint, coefficient] : tendon.parts) coupled.insert(joint);
+  }
   const auto loops = multibody::loops_of(model);
   std::vector<std::string> idle;
   for (const robot_formats::JointDescription* joint : joints_of(description)) {

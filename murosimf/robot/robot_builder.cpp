@@ -13,6 +13,7 @@
 #include "murosimf/model/fixed_base.h"
 #include "murosimf/model/keyframe.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/motion/joint_tendon.h"
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/motion/servo_law.h"
 #include "murosimf/robot/robot_soles.h"
@@ -39,6 +40,7 @@ class Builder {
       for (const robot_formats::FrameDescription& frame : body.frames)
         (frame.kind == "body" ? bodies_ : frames_).insert(frame.name);
     }
+    for (const robot_formats::TendonDescription& tendon : description.tendons) joints_.insert(tendon.joint.name);
   }
 
   [[nodiscard]] Chain build() {
@@ -68,6 +70,10 @@ class Builder {
     std::vector<Chain> branches;
     for (const std::size_t child : children_[index]) branches.push_back(build_body(child));
     for (const robot_formats::FrameDescription& frame : body.frames) branches.push_back(build_frame(frame));
+    if (index == 0) {
+      for (const robot_formats::TendonDescription& tendon : description_.tendons)
+        branches.push_back(build_tendon(tendon));
+    }
     chain.fork(branches);
   }
 
@@ -78,6 +84,16 @@ class Builder {
     if (chain.objects().back().is_joint()) add_alias(chain, body);
     if (!frames_.contains(body.name)) add_other_names(chain, table_.frames, body.name);
     finish(chain, index);
+    return chain;
+  }
+
+  [[nodiscard]] Chain build_tendon(const robot_formats::TendonDescription& tendon) {
+    Chain chain;
+    chain.prismatic(tendon.joint.name, tendon.joint.axis);
+    add_joint_constants(chain, tendon.joint);
+    JointTendon over;
+    for (const auto& [joint, coefficient] : tendon.parts) over.parts.push_back({joint, coefficient});
+    chain.with(properties::joint_tendon, over);
     return chain;
   }
 

@@ -12,6 +12,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "murosimf/math/transform.h"
@@ -53,7 +54,14 @@ struct MimicDescription {
   double offset = 0;  ///< [rad | m]
 };
 
-/// Two frames of the robot that coincide, which closes a loop of its bodies.
+/// A tendon over several joints, whose length is the sum of their positions times coefficients (motion/joint_tendon.h).
+struct TendonDescription {
+  JointDescription
+      joint;  ///< what acts along it: a slider without a body; its reference is the length in the pose of the file
+  std::vector<std::pair<std::string, double>> parts;  ///< joints and coefficients [m/rad | 1]
+};
+
+/// Two frames of the robot that stand in one place, which closes a loop of its bodies.
 struct LoopDescription {
   std::string name, where;
   std::string frame1, frame2;  ///< FrameDescription::name
@@ -149,6 +157,7 @@ struct RobotDescription {
   std::filesystem::path file;
   std::vector<BodyDescription> bodies;
   std::vector<MimicDescription> mimics;
+  std::vector<TendonDescription> tendons;
   std::vector<LoopDescription> loops;
   std::vector<MeshDescription> meshes;
   std::vector<SensorDescription> sensors;

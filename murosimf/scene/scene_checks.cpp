@@ -117,6 +117,12 @@ std::vector<bool> driven_joints(const Model& model) {
   for (const auto& pair : coupled.pairs()) leader[pair.follower] = pair.leader;
   std::set<int> driven;
   for (const int i : model.having(properties::servo)) driven.insert(leader[i]);
+  for (const auto& tendon : coupled.tendons()) {
+    if (model.find(properties::servo, tendon.follower)) {
+      for (const auto& part : tendon.parts) driven.insert(leader[part.joint]);
+    }
+    driven.insert(tendon.follower);  // it moves nothing itself
+  }
   const auto loops = multibody::loops_of(model);
   const auto taken_along = [&](int joint) {
     return std::ranges::any_of(loops, [&](const multibody::Loop& loop) {

@@ -242,6 +242,7 @@ void drop_idle_controls(MjcfActuators& actuators, robot_formats::RobotDescriptio
   for (const robot_formats::BodyDescription& body : description.bodies) {
     for (const robot_formats::JointDescription& joint : body.joints) known.insert(joint.name);
   }
+  for (const robot_formats::TendonDescription& tendon : description.tendons) known.insert(tendon.joint.name);
   for (const auto& [joint, actuator] : actuators.by_joint) {
     if (known.contains(joint)) continue;
     description.warnings.push_back(

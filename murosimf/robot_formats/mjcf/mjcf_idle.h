@@ -1,9 +1,7 @@
 /// mjcf_idle.h - parts of an MJCF file that would change the motion and do not act here: one warning each.
-/// together, or the robot to other objects. A tendon without such effects only measures a length and is a line in `unused`.
-/// Whether a `connect`, `weld` or `tendon` of `equality` has no effect here: of tendons, not active, or with an end that is not part of the
 ///
-/// Tendons with a spring, a damper, friction, a rotor or a limit that act at no single joint (mjcf_tendons.h); equalities that hold tendons
-/// together, or the robot to other objects. A tendon without such effects only measures a length and is a line in `unused`.
+/// Spatial tendons, and those over joints outside of the robot, with a spring, a damper, friction, a rotor or a limit; equalities that hold
+/// tendons together, or the robot to other objects. A tendon without such effects only measures a length and is a line in `unused`.
 #pragma once
 
 #include "murosimf/robot_formats/mjcf/mjcf_context.h"

@@ -13,6 +13,7 @@
 #include "murosimf/robot_formats/mjcf/mjcf_children.h"
 #include "murosimf/robot_formats/mjcf/mjcf_idle.h"
 #include "murosimf/robot_formats/mjcf/mjcf_joint.h"
+#include "murosimf/robot_formats/mjcf/mjcf_joint_tendons.h"
 #include "murosimf/robot_formats/mjcf/mjcf_keyframe.h"
 #include "murosimf/robot_formats/mjcf/mjcf_loops.h"
 #include "murosimf/robot_formats/mjcf/mjcf_material.h"
@@ -84,7 +85,7 @@ robot_formats::RobotDescription read_mjcf(const std::filesystem::path& file,
   MjcfMeshes meshes(file, root, defaults, compiler, options.part_per_group, description.warnings);
   const MjcfMaterials materials(root, defaults);
   description.meshes = meshes.descriptions();
-  const auto tendons = find_tendons(root, defaults, compiler, names);
+  auto tendons = find_tendons(root, defaults, compiler, names);
   MjcfActuators actuators = read_actuators(root, defaults, compiler, names, tendons, description);
   std::vector<MjcfSpringDamper> springs;
   const MjcfContext context{.defaults = defaults,
@@ -101,6 +102,7 @@ robot_formats::RobotDescription read_mjcf(const std::filesystem::path& file,
   // The order matters: stiffness and damping follow from the scaled masses, and tendons add to both.
   scale_masses(compiler, description);
   resolve_spring_dampers(springs, description);
+  add_joint_tendons(tendons, defaults, compiler, actuators, description);
   apply_tendons(tendons, defaults, compiler, description);
   robot_formats::resolve_damping_ratios(description);
   drop_idle_controls(actuators, description);

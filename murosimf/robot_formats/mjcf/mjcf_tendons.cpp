@@ -9,6 +9,7 @@
 
 #include "murosimf/math/assert.h"
 #include "murosimf/robot_formats/mjcf/mjcf_children.h"
+#include "murosimf/robot_formats/mjcf/mjcf_joint_tendons.h"
 
 namespace murosimf::robot_formats::mjcf {
 namespace {
@@ -82,7 +83,7 @@ std::optional<MjcfTendon> read_tendon(const files::XmlElement& element, const Mj
   // Two different lengths are a dead band, which a linear spring at the joint does not have.
   const auto lengths = defaults.resolve(element).numbers("springlength", 1, 2);
   if (lengths.size() == 2 && lengths[0] != lengths[1]) return std::nullopt;
-  MjcfTendon tendon{element, {}};
+  MjcfTendon tendon{element, {}, 0, {}};
   for (const files::XmlElement& part : element.children("joint")) {
     const MjcfAttributes attributes = own(part);
     const auto leader = joints.leader_of(attributes.text("joint"));
@@ -93,16 +94,17 @@ std::optional<MjcfTendon> read_tendon(const files::XmlElement& element, const Mj
   return tendon.gear == 0 ? std::nullopt : std::optional(tendon);
 }
 
-double at_least_zero(const MjcfAttributes& attributes, const char* name) {
-  const double number = attributes.number(name, 0);
-  if (number < 0) attributes.source(name).fail(fmt::format("{} of tendon is negative; it must be at least 0", name));
-  return number;
+/// One over several joints, which gets a joint of its own.
+std::optional<MjcfTendon> read_over_joints(const files::XmlElement& element, const std::string& name,
+                                           const MjcfNames& names) {
+  const auto parts = joints_of_tendon(element, names);
+  if (parts.empty()) return std::nullopt;
+  return MjcfTendon{element, names.is_joint(name) ? name + ".tendon" : name, 1, parts};
 }
 
 /// Adds a second spring at the joint: stiffnesses add up, and the rest position is where both together have no torque.
 void add_spring(const MjcfAttributes& attributes, double gear, robot_formats::JointDescription& joint) {
-  MUROSIMF_ASSERT(gear != 0);
-  const double stiffness = gear * gear * at_least_zero(attributes, "stiffness");
+  const double stiffness = gear * gear * tendon_number(attributes, "stiffness");
   if (stiffness == 0) return;
   const auto lengths = attributes.numbers("springlength", 1, 2);
   const double rest = lengths.empty() || lengths[0] < 0 ? 0 : lengths[0] / gear;
@@ -130,6 +132,12 @@ void add_limit(const MjcfAttributes& attributes, double gear, const MjcfCompiler
 
 }  // namespace
 
+double tendon_number(const MjcfAttributes& attributes, const char* name) {
+  const double number = attributes.number(name, 0);
+  if (number < 0) attributes.source(name).fail(fmt::format("{} of tendon is negative; it must be at least 0", name));
+  return number;
+}
+
 std::map<std::string, MjcfTendon> find_tendons(const files::XmlElement& root, const MjcfDefaults& defaults,
                                                const MjcfCompiler& compiler, const MjcfNames& names) {
   std::map<std::string, MjcfTendon> tendons;
@@ -137,7 +145,8 @@ std::map<std::string, MjcfTendon> find_tendons(const files::XmlElement& root, co
   for (const files::XmlElement& section : root.children("tendon")) {
     for (const files::XmlElement& element : section.children("fixed")) {
       const auto name = element.attribute("name");
-      const auto tendon = read_tendon(element, defaults, joints);
+      auto tendon = read_tendon(element, defaults, joints);
+      if (!tendon) tendon = read_over_joints(element, name.value_or(fmt::format("tendon.{}", tendons.size())), names);
       if (tendon) tendons.emplace(name.value_or(element.where()), *tendon);
     }
   }
@@ -147,15 +156,16 @@ std::map<std::string, MjcfTendon> find_tendons(const files::XmlElement& root, co
 void apply_tendons(const std::map<std::string, MjcfTendon>& tendons, const MjcfDefaults& defaults,
                    const MjcfCompiler& compiler, robot_formats::RobotDescription& description) {
   for (const auto& [name, tendon] : tendons) {
+    if (!tendon.parts.empty()) continue;
     const MjcfAttributes attributes = defaults.resolve(tendon.element);
     for (robot_formats::BodyDescription& body : description.bodies) {
       const auto joint = std::ranges::find(body.joints, tendon.joint, &robot_formats::JointDescription::name);
       if (joint == body.joints.end()) continue;
       // Powers of the gear: stiffness, damping and inertia are quadratic, forces linear.
       add_spring(attributes, tendon.gear, *joint);
-      joint->damping += tendon.gear * tendon.gear * at_least_zero(attributes, "damping");
-      joint->friction += std::abs(tendon.gear) * at_least_zero(attributes, "frictionloss");
-      joint->armature += tendon.gear * tendon.gear * at_least_zero(attributes, "armature");
+      joint->damping += tendon.gear * tendon.gear * tendon_number(attributes, "damping");
+      joint->friction += std::abs(tendon.gear) * tendon_number(attributes, "frictionloss");
+      joint->armature += tendon.gear * tendon.gear * tendon_number(attributes, "armature");
       add_limit(attributes, tendon.gear, compiler, *joint);
     }
   }

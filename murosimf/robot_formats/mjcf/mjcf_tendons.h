@@ -1,14 +1,16 @@
-/// mjcf_tendons.h - fixed tendons with a length that depends on one joint: they act at that joint.
+/// mjcf_tendons.h - which fixed tendons act, and those whose length hangs on one joint: what they do is done at that joint.
 ///
 /// A fixed tendon has the length L = sum c_i q_i of its joints. Where these are one, or all follow one joint q by linear couplings
 /// (equality/joint), L = gear q, so that a force F along it is a torque gear F about that joint: its spring, damper, friction, rotor and
 /// limit are gear^2 k, gear^2 d, |gear| f, gear^2 a and a range at the joint, its actuators such with the gear of the tendon. Exactly so,
-/// since the coupling holds. Others, and spatial ones, do not act (mjcf_idle.h).
+/// since the coupling holds. Those over several joints are joints of their own (mjcf_joint_tendons.h). Spatial ones do not act
+/// (mjcf_idle.h).
 /// Source: MuJoCo documentation, "Tendon", and XML reference, "fixed".
 #pragma once
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "murosimf/robot_formats/mjcf/mjcf_defaults.h"
@@ -20,17 +22,22 @@ namespace murosimf::robot_formats::mjcf {
 
 struct MjcfTendon {
   files::XmlElement element;
-  std::string joint;  ///< that all of its joints follow
+  std::string joint;  ///< that all of its joints follow; of one over several joints its slider
   double gear = 0;    ///< [1 | m/rad] L over the position of that joint; not 0
+  std::vector<std::pair<std::string, double>>
+      parts;  ///< of one over several joints: these, with coefficients [1 | m/rad]
 };
 
-/// Tendons that act at one joint, by name. Couplings with an offset, joints with `ref` or `springref` of their own, and dead bands of
-/// springs (`springlength` of two numbers) are not supported.
+/// By name, all whose joints are the robot's. Couplings with an offset, joints with `ref` or `springref` of their own, and dead bands of
+/// springs (`springlength` of two numbers) are beyond what acts at one joint.
 [[nodiscard]] std::map<std::string, MjcfTendon> find_tendons(const files::XmlElement& root,
                                                              const MjcfDefaults& defaults, const MjcfCompiler& compiler,
                                                              const MjcfNames& names);
 
-/// Adds the effects of tendons besides forces of actuators; to be called after reading the bodies. Throws SetupError for impossible numbers.
+/// [N s/m ...] A number of a tendon, 0 if the file does not say. Throws SetupError if it is negative.
+[[nodiscard]] double tendon_number(const MjcfAttributes& attributes, const char* name);
+
+/// Once the bodies are read: what tendons do at one joint besides passing on forces of actuators. Throws SetupError for impossible numbers.
 void apply_tendons(const std::map<std::string, MjcfTendon>& tendons, const MjcfDefaults& defaults,
                    const MjcfCompiler& compiler, robot_formats::RobotDescription& description);
 

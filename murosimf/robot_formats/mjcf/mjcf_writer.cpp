@@ -42,6 +42,7 @@ class Writer {
     xml_.end();
     write_contacts();
     write_couplings();
+    write_tendons();
     write_actuators();
     write_mjcf_sensors(xml_, description_);
     write_keyframes();
@@ -208,11 +209,32 @@ class Writer {
     xml_.end();
   }
 
+  void write_tendons() {
+    if (description_.tendons.empty()) return;
+    xml_.begin("tendon");
+    for (const auto& [joint, parts] : description_.tendons) {
+      xml_.begin("fixed").text("name", joint.name);
+      if (joint.range) xml_.numbers("range", {joint.range->x, joint.range->y});
+      xml_.number_unless(0, "armature", joint.armature).number_unless(0, "damping", joint.damping);
+      xml_.number_unless(0, "frictionloss", joint.friction).number_unless(0, "stiffness", joint.stiffness);
+      // a negative length means something else: such a spring can only be one of the pose of the file
+      if (joint.stiffness > 0 && joint.spring_reference >= 0) xml_.numbers("springlength", {joint.spring_reference});
+      for (const auto& [name, coefficient] : parts) {
+        xml_.begin("joint").text("joint", name).numbers("coef", {coefficient}).end();
+      }
+      xml_.end();
+    }
+    xml_.end();
+  }
+
   void write_actuators() {
     for (const robot_formats::BodyDescription& body : description_.bodies) {
       for (const robot_formats::JointDescription& joint : body.joints) {
         if (joint.servo) driven_.push_back(&joint);
       }
+    }
+    for (const robot_formats::TendonDescription& tendon : description_.tendons) {
+      if (tendon.joint.servo) driven_.push_back(&tendon.joint);
     }
     if (driven_.empty()) return;
     xml_.begin("actuator");
@@ -249,7 +271,8 @@ class Writer {
     if ((holds || brakes) && (fixed || (!holds && servo.command_filter > 0))) {
       write_general(joint, fixed);
     } else {
-      xml_.begin(holds ? "position" : brakes ? "velocity" : "motor").text("name", joint.name).text("joint", joint.name);
+      xml_.begin(holds ? "position" : brakes ? "velocity" : "motor").text("name", joint.name);
+      xml_.text(transmission(joint), joint.name);
       if (holds) xml_.numbers("kp", {servo.position_gain}).number_unless(0, "timeconst", servo.command_filter);
       if (brakes) xml_.numbers("kv", {servo.velocity_gain});
     }
@@ -260,12 +283,17 @@ class Writer {
     xml_.end();
   }
 
-  /// Begins an actuator without a shortcut: a filter before a rate, or a control without effect.
+  [[nodiscard]] const char* transmission(const robot_formats::JointDescription& joint) const {
+    const auto is_it = [&](const robot_formats::TendonDescription& tendon) { return &tendon.joint == &joint; };
+    return std::ranges::any_of(description_.tendons, is_it) ? "tendon" : "joint";
+  }
+
+  /// What has no shortcut: a filter before a rate, or a control without a say.
   void write_general(const robot_formats::JointDescription& joint, bool fixed) {
     MUROSIMF_ASSERT(joint.servo.has_value() && (!fixed || joint.target_range));
     const Servo& servo = *joint.servo;
     const double kp = servo.position_gain, kv = servo.velocity_gain, per_target = kp > 0 ? kp : kv;
-    xml_.begin("general").text("name", joint.name).text("joint", joint.name).text("biastype", "affine");
+    xml_.begin("general").text("name", joint.name).text(transmission(joint), joint.name).text("biastype", "affine");
     xml_.numbers("gainprm", {fixed ? 0 : per_target});
     xml_.numbers("biasprm", {fixed ? per_target * joint.target_range->x : 0, 0 - kp, 0 - kv});
     if (servo.command_filter > 0) xml_.text("dyntype", "filterexact").numbers("dynprm", {servo.command_filter});

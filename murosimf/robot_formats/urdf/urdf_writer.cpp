@@ -242,6 +242,9 @@ class Writer {
     if (!description_.pairs.empty()) {
       leave_out(where, fmt::format("{} pairs of shapes that touch whatever forbids it", description_.pairs.size()));
     }
+    if (!description_.tendons.empty()) {
+      leave_out(where, fmt::format("{} tendons over several joints", description_.tendons.size()));
+    }
     if (!description_.loops.empty()) {
       leave_out(where, fmt::format("{} loops of bodies: they are open", description_.loops.size()));
     }

@@ -75,25 +75,62 @@ TEST(MjcfTendons, PassOnTheForcesOfActuators) {
   EXPECT_NEAR(joint_i(alone).target_range->y, .5, 1e-14);
 }
 
-// Errors at one joint are warnings.
-TEST(MjcfTendons, OfSeveralJointsDoNotAct) {
+// What would be wrong at one joint is a slider that stands at the length.
+TEST(MjcfTendons, OfSeveralJointsAreJointsOfTheirOwn) {
+  using Parts = std::vector<std::pair<std::string, double>>;
   struct Case {
-    std::string tendon;
+    std::string joints;
     bool coupled;
     std::string of_i;
+    Parts parts;
+    double rest = 0, start = 0;
   };
-  const std::string spring = "stiffness='5'";
+  const std::string circle = "<joint joint='i' coef='1'/><joint joint='j' coef='2'/>";
   for (const Case& one :
-       {Case{fixed(spring, both), false, ""}, Case{fixed(spring, both + "<joint joint='k' coef='1'/>"), true, ""},
-        Case{fixed(spring, both), true, "ref='.1'"}, Case{fixed(spring + " springlength='0 1'", both), true, ""},
-        Case{fixed(spring, "<joint joint='i' coef='1'/><joint joint='j' coef='2'/>"), true, ""},
-        Case{"<spatial name='t' stiffness='5'/>", true, ""}}) {
-    const auto robot = read(one.tendon, "<actuator><motor name='a' tendon='t'/></actuator>", one.coupled, one.of_i);
-    EXPECT_TRUE(any_contains(robot.warnings, "tendon 't' does not act: spring")) << one.tendon;
-    EXPECT_TRUE(any_contains(robot.warnings, "actuator 'a' moves nothing: it acts on a tendon")) << one.tendon;
+       {Case{both, false, "", {{"i", 3}, {"j", 2}}},
+        {both + "<joint joint='k' coef='1'/>", true, "", {{"i", 3}, {"j", 2}, {"k", 1}}},
+        {both + "<joint joint='i' coef='-1'/><joint joint='k' coef='0'/>", false, "", {{"i", 2}, {"j", 2}}},
+        {both, true, "ref='.1' springref='.2'", {{"i", 3}, {"j", 2}}, .6, .3},
+        {circle, true, "", {{"i", 1}, {"j", 2}}}}) {
+    const auto robot =
+        read(fixed("stiffness='5' damping='.3' frictionloss='.7' armature='.01' range='-1 .4'", one.joints),
+             "<actuator><position name='a' tendon='t' kp='10' kv='2' ctrlrange='-1 1' gear='.5'/></actuator>",
+             one.coupled, one.of_i);
+    ASSERT_EQ(robot.tendons.size(), 1U) << one.joints;
+    const auto& [slider, parts] = robot.tendons[0];
+    EXPECT_EQ(parts, one.parts);
+    EXPECT_EQ(slider.name, "t");
+    EXPECT_EQ(slider.stiffness, 5);
+    EXPECT_NEAR(slider.spring_reference, one.rest, 1e-14);
+    EXPECT_NEAR(slider.reference, one.start, 1e-14);
+    EXPECT_EQ(slider.damping, .3);
+    EXPECT_EQ(slider.friction, .7);
+    EXPECT_EQ(slider.armature, .01);
+    EXPECT_EQ(slider.range->y, .4);
+    ASSERT_TRUE(slider.servo);
+    EXPECT_NEAR(slider.servo->position_gain, .25 * 10, 1e-14);
+    EXPECT_NEAR(slider.target_range->y, 2, 1e-14);
     EXPECT_EQ(joint_i(robot).stiffness, 0);
     EXPECT_FALSE(joint_i(robot).servo);
+    EXPECT_FALSE(any_contains(robot.warnings, "tendon"));
   }
+}
+
+TEST(MjcfTendons, ThatOnlyMeasureAreNoJoints) {
+  const auto robot = read(fixed("", both), "", false);
+  EXPECT_TRUE(robot.tendons.empty());
+}
+
+TEST(MjcfTendons, NameWhatDoesNotAct) {
+  const auto slack = read(fixed("stiffness='5' damping='1' springlength='0 1'", both));
+  EXPECT_TRUE(any_contains(slack.warnings, "the spring of tendon 't' does not act: its springlength is a range"));
+  ASSERT_EQ(slack.tendons.size(), 1U);
+  EXPECT_EQ(slack.tendons[0].joint.stiffness, 0);
+  EXPECT_EQ(slack.tendons[0].joint.damping, 1);
+  const auto spatial = read("<spatial name='t' stiffness='5'/>", "<actuator><motor name='a' tendon='t'/></actuator>");
+  EXPECT_TRUE(any_contains(spatial.warnings, "tendon 't' does not act: spring"));
+  EXPECT_TRUE(any_contains(spatial.warnings, "actuator 'a' moves nothing: it acts on a tendon"));
+  EXPECT_TRUE(spatial.tendons.empty());
 }
 
 TEST(MjcfTendons, NeedARangeThatTheirJointHas) {
