@@ -99,7 +99,7 @@ const FrictionModel& friction_model(std::string_view name) {
 }
 
 double place_of(const Parameter& p, double value) {
-  MUROSIMF_ASSERT(p.low < p.high && (!p.by_ratio || p.low > 0));
+  MUROSIMF_ASSERT(p.low <= p.high && (!p.by_ratio || p.low > 0));
   const double place = p.by_ratio ? std::log(value / p.low) / std::log(p.high / p.low)  //
                                   : (value - p.low) / (p.high - p.low);
   return std::clamp(place, 0.0, 1.0);

@@ -1,4 +1,4 @@
-/// body_names.h - what names of bodies say about them.
+/// body_names.h - what the names of bodies reveal about them.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@ namespace murosimf::robot {
 
 enum class Side { unknown, left, right };
 
-/// "left_hand", "l_hand", "hand_l", "LHand", "L_HAND"; unknown if it says neither, or both.
+/// "left_hand", "l_hand", "hand_l", "LHand", "L_HAND"; unknown if the name has neither side, or both.
 [[nodiscard]] Side side_of(const std::string& name);
 
-/// The name of the other side's part of a left one; empty if the name says no side, or says right.
+/// The name of the right part to a left one; empty if the name has no side, or is a right one.
 [[nodiscard]] std::string right_name(const std::string& name);
 
 /// hand, gripper, wrist or palm.

@@ -1,4 +1,4 @@
-/// body_overlaps.h - shapes of two bodies of a robot's file that may touch, and bodies that never do.
+/// body_overlaps.h - overlapping shapes of two bodies of a robot's file, and bodies that are excluded from contact.
 #pragma once
 
 #include <algorithm>
@@ -8,8 +8,8 @@
 
 namespace murosimf::robot {
 
-/// Calls use(shape of a, its pose, shape of b, its pose) with each pair of shapes that collide and may touch each other, until it returns
-/// true; true then. `at_a`, `at_b`: places of the bodies in a common frame.
+/// Calls use(shape of a, its pose, shape of b, its pose) for each pair of shapes that collide and may touch each other, until it returns
+/// true; then returns true. `at_a`, `at_b`: places of the bodies in a common frame.
 template <class Use>
 bool any_touching_pair(const robot_formats::BodyDescription& a, const Transformd& at_a,
                        const robot_formats::BodyDescription& b, const Transformd& at_b, Use&& use) {

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/multibody/loops.h"
 #include "murosimf/robot/robot_checks.h"
@@ -12,9 +13,9 @@
 namespace murosimf::robot {
 namespace {
 
-constexpr std::size_t enough_joints = 6;  // fewer may well be alike
-constexpr double alike = 0.75;            // [1] share of joints with the same number that is no chance
-constexpr double full_turn = 6.3;         // [rad] a wider range is none
+constexpr std::size_t enough_joints = 6;  // fewer may be alike by chance
+constexpr double alike = 0.75;            // [1] share of joints with the same number that is no coincidence
+constexpr double full_turn = 6.3;         // [rad] a wider range is no limit
 
 std::vector<const robot_formats::JointDescription*> joints_of(const robot_formats::RobotDescription& description) {
   std::vector<const robot_formats::JointDescription*> joints;
@@ -24,7 +25,7 @@ std::vector<const robot_formats::JointDescription*> joints_of(const robot_format
   return joints;
 }
 
-/// The text that most joints share, with one of them and how many they are; texts of "" do not count.
+/// The text that most joints share, the first of them and their number; empty texts do not count.
 struct Most {
   std::string text;
   const robot_formats::JointDescription* first = nullptr;
@@ -54,6 +55,7 @@ void examine_placeholders(const std::vector<const robot_formats::JointDescriptio
   const auto needed =
       std::max(enough_joints, static_cast<std::size_t>(std::ceil(alike * static_cast<double>(joints.size()))));
   if (most.count < needed) return;
+  MUROSIMF_ASSERT(most.first != nullptr);
   findings.push_back(
       {Severity::warning, most.first->where,
        fmt::format("{} of {} joints have the {} {}: a placeholder?", most.count, joints.size(), what, most.text),
@@ -75,7 +77,7 @@ void examine_ranges(const std::vector<const robot_formats::JointDescription*>& j
   }
 }
 
-/// Joints that nothing drives, and neither a coupling, a tendon with an actuator nor a loop takes along.
+/// Joints without a drive that are not moved by a coupling, a tendon with an actuator or a loop either.
 std::vector<std::string> idle_joints(const robot_formats::RobotDescription& description, const Model& model) {
   std::set<std::string> coupled;
   for (const robot_formats::MimicDescription& mimic : description.mimics) coupled.insert(mimic.joint);

@@ -9,9 +9,10 @@
 namespace murosimf::robot {
 namespace {
 
-constexpr double tiny_mass = 0.001;  // [kg] lighter moving bodies are frames whose joint should be fixed; those that
-                                     // were repaired have a note
-constexpr double huge_mass = 500;    // [kg] no humanoid weighs that
+constexpr double tiny_mass =
+    0.001;                         // [kg] lighter moving bodies are frames, and their joint should be fixed; those that
+                                   // were repaired have a note already
+constexpr double huge_mass = 500;  // [kg] no humanoid weighs that
 constexpr double widest = 1.5;  // [1] radius of gyration over the reach of the body's shapes; of a solid it is below 1
 constexpr double narrowest = 0.02;  // [1] the same: all mass in a point
 
@@ -32,6 +33,7 @@ std::string where_of(const robot_formats::BodyDescription& body) {
 void examine_inertia(const robot_formats::BodyDescription& body, std::vector<Finding>& findings) {
   const double size = reach(body);
   if (!(body.solid.mass > tiny_mass) || !(size > 0)) return;
+  // Bodies without mass or size have no radius of gyration to compare.
   const double gyration = std::sqrt(robot_formats::principal_moments(body.solid.inertia).z / body.solid.mass);  // [m]
   if (gyration > widest * size) {
     findings.push_back({Severity::warning, where_of(body),
@@ -58,6 +60,7 @@ double total_mass(const robot_formats::RobotDescription& description) {
 std::vector<Finding> examine_masses(const robot_formats::RobotDescription& description) {
   std::vector<Finding> findings;
   for (const robot_formats::BodyDescription& body : description.bodies) {
+    // The least mass is that of repaired bodies (repair_solids.h), which have a note.
     const bool moves = body.parent >= 0 || !description.fixed_base;
     const bool is_weighed = body.solid.mass > 0 && body.solid.mass != robot::least_mass;
     if (moves && is_weighed && body.solid.mass < tiny_mass) {

@@ -1,4 +1,4 @@
-// Sensors: what a simulation would say of them.
+// Sensors: errors that a simulation would report.
 #include "murosimf/components/sensor_types.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/time.h"

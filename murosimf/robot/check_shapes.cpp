@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/geometry/distance.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/robot/body_overlaps.h"
 #include "murosimf/robot/robot_checks.h"
@@ -13,9 +14,9 @@ namespace murosimf::robot {
 namespace {
 
 constexpr double overlap = 0.001;              // [m] less is a matter of rounding
-constexpr std::size_t many_triangles = 50000;  // of one mesh: its picture costs more than the physics
+constexpr std::size_t many_triangles = 50000;  // of one mesh: drawing it costs more than the physics
 
-/// [m] how deep two bodies are in each other at most, in the pose of the file; 0: not at all.
+/// [m] Largest depth of penetration of two bodies, in the pose of the file; 0: none.
 double deepest(const robot_formats::BodyDescription& a, const Transformd& at_a, const robot_formats::BodyDescription& b,
                const Transformd& at_b) {
   double depth = 0;
@@ -24,14 +25,16 @@ double deepest(const robot_formats::BodyDescription& a, const Transformd& at_a, 
                                const Transformd& at_other) {
                              const double reach = bounding_radius(one) + bounding_radius(other);
                              if (norm(at_one.position - at_other.position) <= reach)
+                               // Bounding spheres first: the exact distance is expensive.
                                depth = std::max(depth, -geometry::distance(one, at_one, other, at_other).distance);
-                             return false;  // all of them
+                             return false;  // continue with all pairs
                            });
   return depth;
 }
 
 void examine_overlaps(const robot_formats::RobotDescription& description, std::vector<Finding>& findings) {
   const auto places = robot::body_places(description);
+  MUROSIMF_ASSERT(places.size() == description.bodies.size());
   for (std::size_t a = 0; a < description.bodies.size(); ++a) {
     for (std::size_t b = a + 1; b < description.bodies.size(); ++b) {
       const bool neighbors = description.bodies[b].parent == static_cast<int>(a);

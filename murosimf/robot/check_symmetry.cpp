@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/robot/body_names.h"
 #include "murosimf/robot/robot_checks.h"
 #include "murosimf/robot/robot_soles.h"
@@ -11,7 +12,7 @@
 namespace murosimf::robot {
 namespace {
 
-constexpr double mass_difference = 0.01;     // [1] of the mass; files round less
+constexpr double mass_difference = 0.01;     // [1] of the mass; rounding in files is smaller
 constexpr double center_difference = 0.003;  // [m]
 constexpr double range_difference = 0.02;    // [rad | m]
 
@@ -32,6 +33,7 @@ void compare_centers(const robot_formats::BodyDescription& left, const robot_for
   const Vec3d l = at_left.position + at_left.orientation * left.solid.center;
   const Vec3d r = at_right.position + at_right.orientation * right.solid.center;
   const double apart = norm(mirrored(l) - r);
+  // Left is mirrored at the plane y = 0 of the base.
   if (!(left.solid.mass > 0) || !(right.solid.mass > 0) || apart <= center_difference) return;
   findings.push_back(
       {Severity::warning, right.solid_where.empty() ? right.where : right.solid_where,
@@ -40,7 +42,7 @@ void compare_centers(const robot_formats::BodyDescription& left, const robot_for
        "compare both, a sign may be wrong"});
 }
 
-/// Ranges of twins are the same, or negated and swapped where the axes are mirrored.
+/// Ranges of a left and a right joint are equal, or negated and swapped where the axes are mirrored.
 void compare_ranges(const robot_formats::JointDescription& left, const robot_formats::JointDescription& right,
                     std::vector<Finding>& findings) {
   if (left.range.has_value() != right.range.has_value()) {
@@ -72,6 +74,7 @@ std::vector<Finding> examine_symmetry(const robot_formats::RobotDescription& des
   }
   std::vector<Finding> findings;
   const auto places = robot::body_places(description);
+  MUROSIMF_ASSERT(places.size() == description.bodies.size());
   for (std::size_t l = 0; l < description.bodies.size(); ++l) {
     const auto twin = bodies.find(robot::right_name(description.bodies[l].name));
     if (twin == bodies.end()) continue;

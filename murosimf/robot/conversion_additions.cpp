@@ -6,6 +6,7 @@
 #include <set>
 
 #include "murosimf/geometry/collide.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/robot/body_overlaps.h"
 #include "murosimf/robot/lump_fixed_joints.h"
 #include "murosimf/robot/robot_soles.h"
@@ -24,7 +25,7 @@ const Servo* guessed_servo_of(const robot_formats::RobotDescription& description
   return nullptr;
 }
 
-/// What a file says of a drive: a gain, a damping and limits.
+/// The properties of a drive that files have: gain, damping and limits.
 Servo plain_servo(const Servo& servo) {
   Servo plain;
   plain.law = "ideal_pd";
@@ -34,6 +35,7 @@ Servo plain_servo(const Servo& servo) {
   plain.position_gain = servo.position_gain;
   plain.velocity_gain = servo.velocity_gain;
   if (servo.law == "dc_motor" && servo.no_load_speed > 0) {
+    // The slope of the speed-torque line of a DC motor acts as damping.
     plain.velocity_gain = servo.stall_torque / servo.no_load_speed;
   }
   return plain;
@@ -48,12 +50,13 @@ void give_servo(robot_formats::JointDescription& joint, const Servo& servo, bool
   joint.friction = servo.friction.coulomb;
 }
 
-/// Moving body that each body is fixed to.
+/// Moving body to which each body is fixed.
 std::vector<int> links_of(const robot_formats::RobotDescription& description) {
   std::vector<int> links;
   for (std::size_t i = 0; i < description.bodies.size(); ++i) {
     const robot_formats::BodyDescription& body = description.bodies[i];
     links.push_back(body.parent < 0 || !body.joints.empty() ? static_cast<int>(i) : links[body.parent]);
+    MUROSIMF_ASSERT(body.parent < static_cast<int>(i));
   }
   return links;
 }
@@ -64,7 +67,7 @@ bool same_solid(const robot_formats::MassProperties& a, const robot_formats::Mas
          I.yz == J.yz;
 }
 
-/// Of a part: formats have no word for inertia without mass, and readers refuse negative moments.
+/// For one part: formats have no element for inertia without mass, and readers refuse negative moments.
 bool can_be_written(const robot_formats::MassProperties& solid) {
   const Vec3d moments = robot_formats::principal_moments(solid.inertia);
   return moments.x >= -negative && (solid.mass > 0 || moments.z <= negative);
@@ -80,7 +83,7 @@ bool overlap(const robot_formats::BodyDescription& a, const Transformd& at_a, co
                            });
 }
 
-/// [m] of all shapes that collide, in the frame of the base turned as in the file; infinite without any.
+/// [m] Of all shapes that collide, in the frame of the base turned as in the file; infinite without any.
 double lowest_point_turned(const robot_formats::RobotDescription& description, const Mat3d& turn) {
   const auto places = body_places(description);
   double z = std::numeric_limits<double>::infinity();
@@ -101,6 +104,7 @@ void give_servos(robot_formats::RobotDescription& description, const RobotFile& 
       const bool in_table = of_table != robot.table.servos.end();
       const Servo* servo = in_table ? &of_table->second.servo : guessed_servo_of(robot.description, joint.name);
       if (!servo || followers.contains(joint.name)) continue;
+      // Joints that follow others are driven by their coupling.
       if (!joint.servo) {
         give_servo(joint, *servo, in_table);
       } else if (in_table && servo->position_gain > 0) {
@@ -114,6 +118,7 @@ void give_soles(robot_formats::RobotDescription& description, RobotFile& robot) 
   for (TableName& sole : robot.table.soles) {
     for (const robot_formats::BodyDescription& from : robot.description.bodies) {
       const auto frame = std::ranges::find(from.frames, sole.name + ".sole", &robot_formats::FrameDescription::name);
+      // Placed soles have their own frames with this ending (role_inference.h).
       const auto body = std::ranges::find(description.bodies, from.name, &robot_formats::BodyDescription::name);
       if (frame == from.frames.end() || !frame->box || body == description.bodies.end()) continue;
       body->frames.push_back(*frame);
@@ -128,13 +133,16 @@ void take_repaired_solids(robot_formats::RobotDescription& description, const Ro
   std::set<std::string> kept;
   for (const robot_formats::BodyDescription& body : robot.description.bodies) kept.insert(body.name);
   lump_fixed_joints(welded, kept);
+  // Compared after the same welding as in the reader, which repairs welded bodies.
   std::set<std::string> repaired;  // bodies that stay
   for (std::size_t i = 0; i < welded.bodies.size(); ++i) {
+    MUROSIMF_ASSERT(welded.bodies.size() <= robot.description.bodies.size());
     if (!same_solid(robot.description.bodies[i].solid, welded.bodies[i].solid)) repaired.insert(welded.bodies[i].name);
   }
   std::vector<std::string> owners;  // of each body
   for (const robot_formats::BodyDescription& body : description.bodies) {
     owners.push_back(kept.contains(body.name) ? body.name : owners[static_cast<std::size_t>(body.parent)]);
+    MUROSIMF_ASSERT(kept.contains(body.name) || (body.parent >= 0 && body.parent < static_cast<int>(owners.size())));
     if (!can_be_written(body.solid)) repaired.insert(owners.back());
   }
   for (std::size_t i = 0; i < owners.size(); ++i) {
@@ -143,14 +151,17 @@ void take_repaired_solids(robot_formats::RobotDescription& description, const Ro
   for (const robot_formats::BodyDescription& body : robot.description.bodies) {
     const auto owner = std::ranges::find(description.bodies, body.name, &robot_formats::BodyDescription::name);
     if (repaired.contains(body.name)) owner->solid = body.solid;
+    MUROSIMF_ASSERT(owner != description.bodies.end() || !repaired.contains(body.name));
   }
 }
 
 void exclude_overlaps(robot_formats::RobotDescription& description) {
   const auto places = body_places(description);
   const std::vector<int> links = links_of(description);
+  MUROSIMF_ASSERT(links.size() == places.size());
   const auto parent_link = [&](int link) {
     const int parent = description.bodies[link].parent;
+    MUROSIMF_ASSERT(link >= 0 && link < static_cast<int>(description.bodies.size()));
     return parent < 0 ? -1 : links[parent];
   };
   for (std::size_t a = 0; a < places.size(); ++a) {
@@ -169,6 +180,7 @@ void exclude_overlaps(robot_formats::RobotDescription& description) {
 void give_key(robot_formats::RobotDescription& description) {
   if (!description.keyframes.empty()) return;
   const robot_formats::BodyDescription& base = description.bodies[0];
+  MUROSIMF_ASSERT(!description.bodies.empty());
   const double lowest = lowest_point_turned(description, base.place.orientation);
   robot_formats::KeyframeDescription key;
   key.name = "stand";

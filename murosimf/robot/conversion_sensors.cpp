@@ -31,6 +31,7 @@ void add_imu(robot_formats::RobotDescription& description, robot_formats::BodyDe
              const robot_formats::SensorDescription& imu, const std::string& name, std::vector<std::string>& doubles) {
   const std::string site = name + "_site";
   if (is_taken(description, site)) return;
+  // A site of that name in the file may be a frame for something else.
   body.frames.push_back({site, imu.where, "site", imu.place, {}});
   for (const char* kind : {"gyro", "accelerometer", "framequat"}) {
     doubles.push_back(name + "_" + kind);
@@ -49,6 +50,7 @@ void add_camera(robot_formats::RobotDescription& description, robot_formats::Bod
     if (is_taken(description, frame)) return;
     doubles.push_back(frame);
   }
+  // A camera of MJCF looks along -z.
   const Transformd of_sensor{{}, robot_formats::mjcf::camera_axes};
   const Transformd at{camera.place.position, camera.place.orientation * transpose(robot_formats::mjcf::camera_axes)};
   body.frames.push_back({frame, camera.where, "camera", at, {}});
@@ -64,6 +66,7 @@ std::vector<std::string> give_mjcf_sensors(robot_formats::RobotDescription& desc
                                            const robot_formats::RobotDescription& whole) {
   std::vector<std::string> doubles;
   const std::size_t count = std::min(description.sensors.size(), whole.sensors.size());
+  // The same sensors in the same order, as far as both have them.
   for (std::size_t i = 0; i < count; ++i) {
     const robot_formats::SensorDescription sensor = description.sensors[i];
     const std::string& name = whole.sensors[i].becomes;

@@ -1,4 +1,4 @@
-/// conversion_sensors.h - sensors of URDF as MJCF has them, for programs that read the MJCF file alone.
+/// conversion_sensors.h - sensors of URDF in the form of MJCF, for programs that read only the MJCF file.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace murosimf::robot {
 
-/// An inertial sensor becomes a site `NAME_site` with `gyro`, `accelerometer` and `framequat`, a camera a `camera` of its name; noise and rates MJCF
-/// has no words for. Returns names of sensors that are read of the new file and double one of the TOML file, which has to remove them. `whole`:
-/// the same robot with sensors in the same order, whose `becomes` is known.
+/// An inertial sensor becomes a site `NAME_site` with `gyro`, `accelerometer` and `framequat`, a camera a `camera` of its name; MJCF
+/// has no attributes for noise and rates. Returns the names of sensors that are read from the new file and double one of the TOML file,
+/// which has to remove them. `whole`: the same robot with sensors in the same order, with `becomes` set.
 [[nodiscard]] std::vector<std::string> give_mjcf_sensors(robot_formats::RobotDescription& description,
                                                          const robot_formats::RobotDescription& whole);
 

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::robot {
 namespace {
 
@@ -15,8 +17,8 @@ constexpr std::string_view unused = " is not used", guess = "guessed: ";
 
 bool is_part_of_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
 
-/// From an opening quote to its closing one, both included; empty: there is none. Behind a letter or digit begins no quote, and before
-/// one none ends: apostrophes are there.
+/// From an opening quote to its closing one, both included; empty if there is none. A quote directly after a letter or digit does not open,
+/// one directly before a letter or digit does not close: those are apostrophes.
 std::string_view next_quoted(std::string_view text) {
   for (std::size_t begin = text.find('\''); begin != std::string_view::npos; begin = text.find('\'', begin + 1)) {
     if (begin > 0 && is_part_of_word(text[begin - 1])) continue;
@@ -27,21 +29,23 @@ std::string_view next_quoted(std::string_view text) {
   return {};
 }
 
-/// "'a' and 'b'": what is quoted, of at most two things.
+/// "'a' and 'b'": the first two quoted names.
 std::string quoted_names(std::string_view what) {
   std::vector<std::string_view> names;
   for (std::string_view name = next_quoted(what); !name.empty() && names.size() < 2; name = next_quoted(what)) {
     names.push_back(name);
+    MUROSIMF_ASSERT(name.data() >= what.data() && name.data() + name.size() <= what.data() + what.size());
     what.remove_prefix(static_cast<std::size_t>(name.data() + name.size() - what.data()));
   }
   return fmt::format("{}", fmt::join(names, " and "));
 }
 
-/// Without what is quoted.
+/// The text without quoted names.
 std::string without_names(std::string_view what) {
   std::string rest;
   for (std::string_view name = next_quoted(what); !name.empty(); name = next_quoted(what)) {
     const auto begin = static_cast<std::size_t>(name.data() - what.data());
+    MUROSIMF_ASSERT(begin + name.size() <= what.size());
     rest += what.substr(0, begin);
     what.remove_prefix(begin + name.size());
   }
@@ -52,7 +56,7 @@ bool is_guessed_name(std::string_view what) {
   return what.starts_with(guess) && what.ends_with('\'') && what.find(" is '") != std::string_view::npos;
 }
 
-/// The text without what is quoted, and without words that have digits.
+/// The text without quoted names, and without words that contain digits.
 std::string without_details(std::string_view what) {
   std::string kind, word;
   bool has_digit = false;
@@ -68,6 +72,7 @@ std::string without_details(std::string_view what) {
 }
 
 std::string kind_of(const Finding& finding) {
+  // Two kinds of messages have names without quotes.
   if (finding.what.ends_with(unused)) return std::string(unused);
   if (is_guessed_name(finding.what)) return std::string(guess);
   return without_details(finding.what);
@@ -87,8 +92,9 @@ struct Kind {
   bool operator==(const Kind&) const = default;
 };
 
-/// "3 more kinds of warnings and notes"; worst first, as the groups are.
+/// "3 more kinds of warnings and notes"; the most severe first, in the order of the groups.
 std::string left_out(std::span<const FindingGroup> groups) {
+  MUROSIMF_ASSERT(!groups.empty());
   const std::string worst = severity_name(groups.front().first.severity);
   const std::string least = severity_name(groups.back().first.severity);
   return fmt::format("{} more kinds of {}s{}", groups.size(), worst, worst == least ? "" : " and " + least + "s");
@@ -101,6 +107,7 @@ std::vector<FindingGroup> grouped(const std::vector<Finding>& findings) {
   std::vector<Kind> kinds;
   for (const Finding& finding : findings) {
     const Kind kind{finding.severity, kind_of(finding)};
+    MUROSIMF_ASSERT(kinds.size() == groups.size());
     const auto known = std::ranges::find(kinds, kind);
     if (known == kinds.end()) {
       kinds.push_back(kind);
@@ -129,6 +136,7 @@ std::string to_line(const FindingGroup& group) {
 
 std::string grouped_text(const std::vector<Finding>& findings, std::size_t most) {
   const std::vector<FindingGroup> groups = grouped(findings);
+  MUROSIMF_ASSERT(most > 0);
   const std::size_t shown = groups.size() <= most ? groups.size() : most - 1;
   std::string text;
   for (std::size_t i = 0; i < shown; ++i) text += to_line(groups[i]) + '\n';

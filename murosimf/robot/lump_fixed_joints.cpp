@@ -2,10 +2,12 @@
 
 #include <utility>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::robot {
 namespace {
 
-/// Moves everything that `body` has to `parent`.
+/// Moves all parts of `body` to `parent`.
 void weld(robot_formats::BodyDescription& body, robot_formats::BodyDescription& parent) {
   const Transformd& place = body.place;
   parent.solid =
@@ -36,6 +38,8 @@ void lump_fixed_joints(robot_formats::RobotDescription& description, const std::
   std::vector<Transformd> welded;  // of each body in that one
   for (robot_formats::BodyDescription& body : description.bodies) {
     if (body.parent >= 0) {
+      // Parents precede their children, so their places are known.
+      MUROSIMF_ASSERT(body.parent < static_cast<int>(index.size()));
       body.place = welded[body.parent] * body.place;
       body.parent = index[body.parent];
     }
@@ -45,6 +49,7 @@ void lump_fixed_joints(robot_formats::RobotDescription& description, const std::
     if (stays) {
       kept.push_back(std::move(body));
     } else {
+      MUROSIMF_ASSERT(stays || (body.parent >= 0 && body.parent < static_cast<int>(kept.size())));
       weld(body, kept[body.parent]);
     }
   }

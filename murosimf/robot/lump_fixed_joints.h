@@ -1,7 +1,8 @@
-/// lump_fixed_joints.h - bodies without joints become parts of the body that they are fixed to.
+/// lump_fixed_joints.h - bodies without joints become parts of the body to which they are fixed.
 ///
-/// Masses are joined by the parallel-axis theorem, shapes and frames move over, and the body's own frame stays as a named
-/// one. A body at whose weld a sensor measures forces stays: what touches it must be told apart. So the frames that many files have as massless bodies or fixed links cost nothing while a robot moves.
+/// Masses are combined by the parallel-axis theorem, shapes and frames are moved, and the body's own frame remains as a named
+/// one. A body with a sensor of forces at its weld remains: contacts with it must be distinguished. So frames that many files have
+/// as massless bodies or fixed links cost nothing in the simulation.
 #pragma once
 
 #include <set>
@@ -11,7 +12,7 @@
 
 namespace murosimf::robot {
 
-/// `measured`: names of bodies that stay (sensor_cuts.h).
+/// `measured`: names of bodies that remain (sensor_cuts.h).
 void lump_fixed_joints(robot_formats::RobotDescription& description, const std::set<std::string>& measured);
 
 }  // namespace murosimf::robot

@@ -22,7 +22,7 @@ std::set<std::string> meshes_of_files(const robot_formats::RobotDescription& des
   return names;
 }
 
-/// The mesh itself, to be looked at.
+/// The mesh itself, for drawing.
 robot_formats::VisualDescription visual_of(const robot_formats::ShapeDescription& shape) {
   const Transformd place = shape.placed.place() * Transformd{-shape.middle, {}};
   return {"", shape.where, shape.mesh, place, shape.placed.color};
@@ -53,6 +53,7 @@ class Fitter {
       const auto* convex = std::get_if<Convex>(&shape.placed.shape);
       if (!convex) continue;
       const bool first_part =
+          // Parts of one mesh follow each other: the mesh is drawn once.
           visuals.empty() || visuals.back().where != shape.where || visuals.back().mesh != shape.mesh;
       if (files_.contains(shape.mesh) && !shows(body, shape.mesh) && first_part) visuals.push_back(visual_of(shape));
       const auto fitted = fit_primitive(*convex->hull, kind_);
@@ -70,7 +71,7 @@ class Fitter {
  private:
   PrimitiveKind kind_;
   std::set<std::string> files_;
-  std::map<std::string, int> parts_;  ///< by name of the geom
+  std::map<std::string, int> parts_;  ///< number so far, by name of the geom
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-/// mesh_fit.h - primitives in the place of the meshes that collide in a description.
+/// mesh_fit.h - replaces the colliding meshes of a description by primitives.
 #pragma once
 
 #include <string>
@@ -9,15 +9,15 @@
 
 namespace murosimf::robot {
 
-/// One convex part of a mesh, and what stands for it now.
+/// One convex part of a mesh, and the primitive that replaces it.
 struct MeshFit {
   std::string body, mesh;
   const char* shape = "";  ///< "box", ...
-  double overlap = 0;      ///< [1] share of the hull's volume that both have in common
+  double overlap = 0;      ///< [1] common volume as a share of the hull's volume
 };
 
-/// Every convex part of a mesh becomes a primitive of the volume of its hull, which is what contact saw before. A mesh of a
-/// file stays to be looked at, unless its body shows it already. Of several parts the first keeps the name.
+/// Each convex part of a mesh becomes a primitive of the volume of its hull, which contact used before. A mesh of a
+/// file remains as a visual, unless its body has it as one already. Of several parts the first keeps the name.
 std::vector<MeshFit> fit_meshes(robot_formats::RobotDescription& description, geometry::PrimitiveKind kind);
 
 /// "sphere", "capsule", "cylinder", "box" or "best". Throws SetupError for others.

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/files/lower_case.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/robot/body_names.h"
 #include "murosimf/robot/robot_soles.h"
@@ -22,8 +23,8 @@ using robot_formats::MeshDescription;
 using robot_formats::RobotDescription;
 using robot_formats::ShapeDescription;
 
-constexpr double plain = 0.01;     // [m] beyond what masses and places of symmetric robots differ by
-constexpr std::size_t better = 4;  // times fewer of them
+constexpr double plain = 0.01;     // [m] more than masses and places of symmetric robots differ
+constexpr std::size_t better = 4;  // turned meshes must leave at most a quarter of the asymmetric pairs
 
 constexpr Mat3d y_to_z{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}};  // a quarter about x
 
@@ -31,7 +32,7 @@ using Names = std::set<std::string>;
 
 bool is_dae(const MeshDescription& mesh) { return files::lower_case(mesh.file.extension().string()) == ".dae"; }
 
-/// Names of meshes that `belongs`.
+/// Names of meshes for which `belongs` is true.
 template <class Rule>
 Names meshes_of(const RobotDescription& description, const Rule& belongs) {
   Names names;
@@ -41,7 +42,7 @@ Names meshes_of(const RobotDescription& description, const Rule& belongs) {
   return names;
 }
 
-/// Where the mesh frame of a shape is in the body.
+/// The mesh frame of a shape in the body.
 Transformd mesh_place(const ShapeDescription& shape) {
   return shape.placed.place() * Transformd{-1.0 * shape.middle, {}};
 }
@@ -64,6 +65,7 @@ std::vector<Pair> pairs_of(const RobotDescription& description, const Names& mes
     if (left.size() != right.size()) continue;
     for (std::size_t k = 0; k < left.size(); ++k) {
       if (!meshes.contains(left[k].mesh) || !meshes.contains(right[k].mesh)) continue;
+      MUROSIMF_ASSERT(i < places.size() && other->second < places.size());
       pairs.push_back({&left[k], &right[k], places[i], places[other->second]});
     }
   }
@@ -74,10 +76,11 @@ std::vector<Pair> pairs_of(const RobotDescription& description, const Names& mes
 class Mirror {
  public:
   explicit Mirror(const std::vector<Pair>& pairs) {
+    MUROSIMF_ASSERT(!pairs.empty());
     Vec3d apart;
     for (const Pair& pair : pairs) apart += pair.left_body.position - pair.right_body.position;
     along_x_ = std::abs(apart.x) > std::abs(apart.y);
-    std::vector<double> middles;  // their median: one part elsewhere moves no plane
+    std::vector<double> middles;  // their median: one misplaced part does not move the plane
     for (const Pair& pair : pairs) {
       const Vec3d middle = 0.5 * (pair.left_body.position + pair.right_body.position);
       middles.push_back(along_x_ ? middle.x : middle.y);
@@ -95,11 +98,11 @@ class Mirror {
 };
 
 struct Asymmetry {
-  std::size_t pairs = 0;  ///< that are plainly no mirror images
+  std::size_t pairs = 0;  ///< that are clearly no mirror images
   double most = 0;        ///< [m]
 };
 
-/// With meshes of the names `turned`.
+/// With the meshes named `turned`.
 Asymmetry asymmetry(const std::vector<Pair>& pairs, const Names& turned) {
   const Mirror mirror(pairs);
   const auto middle = [&](const ShapeDescription& shape, const Transformd& body) {
@@ -115,7 +118,7 @@ Asymmetry asymmetry(const std::vector<Pair>& pairs, const Names& turned) {
   return all;
 }
 
-/// False for one that cannot be read: whoever draws it says so.
+/// False for a mesh that cannot be read: drawing it reports the error.
 bool is_y_up(const MeshDescription& mesh) {
   try {
     return is_dae(mesh) && robot_formats::mesh::has_y_up(mesh.file);
@@ -148,6 +151,7 @@ void turn_meshes_up(RobotDescription& description) {
   if (before.pairs == 0) return;
   const Names turned = meshes_of(description, is_y_up);
   const bool uneven = std::ranges::any_of(description.meshes, [&](const MeshDescription& mesh) {
+    // An uneven scale would apply to other axes after the turn.
     return turned.contains(mesh.name) && (mesh.scale.x != mesh.scale.y || mesh.scale.x != mesh.scale.z);
   });
   if (uneven || better * asymmetry(pairs, turned).pairs > before.pairs) return;

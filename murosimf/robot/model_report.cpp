@@ -8,6 +8,7 @@
 
 #include "murosimf/files/json_document.h"
 #include "murosimf/locomotion/leg.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/robot/finding_groups.h"
@@ -15,11 +16,11 @@
 namespace murosimf::robot {
 namespace {
 
-constexpr std::size_t most_lines = 10;  // of findings: they fit below the tree on a screen
+constexpr std::size_t most_lines = 10;  // of findings: they fit on a screen, below the tree
 
 using nlohmann::json;
 
-/// Name of the body that an object carries: the alias of a joint, else the object's own name.
+/// Name of the body of an object: the alias of a joint, else the object's own name.
 std::vector<std::string> body_names(const Model& model) {
   std::vector<std::string> names;
   for (const Object& object : model.objects()) names.push_back(object.name);
@@ -32,6 +33,7 @@ std::vector<std::string> body_names(const Model& model) {
 
 ReportRow make_row(const Model& model, int object, const std::string& body) {
   const Object& o = model.objects()[object];
+  MUROSIMF_ASSERT(object >= 0 && object < model.size());
   const double* mass = model.find(properties::mass, object);
   ReportRow row;
   if (mass || model.find(properties::shapes, object) || !o.is_joint()) row.body = body;
@@ -54,11 +56,12 @@ ReportRow make_row(const Model& model, int object, const std::string& body) {
 
 std::vector<ReportRow> make_tree(const Model& model) {
   const auto names = body_names(model);
-  std::vector<int> depth_behind(model.size());  // depth of a row that follows the object
+  std::vector<int> depth_behind(model.size());  // depth of a row after the object
   std::vector<ReportRow> tree;
   for (int i = 0; i < model.size(); ++i) {
     const Object& object = model.objects()[i];
     const int depth = object.parent < 0 ? 0 : depth_behind[object.parent];
+    MUROSIMF_ASSERT(object.parent < i);
     const bool shown =
         object.parent < 0 || object.is_joint() || model.find(properties::mass, i) || model.find(properties::shapes, i);
     if (shown) {
@@ -76,6 +79,7 @@ std::vector<LimbReport> make_limbs(const Model& model) {
   std::vector<int> limb_of(tree.links.size(), -1);
   for (std::size_t l = 1; l < tree.links.size(); ++l) {
     const int parent = tree.links[l].parent;
+    MUROSIMF_ASSERT(tree.links[l].parent >= 0 && tree.links[l].parent < static_cast<int>(l));
     if (parent == 0) {
       limb_of[l] = static_cast<int>(limbs.size());
       limbs.push_back({model.objects()[tree.links[l].object].name, 0, 0});
@@ -87,6 +91,7 @@ std::vector<LimbReport> make_limbs(const Model& model) {
   for (const int body : model.bodies()) {
     const double* mass = model.find(properties::mass, body);
     const int limb = limb_of[tree.link_of[body]];
+    MUROSIMF_ASSERT(tree.link_of[body] >= 0 && tree.link_of[body] < static_cast<int>(limb_of.size()));
     if (mass && limb >= 0) limbs[limb].mass_kg += *mass;
   }
   return limbs;
@@ -100,7 +105,7 @@ std::vector<LegReport> make_legs(const Model& model) {
       legs.push_back({model.objects()[sole].name, leg.thigh, leg.shin, leg.thigh + leg.shin + leg.ankle_height,
                       leg.signs.has_value()});
     } catch (const SetupError&) {
-      continue;  // the checks say why (examine_legs)
+      continue;  // the checks report why (examine_legs)
     }
   }
   return legs;
@@ -130,10 +135,11 @@ using Line = std::array<std::string, 6>;
 
 Line make_line(const ReportRow& row) {
   Line line;
+  MUROSIMF_ASSERT(row.depth >= 0);
   line[0] = std::string(2 * static_cast<std::size_t>(row.depth), ' ') + (row.body.empty() ? "-" : row.body);
   line[1] = row.mass_kg > 0 ? fmt::format("{:.3f} kg", row.mass_kg) : "";
   line[2] = row.joint;
-  // + 0.0: no "-0"
+  // + 0.0 avoids "-0"
   if (!row.joint.empty()) {
     line[3] = fmt::format("{:.3g} {:.3g} {:.3g}", row.axis.x + 0.0, row.axis.y + 0.0, row.axis.z + 0.0);
   }

@@ -1,4 +1,4 @@
-/// model_report.h - what a model consists of, for people (`murosimf check`) and for programs (JSON).
+/// model_report.h - the parts of a model, for readers (`murosimf check`) and for programs (JSON).
 #pragma once
 
 #include <optional>
@@ -13,8 +13,8 @@ namespace murosimf::robot {
 
 /// One line of the tree: the base, a joint, or a fixed object with mass or shape.
 struct ReportRow {
-  int depth = 0;     ///< lines above it on the way to the base
-  std::string body;  ///< empty for a joint that carries nothing
+  int depth = 0;     ///< number of rows between it and the base
+  std::string body;  ///< empty for a joint without mass and shapes
   double mass_kg = 0;
   std::string joint, kind;     ///< empty where there is none
   Vec3d axis;                  ///< unit vector, frame of the object before the joint
@@ -27,19 +27,19 @@ struct ReportRow {
   double position_gain = 0;    ///< [N m/rad | N/m]
 };
 
-/// Everything behind one joint at the base.
+/// All parts behind one joint at the base.
 struct LimbReport {
   std::string joint;
   double mass_kg = 0;
   int joints = 0;
 };
 
-/// A leg as the walk engine sees it (locomotion/leg.h).
+/// A leg as the walk engine uses it (locomotion/leg.h).
 struct LegReport {
   std::string sole;
   double thigh_m = 0, shin_m = 0;
   double reach_m = 0;        ///< from the hip to the sole, stretched
-  bool closed_form = false;  ///< of its inverse kinematics; else by damped least squares
+  bool closed_form = false;  ///< inverse kinematics; else by damped least squares
 };
 
 struct ModelReport {
@@ -57,8 +57,8 @@ struct ModelReport {
 [[nodiscard]] ModelReport make_report(const Model& model, std::vector<Finding> findings = {},
                                       std::vector<sensors::SensorSpec> sensors = {});
 
-/// A summary line, a table with one line per row of the tree, limbs, legs, sensors and findings; angles in degrees. Of
-/// findings at most ten lines, those of one kind in one, unless `all` are wanted.
+/// A summary line, a table with one line per row of the tree, limbs, legs, sensors and findings; angles in degrees. At most ten
+/// lines of findings, those of one kind in one, unless `all`.
 [[nodiscard]] std::string to_text(const ModelReport& report, bool all = false);
 /// The same in SI units, angles in rad, with all findings.
 [[nodiscard]] std::string to_json(const ModelReport& report);

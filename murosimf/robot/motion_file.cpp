@@ -8,6 +8,7 @@
 
 #include "murosimf/files/data_path.h"
 #include "murosimf/files/toml_reader.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/math/scalar.h"
 #include "murosimf/model/error.h"
 
@@ -21,6 +22,7 @@ Channel read_channel(const toml::node& node, std::set<std::string>& seen) {
   if (!node.is_string() || node.as_string()->get().empty()) {
     files::fail_at(node.source(), "a column is the name of a joint or of a foot's axis, or a list of names");
   }
+  // A minus sign reverses the channel: mirrored joints share a column.
   const std::string& text = node.as_string()->get();
   Channel channel = text[0] == '-' ? Channel{text.substr(1), -1} : Channel{text, 1};
   if (!seen.insert(channel.name).second) files::fail_at(node.source(), fmt::format("'{}' is set twice", channel.name));
@@ -33,7 +35,7 @@ void read_columns(const files::TomlTable& table, KeyframeMotion& motion) {
   if (!columns || columns->empty()) {
     throw SetupError(fmt::format("{}: 'columns' must list what the values of a key frame set", table.where("columns")));
   }
-  std::set<std::string> seen;
+  std::set<std::string> seen;  // a channel in two columns would have two values
   for (const toml::node& column : *columns) {
     auto& channels = motion.columns.emplace_back();
     if (const toml::array* several = column.as_array()) {
@@ -63,6 +65,7 @@ locomotion::Kick read_kick(const toml::table& node) {
   constexpr double farthest = 10;  // [m]
   const toml::node* ball = table.find("ball");
   const auto place = ball && ball->is_array() ? files::numbers_of(*ball) : std::nullopt;
+  // Bounds in which a ball can be reached; a foot on the middle line would have no side.
   const auto near = [](double x) { return std::abs(x) <= farthest; };
   if (!place || place->size() != 2 || !std::ranges::all_of(*place, near) || (*place)[1] == 0) {
     throw SetupError(
@@ -81,7 +84,7 @@ std::filesystem::path beside_or_named(const std::string& name, const std::filesy
   return beside ? *beside : find_motion(name, file.parent_path());
 }
 
-/// A file that has nothing else than `mirror_of`.
+/// A file with `mirror_of` as its only key.
 KeyframeMotion read_mirrored(const toml::table& document, const std::filesystem::path& file) {
   const files::TomlTable table(document, {"mirror_of"});
   std::string name;
@@ -90,6 +93,7 @@ KeyframeMotion read_mirrored(const toml::table& document, const std::filesystem:
   if (name.empty()) throw SetupError(where + ": 'mirror_of' must name a motion");
   const auto original = with_context(where, [&] { return beside_or_named(name, file); });
   if (files::parse_toml_file(original).contains("mirror_of")) {
+    // A chain of images would hide which side the values are for.
     throw SetupError(fmt::format("{}: '{}' is a mirror image itself; name what it is an image of", where, name));
   }
   KeyframeMotion motion = with_context(where, [&] { return read_motion(original); });
@@ -101,7 +105,7 @@ KeyframeMotion read_mirrored(const toml::table& document, const std::filesystem:
 }  // namespace
 
 std::filesystem::path find_motion(std::string_view name, const std::filesystem::path& beside) {
-  // a scene may have the name of the motion that it shows: a bare name is looked for in folders `motions` only
+  // A scene may have the name of the motion that it shows: a bare name is only searched for in folders `motions`.
   const std::string place = name.ends_with(".toml") ? std::string(name) : fmt::format("motions/{}", name);
   if (const auto file = files::look_for_data_file(place, "motions", ".toml", beside)) return *file;
   const auto names = files::data_file_names("motions", ".toml");
@@ -127,6 +131,7 @@ KeyframeMotion read_motion(const std::filesystem::path& file) {
   if (const toml::table* kick = table.table("kick")) motion.kick = read_kick(*kick);
   if (motion.frames.empty()) throw SetupError(fmt::format("{}: the motion has no [[frames]]", table.where("frames")));
   return motion;
+  MUROSIMF_ASSERT(motion.start.size() == motion.columns.size());
 }
 
 }  // namespace murosimf::robot

@@ -8,15 +8,14 @@
 
 namespace murosimf::robot {
 
-/// The file that `name` means: a file NAME.toml here or in `beside`, else the motion of that name in a folder `motions` here,
-/// in `beside` or among those that come with the program. Throws SetupError with the nearest name.
+/// The file of a name: a file NAME.toml here or in `beside`, else the motion of that name in a folder `motions` here,
+/// in `beside` or of the program. Throws SetupError with the nearest name.
 [[nodiscard]] std::filesystem::path find_motion(std::string_view name, const std::filesystem::path& beside = {});
 
-/// Of a file with `mirror_of` the motion that it names, beside it or found as above, which is for the `other_side` then.
+/// For a file with `mirror_of` the motion that it names, found beside it or as above, for the `other_side`.
 /// Throws SetupError with file:line:column if the file is missing, is not TOML, or has an error: columns and values that do
-/// not match, a channel that is set twice, numbers that are not finite, durations that are not positive, a
-/// ball that is nowhere, a mirror image of a
-/// mirror image.
+/// not match, a channel that is set twice, numbers that are not finite, durations that are not positive, an impossible place
+/// of the ball, a mirror image of a mirror image.
 [[nodiscard]] locomotion::KeyframeMotion read_motion(const std::filesystem::path& file);
 
 }  // namespace murosimf::robot

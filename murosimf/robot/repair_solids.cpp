@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/files/xml_element.h"
+#include "murosimf/math/assert.h"
 
 namespace murosimf::robot {
 namespace {
@@ -15,13 +16,14 @@ using robot_formats::BodyDescription;
 using robot_formats::RobotDescription;
 
 constexpr double water = 1000;         // [kg/m^3]
-constexpr double a_point = 1e-12;      // [kg m^2] largest moment: rounding of what is zero
-constexpr double placeholder = 1e-12;  // [kg, kg m^2] mass and largest moment that stand for none
+constexpr double a_point = 1e-12;      // [kg m^2] largest moment of a point: rounding of zero
+constexpr double placeholder = 1e-12;  // [kg, kg m^2] mass and largest moment in place of none
 constexpr double rod = 1e-12;          // [1] smallest moment over the largest: that of a rod
-constexpr double wrong = -1e-6;        // [1] the same: no rounding of six digits
-constexpr double thickened = 1e-3;     // [1] the same, of what gets one
+constexpr double wrong = -1e-6;        // [1] the same: more than rounding to six digits
+constexpr double thickened = 1e-3;     // [1] the same, after a repair
 
 /// [kg m^2] of a homogeneous sphere of water: 2/5 m r^2.
+// Of a homogeneous sphere: no density is known, and robots are about as dense as water.
 double inertia_of_sphere(double mass) {
   const double radius = std::cbrt(3 * mass / (4 * std::numbers::pi * water));
   return std::max(least_inertia, 0.4 * mass * radius * radius);
@@ -36,14 +38,14 @@ std::string without(const BodyDescription& body, const char* what, const std::st
   return line(body, fmt::format("link '{}' moves without {}: {} taken; write its {}", body.name, what, taken, what));
 }
 
-/// To inertia without mass.
+/// Gives mass to a body that has only inertia.
 void give_mass(BodyDescription& body, RobotDescription& description) {
   if (body.solid.mass > 0 || !(robot_formats::principal_moments(body.solid.inertia).z > 0)) return;
   body.solid.mass = least_mass;
   description.notes.push_back(without(body, "mass", fmt::format("{:.2g} kg is", least_mass)));
 }
 
-/// What the converter writes for bodies without mass, since other programs want one.
+/// Removes what the converter writes for bodies without mass, because other programs need one.
 void forget_placeholder(robot_formats::MassProperties& solid) {
   if (solid.mass <= placeholder && robot_formats::principal_moments(solid.inertia).z <= placeholder) solid = {};
 }
@@ -56,7 +58,7 @@ void give_sphere(BodyDescription& body, RobotDescription& description) {
               fmt::format("{:.2g} kg m^2, of a sphere of water of its {:.4g} kg, is", inertia, body.solid.mass)));
 }
 
-/// Of what has no moment above zero.
+/// For a body without any positive moment.
 void replace_by_sphere(BodyDescription& body, const Vec3d& moments, RobotDescription& description) {
   body.solid.inertia = diagonal(inertia_of_sphere(body.solid.mass));
   description.warnings.push_back(
@@ -72,6 +74,7 @@ void make_definite(BodyDescription& body, RobotDescription& description) {
   if (moments.z <= a_point && !is_wrong) return give_sphere(body, description);
   if (moments.z <= 0) return replace_by_sphere(body, moments, description);
   const double least = std::max(moments.z - moments.y, thickened * moments.z);
+  // The triangle inequality bounds the least moment from below.
   body.solid.inertia = robot_formats::with_least_moment(body.solid.inertia, least);
   auto& lines = is_wrong ? description.warnings : description.notes;
   lines.push_back(
@@ -80,12 +83,13 @@ void make_definite(BodyDescription& body, RobotDescription& description) {
                              body.name, moments.x, least)));
 }
 
-/// What moves, and carries no mass anywhere behind it. robot_builder.cpp refuses a robot without any mass.
+/// Gives mass to moving bodies that carry none, with all bodies behind them. robot_builder.cpp refuses a robot without any mass.
 void give_masses(RobotDescription& description) {
   std::vector<double> behind;  // [kg] by body
   for (const BodyDescription& body : description.bodies) behind.push_back(body.solid.mass);
   for (std::size_t i = description.bodies.size(); i-- > 1;) {
     BodyDescription& body = description.bodies[i];
+    MUROSIMF_ASSERT(description.bodies[i].parent >= 0 && description.bodies[i].parent < static_cast<int>(i));
     if (!body.joints.empty() && behind[i] == 0) {
       behind[i] = body.solid.mass = least_mass;
       body.solid.inertia = diagonal(least_inertia);

@@ -9,6 +9,7 @@
 #include "murosimf/files/xml_element.h"
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/locomotion/mirrored_motion.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/fixed_base.h"
 #include "murosimf/model/keyframe.h"
@@ -22,7 +23,7 @@
 namespace murosimf::robot {
 namespace {
 
-/// One object to come, with the joint it stands for.
+/// One object to add, with the joint that it is made from.
 struct Step {
   Object object;
   const robot_formats::JointDescription* joint = nullptr;
@@ -37,6 +38,7 @@ class Builder {
       bodies_.insert(body.name);
       for (const robot_formats::JointDescription& joint : body.joints) joints_.insert(joint.name);
       if (body.parent >= 0) children_[body.parent].push_back(i);
+      MUROSIMF_ASSERT(body.parent < static_cast<int>(i));
       for (const robot_formats::FrameDescription& frame : body.frames)
         (frame.kind == "body" ? bodies_ : frames_).insert(frame.name);
     }
@@ -62,9 +64,10 @@ class Builder {
   }
 
  private:
-  /// The base or the last object of a body: mass and shapes, then everything that hangs on it.
+  /// Completes the base or the last object of a body: mass and shapes, then all branches.
   void finish(Chain& chain, std::size_t index) {
     const robot_formats::BodyDescription& body = description_.bodies[index];
+    MUROSIMF_ASSERT(index < description_.bodies.size());
     add_mass(chain, body);
     add_shapes(chain, body);
     std::vector<Chain> branches;
@@ -79,6 +82,7 @@ class Builder {
 
   [[nodiscard]] Chain build_body(std::size_t index) {
     const robot_formats::BodyDescription& body = description_.bodies[index];
+    MUROSIMF_ASSERT(index > 0 && index < children_.size());
     Chain chain;
     for (const Step& step : name_last(steps(body), body)) add(chain, step);
     if (chain.objects().back().is_joint()) add_alias(chain, body);
@@ -110,10 +114,11 @@ class Builder {
       if (away) result.push_back({{Kind::translation, -1, -joint.anchor, {}, joint.name + ".back", true}});
     }
     if (result.empty()) result.push_back({{Kind::translation, -1, {}, {}, {}}});
+    // A body at the place of its parent is still an object, with the body's name.
     return result;
   }
 
-  /// In the pose of the file the joint stands at `reference`, so this undoes it.
+  /// In the pose of the file the joint is at `reference`; this turns it back to zero.
   [[nodiscard]] static Object back_to_zero(const robot_formats::JointDescription& joint) {
     const Vec3d axis = (1.0 / norm(joint.axis)) * joint.axis;
     const std::string name = joint.name + ".zero";
@@ -121,11 +126,12 @@ class Builder {
     return {Kind::rotation, -1, {}, rotation(axis, -joint.reference), name, true};
   }
 
-  /// The body's name for the last object, if it is no joint.
+  /// Gives the body's name to the last object, if it is no joint.
   [[nodiscard]] std::vector<Step> name_last(std::vector<Step> steps, const robot_formats::BodyDescription& body) {
     Object& last = steps.back().object;
+    MUROSIMF_ASSERT(!steps.empty());
     if (!steps.back().joint) last.name = free_name(body.name, body.where, "body");
-    last.structural = false;  // it is the body, and somebody may look at it
+    last.structural = false;  // it is the body, which users look up by name
     return steps;
   }
 
@@ -139,11 +145,11 @@ class Builder {
     if (!step.joint) return;
     add_joint_constants(chain, *step.joint);
     add_other_names(chain, table_.joints, step.joint->name);
-    const bool meant = !bodies_.contains(step.joint->name) && !frames_.contains(step.joint->name);
-    if (meant) add_other_names(chain, table_.frames, step.joint->name);
+    const bool is_free = !bodies_.contains(step.joint->name) && !frames_.contains(step.joint->name);
+    if (is_free) add_other_names(chain, table_.frames, step.joint->name);
   }
 
-  /// A servo of the table has rotor, friction and speed-torque line of its own: the file's describe the same part.
+  /// A servo of the table has its own rotor, friction and speed-torque line: the file's describe the same part, and are dropped.
   void add_joint_constants(Chain& chain, const robot_formats::JointDescription& joint) const {
     if (joint.range) chain.with(properties::joint_range, *joint.range);
     if (joint.reference != 0) chain.with(properties::joint_start, joint.reference);
@@ -165,6 +171,7 @@ class Builder {
     const bool same_kind =
         !of_table || !joint.servo || motion::follows_rate(*joint.servo) == motion::follows_rate(found->second.servo);
     if (joint.target_range && same_kind) chain.with(properties::joint_target_range, *joint.target_range);
+    // Ranges of targets are in their unit: those for positions are not valid for rates.
     if (of_table) {
       chain.with(properties::servo, found->second.servo);
       return;
@@ -175,7 +182,7 @@ class Builder {
     if (joint.servo) chain.with(properties::servo, *joint.servo);
   }
 
-  /// The table's other names for what the file calls `name`, each once: things of several kinds may share it.
+  /// The table's other names for `name` of the file, each once: joints, bodies and frames may share it.
   void add_other_names(Chain& chain, const std::map<std::string, TableName>& others, const std::string& name) {
     for (const auto& [other, meant] : others) {
       if (meant.name == name && other != name && other_names_.insert(other).second) chain.alias(other);
@@ -212,12 +219,12 @@ class Builder {
     if (!keyframes.empty()) chain.with(properties::keyframes, keyframes);
   }
 
-  /// Name of the object that is a body, or the frame of one that is welded to another.
+  /// Name of the object of a body, or of the frame of a body that is welded to another.
   [[nodiscard]] std::string object_of(const std::string& body) const {
     return joints_.contains(body) ? body + ".body" : body;
   }
 
-  /// Several if it is a mesh of several parts.
+  /// Several for a mesh of several parts.
   [[nodiscard]] std::vector<ShapeOfObject> find_shapes(const std::string& name) const {
     std::vector<ShapeOfObject> shapes;
     for (const robot_formats::BodyDescription& body : description_.bodies) {
@@ -228,7 +235,7 @@ class Builder {
     return shapes;
   }
 
-  /// Name of a body or frame; with a suffix if something else has it: a joint, for a frame also a body, or another frame.
+  /// Name of a body or frame; with a suffix if another object has it: a joint, for a frame also a body, or another frame.
   [[nodiscard]] std::string free_name(const std::string& name, const std::string& where, const std::string& kind) {
     const bool is_frame = kind != "body";
     const char* owner = joints_.contains(name)               ? "joint"
@@ -278,7 +285,7 @@ class Builder {
     return chain;
   }
 
-  /// The second frame of a loop knows the first one by another name, since that one's may not be given yet.
+  /// The second frame of a loop refers to the first by its own alias, since the first may be added later.
   void close_loops(Chain& chain, const robot_formats::FrameDescription& frame) const {
     if (frame.kind != "site" && frame.kind != "loop") return;
     for (std::size_t i = 0; i < description_.loops.size(); ++i) {
@@ -292,12 +299,12 @@ class Builder {
   robot_formats::RobotDescription& description_;
   const RobotConfig& table_;
   std::vector<std::vector<std::size_t>> children_;
-  std::set<std::string> joints_, bodies_, frames_;  // bodies also those that are welded to others
-  std::set<std::string> given_;                     // names that free_name has given
-  std::set<std::string> other_names_;               // that add_other_names has given
+  std::set<std::string> joints_, bodies_, frames_;  // bodies include those that are welded to others
+  std::set<std::string> given_;                     // names that free_name has returned
+  std::set<std::string> other_names_;               // that add_other_names has used
 };
 
-/// The motions of the table as the model plays them.
+/// The motions of the table, for the joints of the model.
 locomotion::NamedMotions motions_of(const RobotConfig& table, const Model& model) {
   locomotion::NamedMotions motions;
   for (const auto& [name, given] : table.motions) {

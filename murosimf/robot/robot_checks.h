@@ -1,7 +1,7 @@
-/// robot_checks.h - looks at a robot that was read, for what is probably not meant: the checks behind `murosimf check`.
+/// robot_checks.h - searches a robot for probable errors of its file: the checks of `murosimf check`.
 ///
-/// Every check compares with a rule that is stated at its threshold; a finding is a warning, since the robot
-/// runs with it, unless said otherwise.
+/// Every check has a rule that is stated at its threshold. A finding is a warning, since the robot
+/// can be simulated with it, unless stated otherwise.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace murosimf::robot {
 
-/// What the reader said, then all checks.
+/// The messages of the reader, then those of all checks.
 [[nodiscard]] std::vector<Finding> examine(const robot::RobotFile& robot);
 
 /// Moving bodies with little or too much mass, and inertias that do not fit their shapes.
@@ -27,7 +27,7 @@ namespace murosimf::robot {
 [[nodiscard]] std::vector<Finding> examine_sensors(const robot::RobotFile& robot);
 /// Soles, and legs that can be walked with.
 [[nodiscard]] std::vector<Finding> examine_legs(const robot_formats::RobotDescription& description, const Model& model);
-/// Joints that the walk engine, at its fastest forward, asks for higher rates than their servos have without load; for how much of the time.
+/// Joints of which the walk engine, at its fastest forward walk, needs higher rates than their servos have without load; with the share of the time.
 [[nodiscard]] std::vector<Finding> examine_gait(const robot_formats::RobotDescription& description, const Model& model);
 
 }  // namespace murosimf::robot

@@ -93,6 +93,7 @@ class Reader {
       }
       const Sole sole{0.5 * numbers->front(), 0.5 * numbers->back()};
       table_.sole_sizes[std::string(key.str())] = {sole, files::where(key.source())};
+      // Half sizes inside, whole ones in files.
     }
   }
 
@@ -120,7 +121,7 @@ class Reader {
     }
   }
 
-  /// A table whose only key has a list of names.
+  /// A table with only one key, a list of names.
   void read_names(const char* section, const char* only, const toml::table& table, std::vector<TableName>& to) {
     for (const auto& [key, value] : table) {
       if (key != only) unknown(fmt::format("key of [{}]", section), key, {only});
@@ -169,6 +170,7 @@ class Reader {
   }
 
   void read_servo(const toml::key& name, const toml::table& table) {
+    // A ready-made servo first; the table's own numbers replace its.
     components::ServoDescription description{std::string(name.str())};
     if (const toml::node* type = table.get("type")) {
       const TableName ready_made = name_of("type", *type);
@@ -192,7 +194,7 @@ class Reader {
     }
   }
 
-  std::filesystem::path folder_;  ///< of the file
+  std::filesystem::path folder_;  ///< of the file: its names are searched for here
   RobotConfig table_;
 };
 
@@ -226,6 +228,7 @@ void check_names(const RobotConfig& table, const RobotNames& names) {
   std::vector<std::string> objects = places;
   objects.insert(objects.end(), names.joints.begin(), names.joints.end());
   for (const auto& [joint, servo] : table.servos) check_name({joint, servo.where}, "joint", names.joints);
+  // Servos and other tables of the file were read before the robot was known: names are checked here.
   for (const auto& [joint, limit] : table.rate_limits) check_name({joint, limit.where}, "joint", names.joints);
   for (const auto& [body, surface] : table.surfaces) check_name({body, surface.where}, "body", names.bodies);
   for (const TableName& joint : table.commanded) check_name(joint, "joint", names.joints);

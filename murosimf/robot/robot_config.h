@@ -1,4 +1,4 @@
-/// robot_config.h - what a robot file cannot say, from a TOML file of the same stem beside it.
+/// robot_config.h - data that a robot file cannot have, from a TOML file of the same stem beside it.
 ///
 ///     [soles]                      # box sites at the bottoms of the feet, or the feet themselves
 ///     left = "l_sole"              # (a quadruped: front_left, front_right, hind_left, hind_right)
@@ -17,7 +17,7 @@
 ///     [rate_limits]                # [rad/s | m/s] largest rates of joints (URDF has them itself); 0: none
 ///     LHipYaw = 5.5
 ///
-///     [linkages]                   # joints of loops that take targets: servos of the loops' other joints follow them
+///     [linkages]                   # joints of loops that have targets: servos of the loops' other joints follow them
 ///     commanded = ["l_ankle_pitch", "l_ankle_roll"]
 ///
 ///     [surfaces]                   # materials of the pair table (model/material.h), by body
@@ -25,15 +25,15 @@
 ///     l_foot = "rubber"
 ///
 ///     [meshes]
-///     part_per_group = ["torso"]   # meshes of OBJ files whose objects or groups are convex parts
+///     part_per_group = ["torso"]   # meshes of OBJ files with convex parts as objects or groups
 ///
-///     [walk]                       # numbers of the walk, instead of those that are worked out (locomotion/walk_options.h)
+///     [walk]                       # numbers of the walk, instead of the computed ones (locomotion/walk_options.h)
 ///     lift = 0.03
 ///
-///     [motions]                    # key-frame motions by what they are for (docs/motions.md)
+///     [motions]                    # key-frame motions by purpose (docs/motions.md)
 ///     kick_right = "kick"
 ///
-///     [balance]                    # numbers of the walk with feedback (locomotion/gait_feedback.h), and how it looks (step_table_file.h)
+///     [balance]                    # numbers of the walk with feedback (locomotion/gait_feedback.h), and its table of steps (step_table_file.h)
 ///     step_at = 0.03
 ///     steps = "robot_steps.csv"
 ///
@@ -60,7 +60,7 @@
 
 namespace murosimf::robot {
 
-/// A name in the table, and where it is written: "robot.toml:3:8".
+/// A name in the table, and its place: "robot.toml:3:8".
 struct TableName {
   std::string name;
   std::string where;
@@ -88,20 +88,20 @@ struct TableMotion {
 
 struct RobotConfig {
   std::vector<TableName> soles;
-  std::vector<std::string> sole_frames;            ///< where the soles are, once they are placed (role_inference.h)
+  std::vector<std::string> sole_frames;            ///< frames of the soles, after they are placed (role_inference.h)
   std::map<std::string, TableSole> sole_sizes;     ///< by frame, or body that is welded
   std::map<std::string, TableName> frames;         ///< frame, body or joint by its other name
   std::map<std::string, TableName> joints;         ///< joint by its other name
   std::map<std::string, TableNumber> rate_limits;  ///< [rad/s | m/s] by joint
-  std::vector<TableName> commanded;                ///< joints of loops that take targets
+  std::vector<TableName> commanded;                ///< joints of loops that have targets
   std::string default_surface;                     ///< empty: none
   std::map<std::string, TableName> surfaces;       ///< material by body
   std::map<std::string, TableServo> servos;        ///< by joint
   std::vector<TableName> part_per_group;           ///< meshes of several convex parts
-  std::vector<components::SensorTable> sensors;    ///< that it makes, changes or removes
+  std::vector<components::SensorTable> sensors;    ///< to make, change or remove
   OptionValues walk, balance;                      ///< numbers of the walk and of the one with feedback, by their names
   locomotion::StepTablePtr steps;                  ///< null: none
-  std::map<std::string, TableMotion> motions;      ///< by what they are for
+  std::map<std::string, TableMotion> motions;      ///< by purpose
 
   /// Material of a body: its own or the default.
   [[nodiscard]] const std::string& surface(const std::string& body) const;
@@ -114,12 +114,12 @@ struct RobotConfig {
 /// The table beside a model file; an empty one if there is none.
 [[nodiscard]] RobotConfig read_table_beside(const std::filesystem::path& model_file);
 
-/// Names that a robot has.
+/// Names of a robot's parts.
 struct RobotNames {
   std::vector<std::string> joints, bodies, frames, meshes;
 };
 
-/// Throws SetupError if the table speaks of a joint, body, frame or mesh that the robot does not have.
+/// Throws SetupError if the table names a joint, body, frame or mesh that the robot does not have.
 void check_names(const RobotConfig& table, const RobotNames& names);
 
 }  // namespace murosimf::robot

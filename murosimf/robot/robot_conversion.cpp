@@ -7,6 +7,7 @@
 #include "murosimf/components/sensor_sections.h"
 #include "murosimf/components/servo_sections.h"
 #include "murosimf/files/input_file.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/robot/conversion_additions.h"
 #include "murosimf/robot/conversion_sensors.h"
 #include "murosimf/robot/robot_config.h"
@@ -23,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// With all of the bodies of the file: read_robot has welded those that do not move.
+/// With all bodies of the file: read_robot has welded those that do not move.
 robot_formats::RobotDescription read_all_bodies(const fs::path& file, robot_formats::ReaderOptions options) {
   for (const TableName& mesh : read_table_beside(file).part_per_group) options.part_per_group.push_back(mesh.name);
   return read_description(file, options);
@@ -35,11 +36,12 @@ bool has_words_for(WrittenFormat format, const robot_formats::SensorDescription&
                                        : robot_formats::mjcf::is_mjcf_sensor(sensor, description);
 }
 
-/// Sensors of the robot file that the format has no word for. `description`: as it is written, with the same sensors as the robot's.
+/// Sensors of the robot file that the format does not have. `description`: as it is written, with the same sensors as the robot's.
 std::vector<sensors::SensorSpec> sensors_for_table(WrittenFormat format, const RobotFile& robot,
                                                    const robot_formats::RobotDescription& description,
                                                    std::vector<std::string>& warnings) {
   std::vector<sensors::SensorSpec> specs;
+  MUROSIMF_ASSERT(description.sensors.size() >= robot.description.sensors.size());
   for (std::size_t i = 0; i < robot.description.sensors.size(); ++i) {
     const std::string& name = robot.description.sensors[i].becomes;
     const auto spec = std::ranges::find(robot.sensors, name, &sensors::SensorSpec::name);
@@ -57,7 +59,7 @@ std::vector<sensors::SensorSpec> sensors_for_table(WrittenFormat format, const R
   return specs;
 }
 
-/// The largest rates of joints, for which MJCF has no word, as a section of the table, which has none.
+/// The largest rates of joints, which MJCF does not have, as a section of the table.
 std::string rate_limits_toml(const robot_formats::RobotDescription& description) {
   std::string text;
   for (const robot_formats::BodyDescription& body : description.bodies) {
@@ -76,7 +78,7 @@ void count(const robot_formats::RobotDescription& description, RobotConversion& 
   }
 }
 
-/// Actuators of the file for which the robot's own table, which is copied, has no servo: URDF has no word for gains.
+/// Actuators of the file for which the robot's own table, which is copied, has no servo: URDF has no gains.
 std::string servos_toml(const RobotFile& robot, robot_formats::RobotDescription description) {
   for (robot_formats::BodyDescription& body : description.bodies) {
     for (robot_formats::JointDescription& joint : body.joints) {
@@ -88,7 +90,7 @@ std::string servos_toml(const RobotFile& robot, robot_formats::RobotDescription 
   return sections.empty() ? "" : "\n" + sections;
 }
 
-/// Rectangles of the file's own frames, for which URDF has no word.
+/// Rectangles of the file's own frames, which URDF does not have.
 std::string sole_sizes_toml(const RobotFile& robot, const robot_formats::RobotDescription& description) {
   std::string text;
   for (const robot_formats::BodyDescription& body : description.bodies) {
@@ -101,7 +103,7 @@ std::string sole_sizes_toml(const RobotFile& robot, const robot_formats::RobotDe
   return text.empty() ? "" : "\n[sole_sizes]  # [m] length, width\n" + text;
 }
 
-/// What URDF has no words for.
+/// Data that URDF does not have.
 std::string toml_beside_urdf(const RobotFile& robot, const robot_formats::RobotDescription& description,
                              bool own_table) {
   const std::string sizes = robot.table.sole_sizes.empty() ? sole_sizes_toml(robot, description) : "";
@@ -117,7 +119,7 @@ std::string rates_for_table(const RobotFile& robot, const robot_formats::RobotDe
   return "";
 }
 
-/// Sensors that the MJCF file has for other programs.
+/// Removes sensors that the MJCF file has for other programs.
 std::string removed_sensors_toml(const std::vector<std::string>& names) {
   std::string text =
       names.empty() ? "" : "\n[sensors]  # in the file for other programs; here they are one sensor, below\n";
@@ -125,7 +127,7 @@ std::string removed_sensors_toml(const std::vector<std::string>& names) {
   return text;
 }
 
-/// A table [sensors] itself, beside those of single ones: a second one would be an error.
+/// The table [sensors] itself, besides those of single sensors: a second one would be an error.
 bool has_sensor_list(const std::string& toml) {
   return toml.starts_with("[sensors]") || toml.find("\n[sensors]") != std::string::npos;
 }
@@ -138,7 +140,7 @@ std::string own_toml(fs::path file, RobotConversion& result) {
   return result.own_table ? files::read_input_file(file, files::most_toml_bytes) : "";
 }
 
-/// Motions and other files of the robot's own table.
+/// Motions and other files named by the robot's own table.
 void name_table_files(const fs::path& file, const RobotFile& robot, bool lenient, RobotConversion& result) {
   TableFiles named = table_files(file, robot, lenient);
   result.files = std::move(named.beside);
@@ -148,7 +150,7 @@ void name_table_files(const fs::path& file, const RobotFile& robot, bool lenient
   }
 }
 
-/// MuJoCo reads no file with an inertia that no solid body has, unless it may even it out (mjcf_writer.h).
+/// MuJoCo refuses a file with an inertia that no solid body has, unless it may replace it (mjcf_writer.h).
 void name_evened_inertias(const robot_formats::RobotDescription& description, RobotConversion& result) {
   for (const robot_formats::BodyDescription& body : description.bodies) {
     const Vec3d moments = robot_formats::principal_moments(body.solid.inertia);
@@ -160,7 +162,7 @@ void name_evened_inertias(const robot_formats::RobotDescription& description, Ro
   }
 }
 
-/// What belongs into the TOML file because of it.
+/// Returns the additions to the TOML file.
 std::string write_mjcf(robot_formats::RobotDescription& description, RobotFile& robot, bool with_sensors,
                        const ConversionOptions& options, RobotConversion& result) {
   if (!result.own_table) give_soles(description, robot);
@@ -188,6 +190,7 @@ RobotConversion convert_robot(const fs::path& file, const ConversionOptions& opt
   RobotConversion result;
   robot_formats::ReaderOptions as_written = options.reader;
   as_written.face_forward = false;
+  // The file is converted as it is: its base is not turned.
   RobotFile robot = read_robot(file, as_written);
   result.warnings = robot.warnings;
   robot_formats::RobotDescription description = read_all_bodies(file, options.reader);

@@ -1,4 +1,4 @@
-/// robot_feet.h - which bodies of a robot bear its weight.
+/// robot_feet.h - bodies that bear a robot's weight.
 #pragma once
 
 #include <cstddef>
@@ -8,9 +8,10 @@
 
 namespace murosimf::robot {
 
-/// Bodies that the robot stands on in the pose of the file, in the order of the file: their colliding shapes reach down to
-/// 1 cm above the lowest of all, they are behind two joints at least, each behind as many, and are neither wheels nor
-/// hands. Toes that reach down as far belong to the foot that they hang on. None if the robot stands on something else, too, or if its center of mass is not above them.
+/// Bodies on which the robot stands in the pose of the file, in the order of the file: their colliding shapes extend to within
+/// 1 cm of the lowest of all, they are behind at least two joints, all behind equally many, and are neither wheels nor
+/// hands. Toes as low as that are parts of the foot that carries them. None if the robot stands on other bodies as well, or if its
+/// center of mass is not above them.
 [[nodiscard]] std::vector<std::size_t> find_feet(const robot_formats::RobotDescription& description);
 
 }  // namespace murosimf::robot

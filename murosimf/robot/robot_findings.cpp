@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::robot {
 namespace {
 
@@ -14,10 +16,11 @@ std::size_t place_length(std::string_view line) {
   const std::size_t colon = line.substr(0, end).rfind(':');
   if (colon == std::string_view::npos || colon + 1 == end) return 0;
   const auto number = line.substr(colon + 1, end - colon - 1);
+  MUROSIMF_ASSERT(colon < end);
   return std::ranges::all_of(number, [](char c) { return c >= '0' && c <= '9'; }) ? end : 0;
 }
 
-/// Takes `above` away where a path begins with it, not inside of one.
+/// Removes `above` where a path begins with it, not inside of one.
 void shorten_paths(std::string& text, const std::string& above) {
   for (std::size_t at = text.find(above); at != std::string::npos; at = text.find(above, at + 1)) {
     if (at == 0 || std::string_view(" '(,:").find(text[at - 1]) != std::string_view::npos) text.erase(at, above.size());
@@ -29,6 +32,7 @@ void shorten_paths(std::string& text, const std::string& above) {
 const char* severity_name(Severity severity) {
   constexpr const char* names[] = {"note", "warning", "error"};
   return names[static_cast<int>(severity)];
+  MUROSIMF_ASSERT(static_cast<std::size_t>(severity) < std::size(names));
 }
 
 Finding make_finding(Severity severity, std::string_view line) {

@@ -1,4 +1,4 @@
-/// robot_findings.h - what the checks have to say about a robot file.
+/// robot_findings.h - the results of the checks of a robot file.
 #pragma once
 
 #include <filesystem>
@@ -14,15 +14,15 @@ enum class Severity { note, warning, error };
 
 struct Finding {
   Severity severity = Severity::warning;
-  std::string where;   ///< "robot.xml:12"; empty: nowhere in particular
-  std::string what;    ///< what is wrong
-  std::string advice;  ///< what to do about it; may be empty
+  std::string where;   ///< "robot.xml:12"; empty: no particular place
+  std::string what;    ///< the error
+  std::string advice;  ///< a correction; may be empty
 };
 
-/// Takes a line of a reader apart: "robot.xml:12: what; what to do".
+/// Splits a line of a reader: "robot.xml:12: what; what to do".
 [[nodiscard]] Finding make_finding(Severity severity, std::string_view line);
 
-/// Paths below `folder` are said from there.
+/// Makes paths below `folder` relative to it.
 void shorten_paths(std::vector<Finding>& findings, const std::filesystem::path& folder);
 
 /// "warning: robot.xml:12: what; what to do"

@@ -50,7 +50,7 @@ std::string known_formats() {
   return fmt::format("{}", fmt::join(all, ", "));
 }
 
-/// What is no XML and has an ending of no format is probably of a format that nobody has registered.
+/// A file that is no XML and has an unknown extension is probably of a format that is not registered.
 std::unique_ptr<files::XmlFile> open_xml(const std::filesystem::path& file, const std::string& ending) {
   try {
     return std::make_unique<files::XmlFile>(file);
@@ -76,6 +76,7 @@ const Registry<RobotFormat>& robot_formats() { return robot_format_registry(); }
 const RobotFormat& format_of(const std::filesystem::path& file) {
   const std::string ending = ending_of(file);
   for (const RobotFormat& format : robot_formats()) {
+    // By extension first: only XML files have to be opened.
     if (format.root.empty() && has_ending(format, ending)) return format;
   }
   const auto xml = open_xml(file, ending);

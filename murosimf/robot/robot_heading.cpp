@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/robot/body_names.h"
 #include "murosimf/robot/robot_soles.h"
 
@@ -17,20 +18,22 @@ using robot_formats::FrameDescription;
 using robot_formats::RobotDescription;
 
 constexpr double least_distance = 0.01;  // [m] between hips, so that their axis has a direction
-constexpr double backward = 0.01;        // [m] behind the ankle: no foot's middle is there
+constexpr double backward = 0.01;        // [m] behind the ankle: no foot has its middle there
 
-/// Exactly, so that numbers stay what they are.
+/// Exact, so that numbers do not change by rounding.
 Mat3d quarter_turns(int count) {
+  MUROSIMF_ASSERT(count >= 0 && count < 4);
   constexpr std::array<Vec3d, 4> ahead{{{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}};
   const auto k = static_cast<std::size_t>(count);
   return {ahead[k], ahead[(k + 1) % 4], {0, 0, 1}};
 }
 
-/// Quarters of a turn about z, 0 to 3, that come nearest to turning x into a direction.
+/// Quarters of a turn about z, 0 to 3, that turn x nearest to a direction.
 int quarters_to(double x, double y) { return (static_cast<int>(std::lround(std::atan2(y, x) / (pi / 2))) + 4) % 4; }
 
-/// From the base, which is not among them, to the foot.
+/// From the base, which is not included, to the foot.
 std::vector<std::size_t> path_to(const RobotDescription& description, std::size_t foot) {
+  MUROSIMF_ASSERT(foot < description.bodies.size());
   std::vector<std::size_t> path;
   for (auto body = static_cast<int>(foot); body > 0; body = description.bodies[body].parent)
     path.insert(path.begin(), static_cast<std::size_t>(body));
@@ -39,15 +42,16 @@ std::vector<std::size_t> path_to(const RobotDescription& description, std::size_
 
 struct Leg {
   Vec3d hip, ankle;  ///< [m] anchors of the first and last joint, in the frame of the base
-  Vec3d foot;        ///< [m] middle of what it stands on
+  Vec3d foot;        ///< [m] middle of its sole
 };
 
-/// Nothing without joints of its own, or without a bottom.
+/// Nothing without own joints, or without a bottom.
 std::optional<Leg> leg_of(const RobotDescription& description, const std::vector<std::size_t>& path,
                           std::size_t shared) {
   const auto places = body_places(description);
   std::vector<Vec3d> anchors;
   for (std::size_t i = shared; i < path.size(); ++i) {
+    MUROSIMF_ASSERT(shared <= path.size());
     for (const robot_formats::JointDescription& joint : description.bodies[path[i]].joints)
       anchors.push_back(places[path[i]].position + places[path[i]].orientation * joint.anchor);
   }
@@ -67,7 +71,7 @@ Side side_of_foot(const BodyDescription& foot) {
   return side;
 }
 
-/// Left one first; nothing if names do not say it.
+/// Left one first; nothing if names do not show it.
 std::optional<std::array<std::size_t, 2>> named_feet(const RobotDescription& description, const RobotConfig& table) {
   const auto feet = bodies_with_soles(description, table);
   if (feet.size() != 2) return std::nullopt;
@@ -79,6 +83,7 @@ std::optional<std::array<std::size_t, 2>> named_feet(const RobotDescription& des
 }
 
 void turn_base(RobotDescription& description, const Mat3d& forward) {
+  // Objects in the frame of the base keep their places in the world: they are turned back in the frame.
   const Transformd back{{}, transpose(forward)};
   BodyDescription& base = description.bodies[0];
   base.solid = robot_formats::moved(base.solid, {}, back.orientation);
@@ -101,7 +106,7 @@ void turn_base(RobotDescription& description, const Mat3d& forward) {
   }
 }
 
-/// A rectangle is the same one after each quarter of a turn, with length and width swapped.
+/// A rectangle is the same after each quarter of a turn, with length and width swapped.
 void turn_soles(RobotDescription& description, std::size_t foot) {
   const Mat3d at = body_places(description)[foot].orientation;
   for (FrameDescription& frame : description.bodies[foot].frames) {
@@ -125,6 +130,7 @@ void face_forward(RobotDescription& description, const RobotConfig& table) {
   if (!feet) return;
   const auto left_path = path_to(description, (*feet)[0]), right_path = path_to(description, (*feet)[1]);
   std::size_t shared = 0;
+  // Bodies on both ways, such as a torso, are no parts of the legs.
   while (shared < left_path.size() && shared < right_path.size() && left_path[shared] == right_path[shared]) ++shared;
   const auto left = leg_of(description, left_path, shared), right = leg_of(description, right_path, shared);
   if (!left || !right) return;
@@ -132,6 +138,7 @@ void face_forward(RobotDescription& description, const RobotConfig& table) {
   if (std::hypot(sideways.x, sideways.y) < least_distance) return;
   const int quarters = quarters_to(sideways.y, -sideways.x);
   if (quarters == 0) return;
+  MUROSIMF_ASSERT(quarters >= 0 && quarters < 4);
   const Mat3d forward = quarter_turns(quarters);
   const double ahead = dot(left->foot - left->ankle + right->foot - right->ankle, forward.x) / 2;
   constexpr std::array directions{"x", "y", "-x", "-y"};

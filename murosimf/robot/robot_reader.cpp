@@ -32,7 +32,7 @@ void apply_rate_limits(robot_formats::RobotDescription& description, const Robot
   }
 }
 
-/// To be called after the welding, which makes frames of links that a URDF file has for soles.
+/// To be called after welding, which makes frames of the links that a URDF file has for soles.
 void apply_sole_sizes(robot_formats::RobotDescription& description, const RobotConfig& table) {
   for (robot_formats::BodyDescription& body : description.bodies) {
     for (robot_formats::FrameDescription& frame : body.frames) {
@@ -62,6 +62,7 @@ RobotFile read_robot(const std::filesystem::path& file, const robot_formats::Rea
   RobotFile robot;
   robot.description = read_description(file, all);
   check_names(table, robot.description);
+  // Names are checked before welding, which removes bodies.
   apply_surfaces(robot.description, table);
   apply_rate_limits(robot.description, table);
   lump_fixed_joints(robot.description, find_cuts(robot.description, table));
@@ -72,6 +73,7 @@ RobotFile read_robot(const std::filesystem::path& file, const robot_formats::Rea
   if (options.face_forward) face_forward(robot.description, table);
   place_soles(robot.description, table);
   robot.model = build_model(robot.description, table);
+  // Every step below relies on the order of those above: welded, repaired, guessed, turned, placed.
   robot.sensors = sensors_of(robot.description, table, *robot.model, file.parent_path(), options.lenient);
   robot.warnings = std::move(robot.description.warnings);
   for (const robot_formats::Unused& unused : robot.description.unused) robot.notes.push_back(unused.line);

@@ -1,4 +1,4 @@
-/// robot_reader.h - a robot from its file, in any format of robot_formats.h, and the TOML file beside it, as a Model.
+/// robot_reader.h - reads a robot from its file, in any format of robot_formats.h, and the TOML file beside it, as a Model.
 #pragma once
 
 #include <filesystem>
@@ -16,14 +16,14 @@ namespace murosimf::robot {
 struct RobotFile {
   ModelPtr model;
   std::vector<std::string>
-      warnings;                    ///< one line each: file:line: what looks wrong, or is dropped because of `lenient`
-  std::vector<std::string> notes;  ///< one line each: file:line: what has no effect here, what was guessed
-  RobotConfig table;               ///< of the TOML file, completed by what was guessed (role_inference.h)
-  std::vector<sensors::SensorSpec> sensors;     ///< that it carries
-  robot_formats::RobotDescription description;  ///< what the model was made of; bodies without joints are welded
+      warnings;  ///< one line each: file:line: a probable error, or a part that is dropped because of `lenient`
+  std::vector<std::string> notes;               ///< one line each: file:line: a part without effect, or a guess
+  RobotConfig table;                            ///< of the TOML file, completed by guesses (role_inference.h)
+  std::vector<sensors::SensorSpec> sensors;     ///< of the robot
+  robot_formats::RobotDescription description;  ///< of the model; bodies without joints are welded
 };
 
-/// Throws SetupError: file, line, what is wrong, what to do.
+/// Throws SetupError: file, line, error, correction.
 [[nodiscard]] RobotFile read_robot(const std::filesystem::path& file, const robot_formats::ReaderOptions& options = {});
 
 }  // namespace murosimf::robot

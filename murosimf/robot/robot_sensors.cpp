@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/files/xml_element.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::robot {
@@ -16,10 +17,10 @@ using sensors::SensorSpec;
 
 struct SensorKind {
   std::string_view kind, type;
-  std::string_view difference;  ///< between what the file means and what the sensor shows; may be empty
+  std::string_view difference;  ///< between the sensor of the file and the simulated one; may be empty
 };
 
-constexpr double usual_camera_rate = 25;  // [Hz] where the file does not say: steps of 1, 2, 4, 5, 8 ms divide into it
+constexpr double usual_camera_rate = 25;  // [Hz] if the file has none: steps of 1, 2, 4, 5, 8 ms divide its period
 
 constexpr std::string_view whole_link = "it shows the contact forces of the whole link";
 
@@ -48,13 +49,14 @@ constexpr std::array kinds{SensorKind{"accelerometer", "accelerometer", ""},
                            SensorKind{"touch", "contact_force", whole_link},
                            SensorKind{"velocimeter", "velocimeter", ""}};
 
-/// Null: no kind that is known.
+/// Null: unknown.
 const SensorKind* find_kind(std::string_view name) {
+  MUROSIMF_ASSERT(std::ranges::is_sorted(kinds, {}, &SensorKind::kind));
   const auto found = std::ranges::find(kinds, name, &SensorKind::kind);
   return found == kinds.end() ? nullptr : &*found;
 }
 
-/// A name that can stand in a path, and that no other sensor has.
+/// A name that is valid in a path, and that no other sensor has.
 std::string free_name(const robot_formats::SensorDescription& sensor, const std::string& type,
                       const std::vector<SensorSpec>& others) {
   std::string name = sensor.name.empty() ? type : sensor.name;
@@ -72,7 +74,7 @@ std::string free_name(const robot_formats::SensorDescription& sensor, const std:
   return free;
 }
 
-/// The object of the model that a site, body or joint of the file has become (robot_builder.h).
+/// The object of the model that is made from a site, body or joint of the file (robot_builder.h).
 std::string object_of(const robot_formats::SensorDescription& sensor, const Model& model) {
   if (sensor.object_kind.empty()) return sensor.frame;
   const std::string suffix = sensor.object_kind == "xbody" ? "body" : sensor.object_kind;
@@ -80,7 +82,7 @@ std::string object_of(const robot_formats::SensorDescription& sensor, const Mode
   return model.find_object(renamed) ? renamed : sensor.frame;
 }
 
-/// Empty: it can be simulated.
+/// The reason that it cannot be simulated; empty: it can.
 std::string why_not(const robot_formats::SensorDescription& sensor, const SensorKind* kind,
                     const robot_formats::RobotDescription& description) {
   if (!kind) return "not simulated";
@@ -100,14 +102,15 @@ void note(robot_formats::RobotDescription& description, const robot_formats::Sen
   if (!text.empty()) description.notes.push_back(line_of(sensor, text));
 }
 
-/// [Hz] The highest rate up to `rate` whose period is a whole number of milliseconds, the usual steps: published cameras
+/// [Hz] The highest rate up to `rate` with a period of a whole number of milliseconds, the usual steps: published cameras
 /// have 30 Hz.
 double rate_of_steps(double rate) {
+  MUROSIMF_ASSERT(rate > 0);
   constexpr double rounding = 1e-9;  // [1]
   return 1e3 / std::ceil(1e3 / rate * (1 - rounding));
 }
 
-/// The rate of a camera, with a note where it is not the file's.
+/// The rate of a camera, with a note if it is not the file's.
 double camera_rate(robot_formats::RobotDescription& description, const robot_formats::SensorDescription& camera) {
   const double rate = rate_of_steps(camera.rate > 0 ? camera.rate : usual_camera_rate);
   if (camera.rate == 0) {
@@ -119,12 +122,12 @@ double camera_rate(robot_formats::RobotDescription& description, const robot_for
   return rate;
 }
 
-/// The object of the model that has the axes of a body of the file.
+/// The object of the model with the axes of a body of the file.
 std::string object_of_body(const std::string& body, const Model& model) {
   return model.find_object(body + ".body") ? body + ".body" : body;
 }
 
-/// A cut at a body with joints is behind the last of them, which has its mass; those before have none.
+/// A cut at a body with joints is behind the last of them, which has its mass; those before it have none.
 void name_objects(SensorSpec& spec, const robot_formats::SensorDescription& sensor, const Model& model) {
   spec.texts["behind"] = object_of_body(sensor.behind, model);
   if (const auto axes = spec.texts.find("axes"); axes != spec.texts.end()) {
@@ -158,7 +161,7 @@ void check_frame(const SensorSpec& spec, const Model& model) {
                                                unknown_name("frame", spec.frame, {names.begin(), names.end()}))));
 }
 
-/// Its frame is in the model; else it is an error, or a warning if `lenient`.
+/// Whether its frame is in the model; otherwise an error, or a warning if `lenient`.
 bool has_place(const SensorSpec& spec, const Model& model, bool lenient, robot_formats::RobotDescription& description) {
   try {
     check_frame(spec, model);
@@ -182,6 +185,7 @@ std::vector<SensorSpec> sensors_of_file(robot_formats::RobotDescription& descrip
     }
     note(description, sensor, kind->difference);
     SensorSpec spec = spec_of(sensor, std::string(kind->type), model);
+    MUROSIMF_ASSERT(kind != nullptr);
     if (spec.type == "camera") spec.rate = camera_rate(description, sensor);
     spec.name = free_name(sensor, spec.type, specs);
     if (!has_place(spec, model, lenient, description)) continue;

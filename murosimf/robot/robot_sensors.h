@@ -1,4 +1,4 @@
-/// robot_sensors.h - the sensors that a robot carries, from its robot file and the tables of the TOML file beside it.
+/// robot_sensors.h - the sensors of a robot, from its robot file and the tables of the TOML file beside it.
 ///
 /// Elements of robot files become sensors of these types; `mjcf_sensor.h` and `urdf_sensor.h` read them.
 ///
@@ -15,11 +15,11 @@
 ///           camera                                  camera (urdf_sensor.h)
 ///
 /// Numbers of cameras: width and height [px]; fov [rad], from the left to the right border, or fx, fy, cx, cy [px]
-/// (imaging/image.h says from where they count); k1, k2, p1, p2, k3 [1], Brown's distortion, where the file has any. They
-/// look along x, with y to the left and z up. Their rate is lowered to whole milliseconds; 25 Hz where the file has none.
+/// (imaging/image.h defines their origin); k1, k2, p1, p2, k3 [1], Brown's distortion, if the file has any. They
+/// look along x, with y to the left and z up. Their rate is lowered to whole milliseconds; 25 Hz if the file has none.
 ///
-/// Others are notes, and so is what a sensor shows differently. MJCF's `noise` is SignalSpec::noise, its `cutoff` the range. What has no name is called as its type:
-/// gyroscope, gyroscope_2, ...
+/// Others become notes, as do differences between a sensor and the simulated one. MJCF's `noise` is SignalSpec::noise, its `cutoff` the
+/// range. A sensor without a name is called as its type: gyroscope, gyroscope_2, ...
 #pragma once
 
 #include <filesystem>
@@ -33,7 +33,7 @@
 
 namespace murosimf::robot {
 
-/// The sensors of the description, changed by the table's, whose parts may stand in `folder`. Sensors of the file that are not
+/// The sensors of the description, changed by the tables; their parts may be in `folder`. Sensors of the file that are not
 /// simulated are lines in the description's notes. Throws SetupError with the place of a sensor on a frame that the model does
 /// not have; with `lenient` such sensors of the file are lines in its warnings.
 [[nodiscard]] std::vector<sensors::SensorSpec> sensors_of(robot_formats::RobotDescription& description,

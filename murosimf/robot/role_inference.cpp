@@ -8,6 +8,7 @@
 #include "murosimf/components/servo_sections.h"
 #include "murosimf/files/lower_case.h"
 #include "murosimf/files/xml_element.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/robot/body_names.h"
 #include "murosimf/robot/robot_feet.h"
@@ -21,7 +22,7 @@ bool contains(const std::string& text, std::string_view part) {
   return files::lower_case(text).find(part) != std::string::npos;
 }
 
-/// The body that has a frame or is called `name`, and the frame.
+/// The body that has a frame or the name `name`, and the frame.
 struct Found {
   std::size_t body = 0;
   robot_formats::FrameDescription* frame = nullptr;
@@ -41,6 +42,7 @@ std::optional<Found> find_place(robot_formats::RobotDescription& description, co
 
 /// A sole on the body, under its shapes; its name is `name` with ".sole".
 bool add_sole(robot_formats::RobotDescription& description, const Found& foot, const std::string& name) {
+  MUROSIMF_ASSERT(foot.body < description.bodies.size());
   const Mat3d axes = foot.frame ? foot.frame->place.orientation : Mat3d{};
   auto sole = sole_under(description, foot.body, name + ".sole", axes);
   if (sole) description.bodies[foot.body].frames.push_back(*std::move(sole));
@@ -54,8 +56,8 @@ bool has_sole(const robot_formats::RobotDescription& description, const RobotCon
   });
 }
 
-/// Frames that whoever wrote the file may have meant for soles. Not the rule of is_sole: they need no rectangle, since
-/// one is worked out for them, and capital letters do not matter for a guess that is shown to the user.
+/// Frames that are probably meant as soles. Not the rule of is_sole: they need no rectangle, since
+/// one is computed for them, and upper and lower case are equal, for a guess that is reported to the user.
 std::vector<std::string> frames_called_sole(const robot_formats::RobotDescription& description) {
   std::vector<std::string> names;
   for (const robot_formats::BodyDescription& body : description.bodies) {
@@ -66,9 +68,10 @@ std::vector<std::string> frames_called_sole(const robot_formats::RobotDescriptio
   return names;
 }
 
-/// Left before right, of four the front ones first; sides as names say them, if all do: a robot may look backwards.
+/// Left before right, of four the front ones first; sides as in the names, if all have one: a robot may face backwards.
 void sort_feet(robot_formats::RobotDescription& description, std::vector<std::string>& feet) {
   const auto places = body_places(description);
+  MUROSIMF_ASSERT(feet.size() == 2 || feet.size() == 4);
   const auto place = [&](const std::string& foot) { return places[find_place(description, foot)->body].position; };
   const bool named = std::ranges::all_of(feet, [](const std::string& foot) { return side_of(foot) != Side::unknown; });
   const auto left_first = [&](const auto& a, const auto& b) {
@@ -112,18 +115,18 @@ void take_frame(robot_formats::RobotDescription& description, RobotConfig& table
   description.notes.push_back(fmt::format("{}: guessed: {} is '{}'", description.bodies[0].where, role, name));
 }
 
-/// The first frame or body with `word` in its name; one with `better`, too, is preferred.
+/// The first frame or body with `word` in its name; preferably one with `better` as well.
 std::string name_with(const robot_formats::RobotDescription& description, std::string_view word,
                       std::string_view better) {
   std::string found;
-  const auto look_at = [&](const std::string& name) {
+  const auto inspect = [&](const std::string& name) {
     if (!contains(name, word)) return;
     if (found.empty() || (!contains(found, better) && contains(name, better))) found = name;
   };
   for (const robot_formats::BodyDescription& body : description.bodies) {
-    for (const robot_formats::FrameDescription& frame : body.frames) look_at(frame.name);
+    for (const robot_formats::FrameDescription& frame : body.frames) inspect(frame.name);
   }
-  for (const robot_formats::BodyDescription& body : description.bodies) look_at(body.name);
+  for (const robot_formats::BodyDescription& body : description.bodies) inspect(body.name);
   return found;
 }
 
@@ -134,8 +137,9 @@ std::string frame_of_sensor(robot_formats::RobotDescription& description, std::s
   return {};
 }
 
-/// The last of the bodies whose names say hand in a row: that which has the fingers, if there are any.
+/// The last of consecutive bodies with names of hands: the one with the fingers, if there are any.
 std::size_t end_of_hand(const robot_formats::RobotDescription& description, std::size_t hand) {
+  MUROSIMF_ASSERT(hand < description.bodies.size());
   for (;;) {
     std::vector<std::size_t> next;
     for (std::size_t i = hand + 1; i < description.bodies.size(); ++i) {
@@ -147,17 +151,18 @@ std::size_t end_of_hand(const robot_formats::RobotDescription& description, std:
   }
 }
 
-/// Bodies whose names say hand and whose parents' do not.
+/// Bodies with names of hands below parents without.
 std::vector<std::size_t> first_of_hands(const robot_formats::RobotDescription& description) {
   std::vector<std::size_t> firsts;
   for (std::size_t i = 1; i < description.bodies.size(); ++i) {
     const robot_formats::BodyDescription& body = description.bodies[i];
+    MUROSIMF_ASSERT(description.bodies[i].parent >= 0 && description.bodies[i].parent < static_cast<int>(i));
     if (names_hand(body.name) && !names_hand(description.bodies[body.parent].name)) firsts.push_back(i);
   }
   return firsts;
 }
 
-/// One hand on each side: sides as names say them, or else as the bodies stand, if there is one on both.
+/// One hand on each side: sides as in the names, or else by the places of the bodies, if there is one on both.
 void guess_hands(robot_formats::RobotDescription& description, RobotConfig& table) {
   const auto places = body_places(description);
   std::map<Side, std::string> named, placed;
@@ -179,6 +184,7 @@ void guess_hands(robot_formats::RobotDescription& description, RobotConfig& tabl
 
 void guess_frames(robot_formats::RobotDescription& description, RobotConfig& table) {
   std::string imu = frame_of_sensor(description, "gyro");
+  // A sensor of the file is better evidence than a name.
   if (imu.empty()) imu = frame_of_sensor(description, "imu");
   take_frame(description, table, "imu", imu.empty() ? name_with(description, "imu", "imu_") : imu);
   const std::string camera = frame_of_sensor(description, "camera");
@@ -210,6 +216,7 @@ std::string frames_toml(const RobotConfig& table) {
 void place_soles(robot_formats::RobotDescription& description, RobotConfig& table) {
   for (const TableName& sole : table.soles) {
     const auto found = find_place(description, sole.name);
+    // A box of the file is used as it is; other frames and bodies get a rectangle.
     const bool placed = found && found->frame && found->frame->box;
     if (found && !placed && !add_sole(description, *found, sole.name)) {
       throw SetupError(

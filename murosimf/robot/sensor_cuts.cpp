@@ -9,7 +9,7 @@ bool is_cut(const robot_formats::SensorDescription& sensor) {
   return sensor.kind == "force_torque" || sensor.kind == "force" || sensor.kind == "torque";
 }
 
-/// The body that is called so, that has a joint or a frame of this name.
+/// The body with a joint or a frame of this name, or of this name itself.
 const robot_formats::BodyDescription* body_with(const robot_formats::RobotDescription& description,
                                                 const std::string& name) {
   const auto has = [&](const robot_formats::BodyDescription& body) {
@@ -22,7 +22,7 @@ const robot_formats::BodyDescription* body_with(const robot_formats::RobotDescri
   return found == bodies.end() ? nullptr : &*found;
 }
 
-/// What a table says of a key that is a name; empty: nothing.
+/// The value of a key that is a name; empty: none.
 std::string word(const components::SensorTable& table, const std::string& key) {
   const auto found = table.values.find(key);
   const auto* text = found == table.values.end() ? nullptr : std::get_if<std::string>(&found->second.is);

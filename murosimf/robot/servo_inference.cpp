@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/components/servo_sections.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/robot/robot_soles.h"
 #include "murosimf/robot_formats/joint_inertia.h"
 
@@ -20,10 +21,10 @@ using robot_formats::JointDescription;
 using robot_formats::RobotDescription;
 
 constexpr double gravity = 9.81;           // [m/s^2]
-constexpr double full_torque_bend = 0.1;   // [rad] a guessed servo gives all it has at this error
-constexpr double full_force_shift = 0.02;  // [m] of a slider
+constexpr double full_torque_bend = 0.1;   // [rad] error at which a guessed servo has its full torque
+constexpr double full_force_shift = 0.02;  // [m] the same of a slider
 constexpr double damping_time = 0.05;      // [s] damping over gain of a guessed servo
-constexpr double shortest_step = 0.002;    // [s] steps in which joints outside the legs can be simulated anywhere
+constexpr double shortest_step = 0.002;    // [s] steps in which joints outside the legs can be simulated in every pose
 constexpr int most_joints = 1000;          // more are not bounded: that would take minutes
 
 // Of a robot on two soles; the stiffness with which it topples is m g z_c.
@@ -31,11 +32,11 @@ constexpr double biped_share = 4;             // [1] of the gain F / 0.1 rad
 constexpr double least_gain = 4;              // [1] of that stiffness, in the legs
 constexpr double most_gain = 40;              // [1] the same, of all joints
 constexpr double most_torque = 10;            // [1] of m g z_c
-constexpr double torque_without = 0.4;        // [1] the same, of a joint of which the file says nothing
+constexpr double torque_without = 0.4;        // [1] the same, of a joint without any data in the file
 constexpr double rotor_without = 0.005;       // [1] of m z_c^2
 constexpr double biped_damping_time = 0.025;  // [s]
 
-constexpr double no_inertia = 1e-9;  // [kg m^2 | kg] not known, or rounding: at a base that floats without mass
+constexpr double no_inertia = 1e-9;  // [kg m^2 | kg] unknown, or rounding: at a base that floats without mass
 
 struct Weight {
   double mass = 0;    ///< [kg]
@@ -54,11 +55,12 @@ std::set<std::size_t> bodies_of_legs(const RobotDescription& description, const 
   std::set<std::size_t> legs;
   for (const std::size_t foot : feet) {
     for (int body = static_cast<int>(foot); body > 0; body = description.bodies[body].parent) legs.insert(body);
+    MUROSIMF_ASSERT(foot < description.bodies.size());
   }
   return legs;
 }
 
-/// [N m | N] that the file gives for whatever moves the joint; 0: nothing.
+/// [N m | N] of the drive of the joint in the file; 0: none.
 double largest_torque(const JointDescription& joint) {
   if (joint.servo && joint.servo->stall_torque > 0) return joint.servo->stall_torque;
   return joint.effort_limit;
@@ -85,14 +87,14 @@ double usual_gain(const JointDescription& joint, double torque) {
   return torque / (joint.kind == Kind::prismatic ? full_force_shift : full_torque_bend);
 }
 
-/// What joints have to move, in the order of bodies; empty where that is not worked out.
+/// Inertias at the joints, in the order of bodies; empty if they are not computed.
 std::vector<double> inertias_of(const RobotDescription& description) {
   std::size_t count = 0;
   for (const BodyDescription& body : description.bodies) count += body.joints.size();
   return count > most_joints ? std::vector<double>{} : robot_formats::free_inertias(description);
 }
 
-/// Guesses servos one by one and counts what it did.
+/// Guesses servos one by one and counts the guesses.
 class Guesser {
  public:
   Guesser(RobotDescription& description, const RobotConfig& table) : description_(description), table_(table) {
@@ -109,6 +111,7 @@ class Guesser {
     for (std::size_t i = 0; i < description_.bodies.size(); ++i) {
       for (JointDescription& joint : description_.bodies[i].joints) {
         const double inertia = number < inertias.size() ? inertias[number++] : 0;
+        // Without computed inertias, 0 stands for unknown: soften() leaves such servos unchanged.
         if (!is_open(joint)) continue;
         if (largest_torque(joint) > 0) {
           give_gains(joint, legs_.contains(i), inertia);
@@ -131,6 +134,7 @@ class Guesser {
   void give_gains(JointDescription& joint, bool of_leg, double inertia) {
     Servo servo = servo_without_gains(joint);
     servo.position_gain = usual_gain(joint, servo.stall_torque);
+    MUROSIMF_ASSERT(servo.stall_torque > 0);
     servo.velocity_gain = damping_time * servo.position_gain;
     if (stands_on_two() && joint.kind == Kind::revolute) stiffen(joint, of_leg, servo);
     if (!of_leg) soften(inertia, servo);
@@ -140,6 +144,7 @@ class Guesser {
 
   void stiffen(const JointDescription& joint, bool of_leg, Servo& servo) {
     const double topples = weight_.stiffness();
+    MUROSIMF_ASSERT(topples > 0);
     if (servo.stall_torque > most_torque * topples) {
       absurd_.push_back(fmt::format("'{}' {:g}", joint.name, servo.stall_torque));
       servo.stall_torque = most_torque * topples;
@@ -149,8 +154,8 @@ class Guesser {
     servo.velocity_gain = biped_damping_time * servo.position_gain;
   }
 
-  /// Stiffer ones shake apart: a step of semi-implicit Euler is stable up to k = 4 I / dt^2, and what moves changes with the pose. A leg's joint
-  /// moves more than its foot, once that stands.
+  /// Stiffer servos oscillate and grow: a step of semi-implicit Euler is stable up to k = 4 I / dt^2, and the inertia changes with the pose. A
+  /// leg's joint moves more than its foot, when that stands.
   void soften(double inertia, Servo& servo) {
     const double most = inertia / (shortest_step * shortest_step);
     if (servo.position_gain <= most || inertia < no_inertia) return;
@@ -159,9 +164,10 @@ class Guesser {
     ++softened_;
   }
 
-  /// The file does not say what moves it, and a leg that nothing moves does not stand.
+  /// The file has no drive of the joint, and a robot cannot stand on a leg without one.
   void give_all(JointDescription& joint) {
     Servo servo = servo_without_gains(joint);
+    MUROSIMF_ASSERT(weight_.stiffness() > 0);
     servo.stall_torque = torque_without * weight_.stiffness();
     servo.position_gain = least_gain * weight_.stiffness();
     servo.velocity_gain = biped_damping_time * servo.position_gain;

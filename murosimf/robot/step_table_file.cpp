@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/files/csv_cells.h"
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::robot {
@@ -29,6 +30,7 @@ class StepTableReader {
     read_header(line);
     while (cells_.next(line)) read_line(line);
     const std::size_t wanted = joint_kinds.size() * step_bins * step_signals;
+    // Each line has its own key: so many lines are all of them.
     if (seen_.size() == wanted) return std::make_shared<const StepTable>(table_);
     throw SetupError(fmt::format("{}: {} of {} lines of a table of steps", name_, seen_.size(), wanted));
   }
@@ -52,6 +54,7 @@ class StepTableReader {
     const auto row = static_cast<std::size_t>(bin);
     if (!seen_.insert({kind, row, signal}).second) cells_.fail(1, "this line was there before");
     auto& factors = (kind == 0 ? table_.rigid : table_.compliant)[row][signal];
+    MUROSIMF_ASSERT(first_factor + factors.size() == step_columns.size());
     for (std::size_t i = 0; i < factors.size(); ++i) {
       const files::CsvCell& cell = line[first_factor + i];
       factors[i] = cells_.number(cell);
@@ -81,6 +84,7 @@ std::string to_csv(const StepTable& table) {
   for (const std::string_view kind : joint_kinds) {
     const StepCourse& course = kind == joint_kinds[0] ? table.rigid : table.compliant;
     for (std::size_t bin = 0; bin < step_bins; ++bin) {
+      MUROSIMF_ASSERT(course.size() == step_bins);
       for (std::size_t signal = 0; signal < step_signals; ++signal)
         text += fmt::format("{},{},{},{:.6g}\n", kind, bin, signal_names[signal], fmt::join(course[bin][signal], ","));
     }

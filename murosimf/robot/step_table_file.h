@@ -14,7 +14,7 @@
 
 namespace murosimf::robot {
 
-/// Throws SetupError with file:line:column for what is no such table, and where one of its lines is missing.
+/// Throws SetupError with file:line:column for a file that is no such table, or lacks one of its lines.
 [[nodiscard]] locomotion::StepTablePtr read_step_table(const std::filesystem::path& file);
 
 [[nodiscard]] std::string to_csv(const locomotion::StepTable& table);

@@ -15,13 +15,13 @@ namespace fs = std::filesystem;
 
 fs::path whole(const fs::path& path) { return fs::weakly_canonical(fs::absolute(path)); }
 
-/// Empty: it is not in there.
+/// Empty if the file is not in the folder.
 fs::path place_in(const fs::path& folder, const fs::path& file) {
   const fs::path place = whole(file).lexically_relative(whole(folder));
   return place.empty() || *place.begin() == ".." ? fs::path() : place;
 }
 
-/// In one of the folders in which names of tables are looked for.
+/// In one of the folders in which names of tables are searched for.
 bool comes_with_the_program(const fs::path& file) {
   constexpr std::array kinds{"lenses", "models", "motions", "parts", "servos"};
   const auto has_it = [&](const fs::path& root) {
@@ -35,7 +35,7 @@ bool comes_with_the_program(const fs::path& file) {
 TableFiles table_files(const fs::path& file, const RobotFile& robot, bool lenient) {
   const files::FilesRead read;
   const RobotConfig table = read_table_beside(file);
-  robot_formats::RobotDescription description = robot.description;  // takes notes, which are known already
+  robot_formats::RobotDescription description = robot.description;  // receives notes, which are known already
   (void)sensors_of(description, table, *robot.model, file.parent_path(), lenient);
   TableFiles all;
   for (const fs::path& one : read.list()) {

@@ -11,14 +11,14 @@ namespace murosimf::robot {
 struct TableFiles {
   struct Beside {
     std::filesystem::path file;
-    std::filesystem::path place;  ///< relative to the robot's folder: where a copy of the table looks for it
+    std::filesystem::path place;  ///< relative to the robot's folder: where a copy of the table finds it
   };
   std::vector<Beside> beside;
   std::vector<std::filesystem::path> elsewhere;  ///< in no folder of the robot, nor of the program
 };
 
-/// In the order in which they are read; what comes with the program is found from anywhere, and left out. `robot`: as it was read from `file`.
-/// Throws SetupError as read_robot. Must not be called where this thread notes files already (files/files_read.h).
+/// In the order in which they are read; files that come with the program are found from everywhere, and left out. `robot`: as read from
+/// `file`. Throws SetupError as read_robot. Must not be called while this thread records files already (files/files_read.h).
 [[nodiscard]] TableFiles table_files(const std::filesystem::path& file, const RobotFile& robot, bool lenient);
 
 }  // namespace murosimf::robot
