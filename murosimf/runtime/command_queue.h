@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/time.h"
 
 namespace murosimf {
@@ -38,7 +39,10 @@ class CommandQueue {
   /// For a caller that executes a command itself, between two steps.
   void note(Duration now, std::string text) { history_.push_back({now, std::move(text)}); }
   /// All but the first ones were undone.
-  void forget_from(std::size_t number) { history_.resize(number); }
+  void forget_from(std::size_t number) {
+    MUROSIMF_ASSERT(number <= history_.size());
+    history_.resize(number);
+  }
   /// For going back to a state: the commands that had been executed until then.
   void set_history(std::vector<Command> commands) { history_ = std::move(commands); }
 

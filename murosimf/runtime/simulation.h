@@ -13,13 +13,15 @@
 ///
 ///     simulation.exchange<ArticulatedDynamics>("articulated_dynamics", robot);
 ///     simulation.at(3s, [&] { simulation.exchange<KinematicWalking>("kinematic_walking", robot); });
+///
+/// It composes parts that own one thing each: task_list.h the attached algorithms, algorithm_registry.h how they come and go, scheduler.h
+/// the plan, threads and time, timed_calls.h and command_queue.h what is to be done between steps, event_log.h what has happened.
 #pragma once
 
 #include <concepts>
 #include <cstddef>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -30,61 +32,25 @@
 #include "murosimf/model/rate.h"
 #include "murosimf/model/setup.h"
 #include "murosimf/model/world.h"
+#include "murosimf/runtime/algorithm_registry.h"
 #include "murosimf/runtime/command_queue.h"
-#include "murosimf/runtime/home_helpers.h"
-#include "murosimf/runtime/lane_jobs.h"
+#include "murosimf/runtime/event_log.h"
 #include "murosimf/runtime/pacer.h"
-#include "murosimf/runtime/plan.h"
 #include "murosimf/runtime/pose_feed.h"
-#include "murosimf/runtime/step_checks.h"
-#include "murosimf/runtime/thread_pool.h"
+#include "murosimf/runtime/scheduler.h"
+#include "murosimf/runtime/task_list.h"
+#include "murosimf/runtime/timed_calls.h"
 
 namespace murosimf {
 
-/// What one kind of algorithm has cost.
-struct AlgorithmStatistics {
-  std::string name;
-  double rate_hz = 0;
-  std::int64_t calls = 0;
-  double us_per_call =
-      0;  ///< mean; after the first 64 calls from every eighth: taking the time of all would slow them down
-};
-
-/// An algorithm's place in the order of a tick.
-struct PlannedAlgorithm {
-  std::size_t wave = 0;  ///< those of one wave run at the same time
-  Phase phase{};
-  std::string name, entity;
-  double rate_hz = 0;
-};
-
-/// How a level that takes the place of another one begins.
-enum class LevelStart {
-  in_motion,  ///< goes on from the present state; refuses if it cannot
-  anew,       ///< as at the beginning of a run: a state will be loaded before the next step
-};
-
-/// Something that happened once: a level was exchanged, or refused.
-struct Event {
-  Duration time{};
-  std::string text;
-};
-
 class Simulation {
-  struct TimedCall {
-    Duration time{};
-    std::function<void()> call;
-  };
-
  public:
-  template <class A>
-  using Maker = std::function<std::unique_ptr<A>(Setup&)>;
-
   explicit Simulation(int threads = 1);
-  ~Simulation();
 
-  [[nodiscard]] World& world() { return *world_; }
-  [[nodiscard]] const World& world() const { return *world_; }
+  [[nodiscard]] World& world() noexcept { return world_; }
+  [[nodiscard]] const World& world() const noexcept { return world_; }
+
+  // ---- Who takes part ----
 
   /// Adds an algorithm: constructs an A with (Setup&, arguments...) for `entity` and executes it at `rate` (a number: [Hz]) of
   /// simulated time, in the ticks that begin nearest to its instants (plan.h). `name` is what reports and messages call it. Algorithms that conflict run by phase, then
@@ -94,26 +60,30 @@ class Simulation {
   template <class A, class... Arguments>
   A& attach(std::string name, Entity& entity, const Rate& rate, Arguments&&... arguments) {
     const auto make = [&](Setup& setup) { return std::make_unique<A>(setup, std::forward<Arguments>(arguments)...); };
-    return static_cast<A&>(attach(std::move(name), entity, rate, Maker<Algorithm>(make)));
+    return static_cast<A&>(attach(std::move(name), entity, rate, AlgorithmMaker<Algorithm>(make)));
   }
   /// The same for an algorithm that make(setup) constructs.
-  Algorithm& attach(std::string name, Entity& entity, const Rate& rate, const Maker<Algorithm>& make);
+  Algorithm& attach(std::string name, Entity& entity, const Rate& rate, const AlgorithmMaker<Algorithm>& make) {
+    return registry_.attach(std::move(name), entity, rate, make);
+  }
 
   /// The same for algorithms that belong to no entity: those of the whole world, whose columns are world().common()'s.
   template <class A, class... Arguments>
   A& attach(std::string name, const Rate& rate, Arguments&&... arguments) {
-    return attach<A>(std::move(name), world_->common(), rate, std::forward<Arguments>(arguments)...);
+    return attach<A>(std::move(name), world_.common(), rate, std::forward<Arguments>(arguments)...);
   }
 
   /// Adds an entity with all its algorithms, which furnish(entity) attaches, between two steps or before the first; in a running
   /// simulation they are then initialized, with `prepare` as for enter(). Throws SetupError, and leaves everything as it was, if one
   /// of that fails.
   Entity& add(std::string name, ModelPtr model, const EntityOptions& options,
-              const std::function<void(Entity&)>& furnish, const std::function<void(Entity&)>& prepare = {});
+              const std::function<void(Entity&)>& furnish, const std::function<void(Entity&)>& prepare = {}) {
+    return registry_.add(std::move(name), std::move(model), options, furnish, prepare);
+  }
 
   /// Takes an algorithm out and destroys it, between two steps; columns that nobody uses any more are removed (views keep theirs,
   /// column_view.h). Throws SetupError, and changes nothing, if it is a level, or if somebody reads what nobody else writes.
-  void detach(const Algorithm& algorithm);
+  void detach(const Algorithm& algorithm) { registry_.detach(algorithm); }
 
   /// Has another level move `entity` from now on, at the same rate and in the same place of the order: constructs an L
   /// with (Setup&, arguments...), which takes over the motion as it is (model/motion_level.h). Columns that nobody uses
@@ -122,16 +92,20 @@ class Simulation {
   template <std::derived_from<MotionLevel> L, class... Arguments>
   L& exchange(std::string name, Entity& entity, Arguments&&... arguments) {
     const auto make = [&](Setup& setup) { return std::make_unique<L>(setup, std::forward<Arguments>(arguments)...); };
-    return static_cast<L&>(exchange(std::move(name), entity, Maker<MotionLevel>(make)));
+    return static_cast<L&>(exchange(std::move(name), entity, AlgorithmMaker<MotionLevel>(make)));
   }
-  MotionLevel& exchange(std::string name, Entity& entity, const Maker<MotionLevel>& make,
-                        LevelStart start = LevelStart::in_motion);
+  MotionLevel& exchange(std::string name, Entity& entity, const AlgorithmMaker<MotionLevel>& make,
+                        LevelStart start = LevelStart::in_motion) {
+    return registry_.exchange(std::move(name), entity, make, start);
+  }
 
   /// Gives an entity another model of the same objects, between two steps: its level is exchanged for one that `level`
   /// constructs, which keeps place and velocities; all other algorithms work out anew what hangs on the model. Throws SetupError,
   /// and leaves everything as it was, if the objects are others or the level refuses.
-  void exchange_model(Entity& entity, ModelPtr model, const Maker<MotionLevel>& level,
-                      LevelStart start = LevelStart::in_motion);
+  void exchange_model(Entity& entity, ModelPtr model, const AlgorithmMaker<MotionLevel>& level,
+                      LevelStart start = LevelStart::in_motion) {
+    registry_.exchange_model(entity, std::move(model), level, start);
+  }
 
   /// Between two steps: takes an entity out of the world. Its columns, algorithms and place among the entities stay, but nothing
   /// executes these, touches, sees or shows it, until enter(). Initializes. Throws SetupError if it is not there.
@@ -142,26 +116,35 @@ class Simulation {
   void enter(Entity& entity, const std::function<void(Entity&)>& prepare = {});
 
   /// The level that moves `entity` now; null if there is none.
-  [[nodiscard]] const MotionLevel* level_of(const Entity& entity) const;
+  [[nodiscard]] const MotionLevel* level_of(const Entity& entity) const { return tasks_.level_of(entity); }
+  /// Names of the algorithms that write a property of an entity while stepping; empty: nobody does.
+  [[nodiscard]] std::vector<std::string> writers_of(const Entity& entity, std::string_view property) const {
+    return tasks_.writers_of(entity, property);
+  }
+  /// The order of a tick in which every algorithm is due: by waves, then by phase and order of attaching. Initializes.
+  [[nodiscard]] std::vector<PlannedAlgorithm> order_of_tick();
+  /// One row per name and rate, in the order of the tick.
+  [[nodiscard]] std::vector<AlgorithmStatistics> statistics() const { return tasks_.statistics(); }
 
-  /// Has `call` done between two steps, when simulated time has come to `time` (at once if it has passed). A SetupError
-  /// that it throws becomes a warning; the run goes on. Those asked for before initialize() are the simulation's schedule: it
-  /// is part of the state how far that has come. Later ones are their caller's, whom a state that is loaded does not concern.
-  void at(Duration time, std::function<void()> call);
+  // ---- The start ----
 
   /// Has `call` done at every start, by initialize() and by reset(): before algorithms give columns their first values (it may
   /// place entities and set inputs), or after that (it may set properties).
   void before_start(std::function<void()> call) { before_start_.push_back(std::move(call)); }
   void after_start(std::function<void()> call) { after_start_.push_back(std::move(call)); }
 
+  /// Checks, freezes, initializes and plans. Called by the first step; call it yourself to set properties before.
+  void initialize();
   /// Back to the time 0, without building anything: as after initialize(), bit for bit. Levels and laws are those of now;
   /// calls that were asked for after initialize() are forgotten. Throws SetupError if an algorithm cannot start.
   void reset();
   /// Has all algorithms draw their random numbers from another seed from now on; readings and columns stay as they are.
-  void reseed(std::uint64_t seed);
+  void reseed(std::uint64_t seed) { registry_.reseed(seed); }
 
-  /// Checks, freezes, initializes and plans. Called by the first step; call it yourself to set properties before.
-  void initialize();
+  // ---- Time ----
+
+  [[nodiscard]] Duration now() const noexcept { return scheduler_.now(); }
+  [[nodiscard]] Duration tick() const noexcept { return scheduler_.tick(); }
 
   /// Advances by at least `duration` (whole ticks), paced by `pacer`: a Clock, a LockStep. `progress`, if given, is called about ten times
   /// per wall second with the present simulated time. Throws SetupError if the duration is negative. Ends early, between
@@ -172,56 +155,62 @@ class Simulation {
   /// One tick.
   void step();
 
-  /// From any thread: has `call` done at the beginning of the next step, after the calls of that time. All who ask are served in
-  /// the order in which they asked; `text` says what is to be done, so that commands() tells how to repeat the run. The future
-  /// has what the call threw. What `check` refuses, if there is one, is no command.
-  std::future<void> post(std::string text, std::function<void()> call, std::function<void()> check = {}) {
-    return queue_.post(std::move(text), std::move(call), std::move(check));
-  }
-  [[nodiscard]] const std::vector<Command>& commands() const { return queue_.history(); }
-  /// After load(): which commands had led to that state.
-  void commands_were(std::vector<Command> commands) { queue_.set_history(std::move(commands)); }
-  /// Of who carries out a command himself, between two steps.
-  void note_command(std::string text) { queue_.note(now_, std::move(text)); }
-
-  /// What is to be done, and was asked for: no part of a state. Who undoes by load() what he has done since then puts it back, too.
-  class Agenda {
-    friend class Simulation;
-    std::size_t commands_ = 0;
-    std::vector<TimedCall> calls_;
-  };
-  [[nodiscard]] Agenda agenda() const;
-  void agenda_was(Agenda agenda);
-
-  /// For who pauses between two steps: carries out now what others have posted, instead of at the beginning of the next step, at the same
-  /// simulated time; as there, after the calls of that time. Poses are published again then.
-  void carry_out_commands();
-  /// Poses as they are now for all who look on, also if no step was made since the last ones.
-  void publish_poses() { poses_.publish_again(*world_, now_, ticks_); }
-
-  /// For who shows what was, instead of making steps: he has set columns to what they were at that time, until which this had happened.
-  /// Nothing is computed; poses are published. To go on from there would be another run: reset() or load() come before that. Initializes.
-  void show_past(Duration time, std::span<const Event> events, std::span<const std::string> warnings);
-
-  /// Copies of poses for other threads.
-  [[nodiscard]] PoseFeed& poses() { return poses_; }
-
   /// Has run() end early once `stop` says true; asked before every tick and while a clock waits. step() does not ask.
   void stop_if(StopRequest stop) { stop_ = std::move(stop); }
   [[nodiscard]] bool stopped() const { return stop_ && stop_(); }
 
-  [[nodiscard]] Duration now() const { return now_; }
-  [[nodiscard]] Duration tick() const { return plan_.tick(); }
-  [[nodiscard]] int threads() const { return pool_.threads(); }
-  /// Which waves these share out. Only how long it takes depends on it.
-  void share_waves(Sharing sharing) { pool_.share(sharing); }
-  [[nodiscard]] const ThreadPool& pool() const { return pool_; }
+  /// The threads, and which waves they share out: only how long it takes depends on it.
+  [[nodiscard]] ThreadPool& pool() noexcept { return scheduler_.pool(); }
+  [[nodiscard]] const ThreadPool& pool() const noexcept { return scheduler_.pool(); }
   /// Whether equal robots step together in lanes (lane_jobs.h), as they do unless told otherwise. Only how long it takes depends on it.
-  void use_lanes(bool use);
+  void use_lanes(bool use) { scheduler_.use_lanes(use); }
   /// How many algorithms do so, of those that have been due so far.
-  [[nodiscard]] std::size_t algorithms_in_lanes() const { return lane_jobs_.members_in_groups(); }
-  [[nodiscard]] std::uint64_t state_hash() const { return world_->state_hash(); }
+  [[nodiscard]] std::size_t algorithms_in_lanes() const { return scheduler_.algorithms_in_lanes(); }
 
+  // ---- What is done between steps ----
+
+  /// Has `call` done between two steps, when simulated time has come to `time` (at once if it has passed). A SetupError
+  /// that it throws becomes a warning; the run goes on. Those asked for before initialize() are the simulation's schedule: it
+  /// is part of the state how far that has come. Later ones are their caller's, whom a state that is loaded does not concern.
+  void at(Duration time, std::function<void()> call);
+
+  /// For other threads: what they post() is done at the beginning of the next step, after the calls of that time. Its history is
+  /// commands().
+  [[nodiscard]] CommandQueue& command_queue() noexcept { return commands_; }
+  /// Those that were carried out: with them a run can be repeated.
+  [[nodiscard]] const std::vector<Command>& commands() const noexcept { return commands_.history(); }
+  /// For who pauses between two steps: carries out now what others have posted, instead of at the beginning of the next step, at the same
+  /// simulated time; as there, after the calls of that time. Poses are published again then.
+  void carry_out_commands();
+
+  /// What is to be done, and was asked for: no part of a state. Who undoes by load() what he has done since then puts it back, too.
+  struct Agenda {
+    std::size_t commands = 0;      ///< that were carried out
+    std::vector<TimedCall> calls;  ///< that come later
+  };
+  [[nodiscard]] Agenda agenda() const { return {commands_.history().size(), timed_calls_.later()}; }
+  void agenda_was(Agenda agenda);
+
+  // ---- What has happened, and who is told ----
+
+  /// In the order of time: exchanges, and whatever record() was called with.
+  [[nodiscard]] const std::vector<Event>& events() const noexcept { return log_.events(); }
+  void record(std::string text) { log_.record(now(), std::move(text)); }
+  /// What went wrong on the way, one line each: frozen entities, calls that were refused.
+  [[nodiscard]] const std::vector<std::string>& warnings() const noexcept { return log_.warnings(); }
+  void warn(std::string text) { log_.warn(std::move(text)); }
+
+  /// Copies of poses for other threads.
+  [[nodiscard]] PoseFeed& poses() noexcept { return poses_; }
+  /// Poses as they are now for all who look on, also if no step was made since the last ones.
+  void publish_poses() { poses_.publish_again(world_, now(), scheduler_.ticks()); }
+  /// For who shows what was, instead of making steps: he has set columns to what they were at that time, until which this had happened.
+  /// Nothing is computed; poses are published. To go on from there would be another run: reset() or load() come before that. Initializes.
+  void show_past(Duration time, std::span<const Event> events, std::span<const std::string> warnings);
+
+  // ---- State ----
+
+  [[nodiscard]] std::uint64_t state_hash() const { return world_.state_hash(); }
   /// Everything that decides how it goes on, between two steps: all columns, sensors' memory and readings, pictures on their way,
   /// time, schedule, events and warnings so far. Initializes.
   [[nodiscard]] std::vector<std::byte> save();
@@ -231,108 +220,25 @@ class Simulation {
   /// algorithms. Initializes.
   void load(std::span<const std::byte> bytes);
 
-  /// The order of a tick in which every algorithm is due: by waves, then by phase and order of attaching. Initializes.
-  [[nodiscard]] std::vector<PlannedAlgorithm> order_of_tick();
-  /// One row per name and rate, in the order of the tick.
-  [[nodiscard]] std::vector<AlgorithmStatistics> statistics() const;
-  /// Names of the algorithms that write a property of an entity while stepping; empty: nobody does.
-  [[nodiscard]] std::vector<std::string> writers_of(const Entity& entity, std::string_view property) const;
-  /// What happened on the way, in the order of time: exchanges, and whatever record() was called with.
-  [[nodiscard]] const std::vector<Event>& events() const { return events_; }
-  void record(std::string text) { events_.push_back({now_, std::move(text)}); }
-  void warn(std::string text) { warnings_.push_back(std::move(text)); }
-  /// What went wrong on the way, one line each: frozen entities, calls that were refused.
-  [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
-
  private:
-  struct Task {
-    std::string name;
-    const Entity* entity = nullptr;
-    Rate rate{usual_step_rate};
-    Duration period{};  ///< of it
-    std::unique_ptr<Algorithm> algorithm;
-    MotionLevel* level = nullptr;  ///< the algorithm, if it is one
-    AccessSet access;
-    bool comes_along = false;            ///< with the entity that is being added
-    const double* step_ratio = nullptr;  ///< properties::step_ratio, if the entity makes steps of its own length
-    bool idle = false;  ///< of the entity, taken over between ticks so that it cannot change during one
-    std::int64_t calls = 0;
-    std::int64_t timed_calls = 0;  ///< that `time` stands for
-    Duration time{};
-    std::vector<std::byte> first_memory;  ///< the algorithm's own state before it has first been initialized
-  };
-
-  [[nodiscard]] std::unique_ptr<Task> new_task(std::string name, const Entity& entity, const Rate& rate) const;
-  [[nodiscard]] static std::string full_name(const Task& task);
-  static void follow_step_multiple(Task& task, Setup& setup);
-  void add_in_order(std::unique_ptr<Task> task);
-  [[nodiscard]] std::vector<std::unique_ptr<Task>>::iterator task_of_level(const Entity& entity);
-  void construct(Task& task, Entity& entity, const Maker<Algorithm>& make);
-  void start_late(const Task& task);
-  void keep_new_columns(const Task& task);
-  void construct_level(Task& task, Entity& entity, const Maker<MotionLevel>& make, LevelStart start);
-  void put_in_place_of(std::unique_ptr<Task>& present, std::unique_ptr<Task>& next, LevelStart start);
-  void drop_columns_of(const Task& task);
-  void restart_columns_of(const Task& task);
-  void check_and_plan();
-  void align_plan();
-  void restart_checks();
-  void run_wave(const Wave& wave, const WaveJobs& shared, const WaveJobs& alone);
-  void make_timed_calls();
-  void make(const TimedCall& call);
   void start();
+  void make(const std::function<void()>& call);
+  void make_timed_calls();
   void load_sections(std::span<const std::byte> bytes);
   template <class Visit>
   void visit_parts(const Visit& visit);
-  void keep_start();
-  void go_back_to_start();
-  static void go_back_to_start(Entity& entity);
-  static void keep_columns(Entity& entity);
-  static void keep_memory(Task& task);
-  static void recall_first(Task& task);
   void state(StateArchive& archive);
-  [[nodiscard]] ThreadAffinity find_homes() const;
-  void plan_jobs();
-  void execute(Task& task) noexcept;
-  void execute(const Job& job) noexcept;
-  template <class Step>
-  void take_time(std::span<Task* const> tasks, const Step& step) noexcept;
-  void take_over_frozen();
-  void take_over_idle();
-  void start_again(Entity& entity, const std::function<void(Entity&)>& prepare);
-  void attach_all(Entity& entity, const std::function<void(Entity&)>& furnish);
-  void begin(Entity& entity, const std::function<void(Entity&)>& prepare);
-  void keep_start_of(Entity& entity);
-  void tell_of(Entity& entity);
-  void take_back(Entity& entity);
 
-  std::unique_ptr<World> world_;                // outlives the tasks, which point into it
-  std::vector<std::unique_ptr<Task>> tasks_;    // by phase, then by order of attaching
-  std::vector<std::unique_ptr<Task>> retired_;  // exchanged; without algorithm, for the statistics
-  std::vector<TimedCall> schedule_;             // asked for before initialize(), the earliest first
-  std::size_t scheduled_done_ = 0;              // of them
-  std::vector<TimedCall> timed_calls_;          // those to come that were asked for later, the next one first
-  std::vector<Event> events_;
-  CommandQueue queue_;
+  World world_;     // outlives the tasks, which point into it
+  TaskList tasks_;  // outlive the scheduler, whose groups of lanes point to them
+  EventLog log_;
+  TimedCalls timed_calls_;
+  CommandQueue commands_;
   PoseFeed poses_;
-  Plan plan_;
-  LaneJobs lane_jobs_;  // of the plan
-  bool use_lanes_ = true;
-  Duration planned_at_{};
-  StepChecks checks_;  // used in debug builds only
-  ThreadPool pool_;
-  HomeHelpers parallel_for_{pool_};
-  bool alone_in_wave_ = false;  // who steps now
-  Duration now_{};
-  std::int64_t ticks_ = 0;
-  bool initialized_ = false;
-  bool adds_ = false;  // an entity; what is attached meanwhile is initialized when all of it is there
-  StopRequest stop_;
+  Scheduler scheduler_;
+  AlgorithmRegistry registry_{world_, tasks_, scheduler_, log_};
   std::vector<std::function<void()>> before_start_, after_start_;
-  std::size_t events_before_start_ = 0;
-  std::vector<std::string> warnings_;
-  std::size_t frozen_reported_ = 0;
-  LaneJobs lane_jobs_alone_;  // of the plan, as lane_jobs_, for one thread
+  StopRequest stop_;
 };
 
 }  // namespace murosimf

@@ -64,7 +64,7 @@ void Scene::leave(std::string_view entity) { scene::leave(parts_, entity); }
 std::future<void> Scene::post(std::string change) {
   const auto event = [this, change] { return scene_file::read_change(parts_.spec, change); };
   // checked when it is posted as well: the caller gets errors of spelling at once
-  return parts_.simulation->post(
+  return parts_.simulation->command_queue().post(
       change, [this, event] { apply_change(parts_, event()); }, [this, event] { check_change(parts_, event()); });
 }
 

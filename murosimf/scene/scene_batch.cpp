@@ -57,7 +57,7 @@ void change_all(SceneParts& parts, const std::vector<std::string>& changes) {
   try {
     for (const std::string& text : changes) {
       const scene_file::SceneEvent change = checked(parts, text);
-      simulation.note_command(text);
+      simulation.command_queue().note(simulation.now(), text);
       apply_change(parts, change);
     }
   } catch (...) {

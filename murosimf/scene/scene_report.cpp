@@ -86,7 +86,7 @@ RunReport make_report(const Scene& scene, Duration wall, const Lateness& latenes
   report.simulated = seconds(simulation.now());
   report.wall = seconds(wall);
   report.real_time_factor = wall > Duration{} ? report.simulated / report.wall : 0;
-  report.threads = simulation.threads();
+  report.threads = simulation.pool().threads();
   report.seed = scene.spec().seed;
   report.state_hash = simulation.state_hash();
   for (Entity* entity : scene.moving_entities()) {

@@ -82,7 +82,7 @@ void LiveSource::reset(std::optional<std::uint64_t> seed) {
     scene_.reset(seed);
   } catch (...) {
     scene_.load(before);
-    simulation_.commands_were(commands);
+    simulation_.command_queue().set_history(commands);
     throw;
   }
   begin_branch();
@@ -97,7 +97,7 @@ void LiveSource::seek(Duration time, std::optional<int> branch, const std::funct
   const Timeline::Way way = timeline_.way_to(to, time);
   MUROSIMF_ASSERT(way.state != nullptr);
   scene_.load(*way.state);
-  simulation_.commands_were(way.before);
+  simulation_.command_queue().set_history(way.before);
   repeat(way, time, given_up);
   timeline_.go_back(to, simulation_.now());
   noted_ = simulation_.commands().size();
@@ -134,7 +134,7 @@ void LiveSource::repeat(const Timeline::Way& way, Duration time, const std::func
 void LiveSource::load(const std::function<void(scene::Scene&)>& load) {
   if (!options_.no_way_back.empty()) throw SetupError("no state of somewhere else: " + options_.no_way_back);
   load(scene_);
-  simulation_.commands_were({});
+  simulation_.command_queue().set_history({});
   begin_branch();
   diagnostic_ = own_state_from(simulation_.world(), &outside(), simulation_.now());
   diagnostics_ = !diagnostic_.empty();

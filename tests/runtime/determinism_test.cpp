@@ -43,7 +43,7 @@ TEST(Determinism, HashDependsOnTheSeedOnlyWithLinks) {
 TEST(Determinism, SharingWavesOrNotIsTheSame) {
   const auto hash = [](int threads, Sharing sharing) {
     scene::Scene scene("three_on_three", {.threads = threads});
-    scene.simulation().share_waves(sharing);
+    scene.simulation().pool().share(sharing);
     scene.simulation().run(from_seconds(4));
     const ThreadPool& pool = scene.simulation().pool();
     EXPECT_EQ(pool.waves_shared(), sharing == Sharing::always ? pool.waves() : pool.waves_shared());
