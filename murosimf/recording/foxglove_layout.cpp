@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "murosimf/recording/recorder.h"
+#include "murosimf/recording/recording_header.h"
 
 namespace murosimf::recording {
 namespace {
