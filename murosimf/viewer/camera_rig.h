@@ -1,6 +1,7 @@
 /// camera_rig.h - the viewpoint of the viewer: moved by the mouse, following the selection, through a robot's camera, or as on television.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -26,6 +27,9 @@ class CameraRig {
   OrbitCamera orbit;
   bool follows = false;  ///< the free view moves with the selected entity
 
+  /// Number of the one of `count` named viewpoints that comes next.
+  [[nodiscard]] std::size_t next_viewpoint(std::size_t count) { return viewpoint_ = (viewpoint_ + 1) % count; }
+
   [[nodiscard]] Mode mode() const { return mode_; }
   void set_mode(Mode mode) { mode_ = mode; }
 
@@ -37,6 +41,7 @@ class CameraRig {
   [[nodiscard]] sensors::Perspective through_camera(const RigView& scene, int width, int height) const;
 
   Mode mode_ = Mode::free;
+  std::size_t viewpoint_ = 0;
   int followed_ = -1;
   Vec3d last_;                      // [m] last place of the followed entity
   std::optional<Vec3d> attention_;  // [m] point that the television view looks at

@@ -34,8 +34,7 @@ void MouseControl::begin_with_thing(Kind kind, const Pixel& pixel, const sensors
     return viewer_.tell("pause first (Space), then move things", true);
   path_ = *hit->path;
   grabbed_ = to_ = hit->point;
-  start_ = viewer_.place_of({path_.entity, 0}).value_or(hit->point);
-  // placed over the ground, pushed and turned in the plane of the picture
+  start_ = viewer_.poses().place_of({path_.entity, 0}).value_or(hit->point);
   normal_ = kind == Kind::place ? Vec3d{0, 0, 1} : view.axes.z;
   kind_ = kind;
   viewer_.select(kind == Kind::place ? ObjectPath{path_.entity, 0} : path_);
@@ -61,7 +60,7 @@ void MouseControl::move(const Pixel& pixel, const sensors::Perspective& view) {
   const auto place = dragged_to(pixel, view);
   if (!place) return;
   to_ = *place;
-  if (kind_ == Kind::place) viewer_.move(path_.entity, start_ + (to_ - grabbed_));
+  if (kind_ == Kind::place) viewer_.steering.move(path_.entity, start_ + (to_ - grabbed_));
 }
 
 /// The drag ends where the button is released, also if no move was reported before.
@@ -70,8 +69,8 @@ void MouseControl::release(const Pixel& pixel, const sensors::Perspective& view,
   const auto pulled = pull();
   const Kind kind = kind_;
   kind_ = Kind::none;
-  if (pulled && norm(pulled->force) > least_force) viewer_.push(pulled->path, pulled->force);
-  if (pulled && norm(pulled->moment) > least_moment) viewer_.twist(pulled->path, pulled->moment);
+  if (pulled && norm(pulled->force) > least_force) viewer_.steering.push(pulled->path, pulled->force);
+  if (pulled && norm(pulled->moment) > least_moment) viewer_.steering.twist(pulled->path, pulled->moment);
   if (kind != Kind::orbit || went_far_) return;
   const auto hit = pick(pixel);
   if (hit && hit->path && viewer_.outline()[static_cast<std::size_t>(hit->path->entity)].moves) {

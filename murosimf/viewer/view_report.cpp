@@ -28,7 +28,7 @@ std::string to_json(Viewer& viewer, const WindowReport& shown, const std::option
                 {"paused", viewer.status().paused},
                 {"branch", viewer.status().branch},
                 {"branches", viewer.branches().size()},
-                {"selected", viewer.selected() ? json(viewer.path_text(*viewer.selected())) : json()},
+                {"selected", viewer.selected() ? json(viewer.outline().path_text(*viewer.selected())) : json()},
                 {"screenshots", shown.files},
                 {"drawings", scene::json_of(packets)},
                 {"commands", json::array()},

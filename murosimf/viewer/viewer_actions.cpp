@@ -1,11 +1,9 @@
-// What keys, mouse and panels have a viewer do.
+// What each action has a viewer do.
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
 #include "murosimf/catalog/algorithm_catalog.h"
-#include "murosimf/model/error.h"
 #include "murosimf/scene/scene_viewpoints.h"
 #include "murosimf/viewer/viewer.h"
 
@@ -24,233 +22,206 @@ std::string next_name(const Entries& entries, const std::string& now) {
   return *(found + 1);
 }
 
+// ---- Time ----
+
 std::string speed_text(std::optional<double> speed) {
   return speed ? fmt::format("speed {:g}", *speed) : std::string("as fast as possible");
 }
 
-}  // namespace
-
-void Viewer::perform(Action action) {
-  if (perform_session(action) || perform_selection(action) || perform_camera(action) || perform_overlay(action)) return;
-  perform_window(action);
-}
-
-bool Viewer::perform_session(Action action) {
-  switch (action) {
-    case Action::run_or_pause: status_.paused ? session().go_on() : session().pause(); return true;
-    case Action::step: session().step(); return true;
-    case Action::step_back: step_back(); return true;
-    case Action::slower: change_speed(0.5); return true;
-    case Action::faster: change_speed(2); return true;
-    case Action::real_time:
-      session().set_speed(1.0);
-      tell(speed_text(1.0));
-      return true;
-    case Action::reset: reset(); return true;
-    case Action::reload: reload(); return true;
-    case Action::record: record(); return true;
-    case Action::place_ball: place_ball(); return true;
-    case Action::next_level: next_level(); return true;
-    case Action::next_contact: next_contact(); return true;
-    default: return false;
-  }
-}
-
-bool Viewer::perform_selection(Action action) {
-  if (action >= Action::select_1 && action <= Action::select_9) {
-    select_robot(static_cast<int>(action) - static_cast<int>(Action::select_1));
-    return true;
-  }
-  switch (action) {
-    case Action::select_ball:
-      if (ball_ >= 0) select(ObjectPath{ball_, 0});
-      return true;
-    case Action::select_parent:
-      if (selected_) {
-        const auto& objects = outline_[static_cast<std::size_t>(selected_->entity)].model->objects();
-        const int parent = objects[static_cast<std::size_t>(selected_->object)].parent;
-        select(ObjectPath{selected_->entity, std::max(0, parent)});
-      }
-      return true;
-    case Action::deselect: select(std::nullopt); return true;
-    default: return false;
-  }
-}
-
-bool Viewer::perform_camera(Action action) {
-  const auto mode = [&](CameraRig::Mode wanted) {
-    rig.set_mode(rig.mode() == wanted ? CameraRig::Mode::free : wanted);
-    return true;
-  };
-  switch (action) {
-    case Action::next_camera: next_view(); return true;
-    case Action::orbit_camera: rig.set_mode(CameraRig::Mode::free); return true;
-    case Action::follow:
-      rig.follows = !rig.follows;
-      rig.set_mode(CameraRig::Mode::free);
-      if (const auto place = selected_ ? place_of({selected_->entity, 0}) : std::nullopt; rig.follows && place) {
-        rig.orbit.target = *place;
-      }
-      tell(!rig.follows ? "follows nobody"
-           : selected_  ? "follows what is selected"
-                        : "follows whoever is selected: select somebody");
-      return true;
-    case Action::robot_camera:
-      if (!selected_) tell("through whose eyes? select a robot (1 to 9)", true);
-      return mode(CameraRig::Mode::robot);
-    case Action::tv_camera: return mode(CameraRig::Mode::tv);
-    case Action::align_camera:
-      rig.set_mode(CameraRig::Mode::free);
-      rig.orbit.take_over(scene::viewpoint_perspective(running_->scene(), "overview", 1280, 720));
-      return true;
-    default: return false;
-  }
-}
-
-bool Viewer::perform_overlay(Action action) {
-  const auto toggle = [](bool& flag) {
-    flag = !flag;
-    return true;
-  };
-  switch (action) {
-    case Action::contacts: return toggle(overlay.contacts);
-    case Action::forces: return toggle(overlay.forces);
-    case Action::centers_of_mass: return toggle(overlay.centers_of_mass);
-    case Action::frames: return toggle(overlay.frames);
-    case Action::bounding_volumes: return toggle(overlay.bounding_volumes);
-    case Action::names: return toggle(overlay.names);
-    case Action::levels: return toggle(overlay.levels);
-    case Action::standing_feet: return toggle(overlay.standing_feet);
-    case Action::support_polygons: return toggle(overlay.support_polygons);
-    case Action::zero_moment_points: return toggle(overlay.zero_moment_points);
-    case Action::joint_loads: return toggle(overlay.joint_loads);
-    case Action::beliefs: return toggle(overlay.beliefs);
-    case Action::drawings: return toggle(overlay.drawings);
-    case Action::field_map: return toggle(window.field_map);
-    case Action::left_panel: return toggle(window.left_panel);
-    case Action::right_panel: return toggle(window.right_panel);
-    case Action::help: return toggle(window.help);
-    case Action::full_screen: return toggle(window.full_screen);
-    default: return false;
-  }
-}
-
-void Viewer::perform_window(Action action) {
-  if (action == Action::screenshot) window.wants_screenshot = true;
-  if (action == Action::quit) window.wants_end = true;
-}
-
-void Viewer::select(std::optional<ObjectPath> path) {
-  if (selected_ && path && path->entity != selected_->entity)
-    std::erase_if(plots, [](const PlotRequest& request) { return request.sensor; });
-  selected_ = path;
-}
-
-void Viewer::select_robot(int number) {
-  const int entity = robot(number);
-  if (entity < 0) return tell(fmt::format("there is no robot number {}", number + 1), true);
-  select(ObjectPath{entity, 0});
-}
-
-void Viewer::next_level() {
-  const int entity = selected_entity();
-  if (entity < 0 || !outline_[static_cast<std::size_t>(entity)].is_robot)
-    return tell("select a robot first (1 to 9)", true);
-  switch_level(entity, next_name(catalog::levels(), seen_.entities[static_cast<std::size_t>(entity)].level));
-}
-
-void Viewer::next_contact() {
-  const int entity = selected_entity();
-  if (entity < 0) return tell("select a robot, a body or the ball first", true);
-  switch_contact(entity, next_name(catalog::contacts(), seen_.entities[static_cast<std::size_t>(entity)].contact));
-}
-
-void Viewer::next_view() {
-  std::vector<std::string> names = scene::viewpoint_names(running_->scene());
-  std::erase_if(names, [&](const std::string& name) { return entity_named(name) >= 0; });
-  view_ = (view_ + 1) % names.size();
-  rig.set_mode(CameraRig::Mode::free);
-  rig.orbit.take_over(scene::viewpoint_perspective(running_->scene(), names[view_], 1280, 720));
-  tell("view: " + names[view_]);
+void set_speed(Viewer& viewer, std::optional<double> speed) {
+  viewer.session().set_speed(speed);
+  viewer.tell(speed_text(speed));
 }
 
 /// Without a speed it is as fast as possible, which is faster than any.
-void Viewer::change_speed(double factor) {
-  std::optional<double> speed = status_.speed;
+void change_speed(Viewer& viewer, double factor) {
+  std::optional<double> speed = viewer.status().speed;
   if (!speed) {
     if (factor < 1) speed = fastest;
   } else {
     speed = std::max(slowest, *speed * factor);
     if (*speed > fastest) speed.reset();
   }
-  session().set_speed(speed);
-  tell(speed_text(speed));
+  set_speed(viewer, speed);
 }
 
-void Viewer::step_back() {
-  session().pause();
-  const Duration tick = running_->scene().simulation().tick();
-  seek(seconds(std::max(status_.first, status_.time - tick)));
+void step_back(Viewer& viewer) {
+  viewer.session().pause();
+  const Duration tick = viewer.running().scene().simulation().tick();
+  viewer.steering.seek(seconds(std::max(viewer.status().first, viewer.status().time - tick)));
 }
 
-void Viewer::place_ball() {
-  if (ball_ < 0) return tell("this scene has no ball", true);
-  if (!pointed_at) return tell("point to a place on the ground first", true);
-  const auto now = place_of({ball_, 0});
-  const std::string& object = outline_[static_cast<std::size_t>(ball_)].model->objects()[0].name;
-  move(ball_, {pointed_at->x, pointed_at->y, now ? std::max(now->z, 0.01) : 0.1});
-  ask("stop", session().change(fmt::format("ball.{}.linear_velocity = [0, 0, 0]", object)), true);
-  ask("stop", session().change(fmt::format("ball.{}.angular_velocity = [0, 0, 0]", object)), true);
-}
-
-void Viewer::change(const std::string& text) { ask(text, session().change(text)); }
-
-void Viewer::set_property(const ObjectPath& path, const PropertyValue& property) {
-  const std::string numbers = fmt::format("{}", fmt::join(property.numbers, ", "));
-  change(fmt::format("{}.{} = {}", path_text(path), property.name,
-                     property.numbers.size() == 1 ? numbers : "[" + numbers + "]"));
-}
-
-void Viewer::move(int entity, const Vec3d& place) {
-  moves_[path_text({entity, 0}) + ".position"] = fmt::format("[{}, {}, {}]", place.x, place.y, place.z);
-  collect_answers();
-}
-
-void Viewer::move_joint(const ObjectPath& path, double position) {
-  if (!status_.paused) return tell("pause first (Space), then move joints", true);
-  moves_[path_text(path) + ".joint_position"] = fmt::format("{}", position);
-  collect_answers();
-}
-
-void Viewer::push(const ObjectPath& path, const Vec3d& force) {
-  change(fmt::format("{}.push = [{:.4g}, {:.4g}, {:.4g}, {:g}]", path_text(path), force.x, force.y, force.z,
-                     push_seconds));
-}
-
-void Viewer::twist(const ObjectPath& path, const Vec3d& moment) {
-  change(fmt::format("{}.push = [0, 0, 0, {:.4g}, {:.4g}, {:.4g}, {:g}]", path_text(path), moment.x, moment.y, moment.z,
-                     push_seconds));
-}
-
-void Viewer::seek(double time, std::optional<int> branch) {
-  ask(fmt::format("back to {:.3f} s", time), session().seek(from_seconds(time), branch), true);
-}
-
-void Viewer::reset() { ask("reset", session().reset()); }
-
-void Viewer::record() {
-  const bool on = !status_.recorded.value_or(false);
-  ask(on ? "recording" : "no longer recording", session().record(on));
-}
-
-/// What cannot be read leaves the old scene running.
-void Viewer::reload() {
-  try {
-    begin();
-    tell("read again");
-  } catch (const SetupError& error) {
-    tell(error.what(), true);
+bool perform_time(Viewer& viewer, Action action) {
+  session::Session& session = viewer.session();
+  switch (action) {
+    case Action::run_or_pause: viewer.status().paused ? session.go_on() : session.pause(); return true;
+    case Action::step: session.step(); return true;
+    case Action::step_back: step_back(viewer); return true;
+    case Action::slower: change_speed(viewer, 0.5); return true;
+    case Action::faster: change_speed(viewer, 2); return true;
+    case Action::real_time: set_speed(viewer, 1.0); return true;
+    case Action::reset: viewer.steering.reset(); return true;
+    case Action::reload: viewer.reload(); return true;
+    case Action::record: viewer.steering.record(); return true;
+    default: return false;
   }
+}
+
+// ---- The scene ----
+
+void place_ball(Viewer& viewer) {
+  const int ball = viewer.outline().ball();
+  if (ball < 0) return viewer.tell("this scene has no ball", true);
+  if (!viewer.pointed_at) return viewer.tell("point to a place on the ground first", true);
+  const auto now = viewer.poses().place_of({ball, 0});
+  const std::string& object = viewer.outline().of(ball).model->objects()[0].name;
+  SceneSteering& steering = viewer.steering;
+  steering.move(ball, {viewer.pointed_at->x, viewer.pointed_at->y, now ? std::max(now->z, 0.01) : 0.1});
+  steering.change(fmt::format("ball.{}.linear_velocity = [0, 0, 0]", object), true);
+  steering.change(fmt::format("ball.{}.angular_velocity = [0, 0, 0]", object), true);
+}
+
+void next_level(Viewer& viewer) {
+  const int entity = viewer.selected_entity();
+  if (entity < 0 || !viewer.outline().of(entity).is_robot) return viewer.tell("select a robot first (1 to 9)", true);
+  const EntityState& now = viewer.seen().entities[static_cast<std::size_t>(entity)];
+  viewer.steering.switch_level(entity, next_name(catalog::levels(), now.level));
+}
+
+void next_contact(Viewer& viewer) {
+  const int entity = viewer.selected_entity();
+  if (entity < 0) return viewer.tell("select a robot, a body or the ball first", true);
+  const EntityState& now = viewer.seen().entities[static_cast<std::size_t>(entity)];
+  viewer.steering.switch_contact(entity, next_name(catalog::contacts(), now.contact));
+}
+
+bool perform_scene(Viewer& viewer, Action action) {
+  switch (action) {
+    case Action::place_ball: place_ball(viewer); return true;
+    case Action::next_level: next_level(viewer); return true;
+    case Action::next_contact: next_contact(viewer); return true;
+    default: return false;
+  }
+}
+
+// ---- The selection ----
+
+void select_robot(Viewer& viewer, int number) {
+  const int entity = viewer.outline().robot(number);
+  if (entity < 0) return viewer.tell(fmt::format("there is no robot number {}", number + 1), true);
+  viewer.select(ObjectPath{entity, 0});
+}
+
+void select_parent(Viewer& viewer) {
+  if (!viewer.selected()) return;
+  const auto [entity, object] = *viewer.selected();
+  const int parent = viewer.outline().of(entity).model->objects()[static_cast<std::size_t>(object)].parent;
+  viewer.select(ObjectPath{entity, std::max(0, parent)});
+}
+
+bool perform_selection(Viewer& viewer, Action action) {
+  if (action >= Action::select_1 && action <= Action::select_9) {
+    select_robot(viewer, static_cast<int>(action) - static_cast<int>(Action::select_1));
+    return true;
+  }
+  switch (action) {
+    case Action::select_ball:
+      if (viewer.outline().ball() >= 0) viewer.select(ObjectPath{viewer.outline().ball(), 0});
+      return true;
+    case Action::select_parent: select_parent(viewer); return true;
+    case Action::deselect: viewer.select(std::nullopt); return true;
+    default: return false;
+  }
+}
+
+// ---- The camera ----
+
+void look_from(Viewer& viewer, const std::string& viewpoint) {
+  viewer.rig.set_mode(CameraRig::Mode::free);
+  viewer.rig.orbit.take_over(scene::viewpoint_perspective(viewer.running().scene(), viewpoint, 1280, 720));
+}
+
+void next_view(Viewer& viewer) {
+  std::vector<std::string> names = scene::viewpoint_names(viewer.running().scene());
+  std::erase_if(names, [&](const std::string& name) { return viewer.outline().entity_named(name) >= 0; });
+  const std::string& name = names[viewer.rig.next_viewpoint(names.size())];
+  look_from(viewer, name);
+  viewer.tell("view: " + name);
+}
+
+void follow(Viewer& viewer) {
+  CameraRig& rig = viewer.rig;
+  const auto& selected = viewer.selected();
+  rig.follows = !rig.follows;
+  rig.set_mode(CameraRig::Mode::free);
+  if (const auto place = selected ? viewer.poses().place_of({selected->entity, 0}) : std::nullopt;
+      rig.follows && place) {
+    rig.orbit.target = *place;
+  }
+  viewer.tell(!rig.follows ? "follows nobody"
+              : selected   ? "follows what is selected"
+                           : "follows whoever is selected: select somebody");
+}
+
+bool perform_camera(Viewer& viewer, Action action) {
+  CameraRig& rig = viewer.rig;
+  const auto mode = [&](CameraRig::Mode wanted) {
+    rig.set_mode(rig.mode() == wanted ? CameraRig::Mode::free : wanted);
+    return true;
+  };
+  switch (action) {
+    case Action::next_camera: next_view(viewer); return true;
+    case Action::orbit_camera: rig.set_mode(CameraRig::Mode::free); return true;
+    case Action::follow: follow(viewer); return true;
+    case Action::robot_camera:
+      if (!viewer.selected()) viewer.tell("through whose eyes? select a robot (1 to 9)", true);
+      return mode(CameraRig::Mode::robot);
+    case Action::tv_camera: return mode(CameraRig::Mode::tv);
+    case Action::align_camera: look_from(viewer, "overview"); return true;
+    default: return false;
+  }
+}
+
+// ---- What is drawn, and the window ----
+
+/// The switch that an action turns; null: it turns none.
+bool* switch_of(Viewer& viewer, Action action) {
+  OverlayOptions& overlay = viewer.overlay;
+  WindowState& window = viewer.window;
+  switch (action) {
+    case Action::contacts: return &overlay.contacts;
+    case Action::forces: return &overlay.forces;
+    case Action::centers_of_mass: return &overlay.centers_of_mass;
+    case Action::frames: return &overlay.frames;
+    case Action::bounding_volumes: return &overlay.bounding_volumes;
+    case Action::names: return &overlay.names;
+    case Action::levels: return &overlay.levels;
+    case Action::standing_feet: return &overlay.standing_feet;
+    case Action::support_polygons: return &overlay.support_polygons;
+    case Action::zero_moment_points: return &overlay.zero_moment_points;
+    case Action::joint_loads: return &overlay.joint_loads;
+    case Action::beliefs: return &overlay.beliefs;
+    case Action::drawings: return &overlay.drawings;
+    case Action::field_map: return &window.field_map;
+    case Action::left_panel: return &window.left_panel;
+    case Action::right_panel: return &window.right_panel;
+    case Action::help: return &window.help;
+    case Action::full_screen: return &window.full_screen;
+    default: return nullptr;
+  }
+}
+
+void perform_window(Viewer& viewer, Action action) {
+  if (bool* const flag = switch_of(viewer, action)) *flag = !*flag;
+  if (action == Action::screenshot) viewer.window.wants_screenshot = true;
+  if (action == Action::quit) viewer.window.wants_end = true;
+}
+
+}  // namespace
+
+void Viewer::perform(Action action) {
+  if (perform_time(*this, action) || perform_scene(*this, action) || perform_selection(*this, action)) return;
+  if (!perform_camera(*this, action)) perform_window(*this, action);
 }
 
 }  // namespace murosimf::viewer

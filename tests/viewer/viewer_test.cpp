@@ -40,7 +40,9 @@ void watch_to_end(Viewer& viewer) {
   for (int i = 0; i < 60000; ++i) {
     viewer.refresh(0.001);
     const auto& status = viewer.status();  // may come before the last frame
-    if (status.paused && status.time >= status.end && viewer.frame() && viewer.frame()->time >= status.end) return;
+    if (status.paused && status.time >= status.end && viewer.poses().frame() &&
+        viewer.poses().frame()->time >= status.end)
+      return;
     std::this_thread::sleep_for(1ms);
   }
   FAIL() << "it did not come to its end";
@@ -83,8 +85,8 @@ TEST(Viewer, LookingChangesNothing) {
   viewer.perform(Action::contacts);
   viewer.perform(Action::support_polygons);
   viewer.perform(Action::tv_camera);
-  viewer.open_objects[{viewer.robot(0), 0}] = true;
-  viewer.add_plot({viewer.robot(0), 0}, "position", false);
+  viewer.open_objects[{viewer.outline().robot(0), 0}] = true;
+  viewer.plots.add(viewer.outline(), {viewer.outline().robot(0), 0}, "position", false);
   viewer.wants_algorithms = viewer.wants_pictures = true;
   watch_to_end(viewer);
   EXPECT_FALSE(viewer.overlays_now().marks.empty());
@@ -97,11 +99,11 @@ TEST(Viewer, LookingChangesNothing) {
 // What a viewer's touches have done is repeated by the commands of the run.
 TEST(Viewer, TouchesCanBeRepeated) {
   Viewer viewer(options_with());
-  viewer.select(viewer.path_of("blue1"));
-  viewer.push(viewer.path_of("blue1"), {20, 0, 0});
+  viewer.select(viewer.outline().path_of("blue1"));
+  viewer.steering.push(viewer.outline().path_of("blue1"), {20, 0, 0});
   viewer.perform(Action::select_2);
   viewer.perform(Action::next_level);
-  viewer.move(viewer.ball(), {0.5, 0.25, 0.05});
+  viewer.steering.move(viewer.outline().ball(), {0.5, 0.25, 0.05});
   viewer.settle();
   watch_to_end(viewer);
   const std::uint64_t hash = hash_of(viewer);
@@ -128,8 +130,8 @@ TEST(Viewer, LevelsGoRound) {
 
 TEST(Viewer, ARefusalIsAMessage) {
   Viewer viewer(options_with({}));
-  viewer.push(viewer.path_of("blue1"), {20, 0, 0});  // at kinematic_walking
-  viewer.change("blue1.levle = full_dynamics");
+  viewer.steering.push(viewer.outline().path_of("blue1"), {20, 0, 0});  // at kinematic_walking
+  viewer.steering.change("blue1.levle = full_dynamics");
   viewer.perform(Action::select_9);
   viewer.settle();
   EXPECT_TRUE(told(viewer, "ignores forces"));
@@ -139,7 +141,7 @@ TEST(Viewer, ARefusalIsAMessage) {
 
 TEST(Viewer, APropertyIsEdited) {
   Viewer viewer(options_with());
-  const ObjectPath base = viewer.path_of("blue1");
+  const ObjectPath base = viewer.outline().path_of("blue1");
   viewer.open_objects[base] = true;
   viewer.settle();
   const auto& values = viewer.seen().objects.at(0).properties;
@@ -147,9 +149,9 @@ TEST(Viewer, APropertyIsEdited) {
   ASSERT_NE(position, values.end());
   PropertyValue next = *position;
   next.numbers[0] += 0.125;
-  viewer.set_property(base, next);
+  viewer.steering.set_property(base, next);
   viewer.settle();
-  const auto place = viewer.place_of(base);
+  const auto place = viewer.poses().place_of(base);
   ASSERT_TRUE(place);
   EXPECT_NEAR(place->x, next.numbers[0], 1e-12) << "seen at once, while it is paused";
 }
@@ -159,21 +161,21 @@ TEST(Viewer, GoesBackAndOn) {
   Viewer viewer(options_with());
   watch_to_end(viewer);
   viewer.settle();
-  const Vec3d at_end = *viewer.place_of(viewer.path_of("blue1"));
-  viewer.seek(0.25);
+  const Vec3d at_end = *viewer.poses().place_of(viewer.outline().path_of("blue1"));
+  viewer.steering.seek(0.25);
   viewer.settle();
   EXPECT_EQ(viewer.status().time, 250ms);
-  EXPECT_EQ(viewer.frame()->time, 250ms);
-  EXPECT_NE(viewer.place_of(viewer.path_of("blue1"))->x, at_end.x);
+  EXPECT_EQ(viewer.poses().frame()->time, 250ms);
+  EXPECT_NE(viewer.poses().place_of(viewer.outline().path_of("blue1"))->x, at_end.x);
   viewer.perform(Action::step_back);
   viewer.settle();
   EXPECT_EQ(viewer.status().time, 249ms);
   watch_to_end(viewer);
   viewer.settle();
   EXPECT_GE(viewer.branches().size(), 2U);
-  EXPECT_EQ(viewer.place_of(viewer.path_of("blue1"))->x, at_end.x) << "it was not moved";
+  EXPECT_EQ(viewer.poses().place_of(viewer.outline().path_of("blue1"))->x, at_end.x) << "it was not moved";
   viewer.session().pause();
-  viewer.reset();
+  viewer.steering.reset();
   viewer.settle();
   EXPECT_EQ(viewer.status().time, 0s);
 }
@@ -194,21 +196,21 @@ TEST(Viewer, ReadsTheSceneAgain) {
   viewer.perform(Action::reload);
   EXPECT_TRUE(told(viewer, "broken now"));
   viewer.refresh(0.01);
-  EXPECT_TRUE(viewer.frame()) << "the old one goes on";
+  EXPECT_TRUE(viewer.poses().frame()) << "the old one goes on";
 }
 
 /// A mouse over a picture in which `name` is hit wherever it points.
 struct Mouse {
   Mouse(Viewer& which, const std::string& name) : viewer(which), control(which) {
-    const ObjectPath path = viewer.path_of(name);
-    const Vec3d place = *viewer.place_of(path);
+    const ObjectPath path = viewer.outline().path_of(name);
+    const Vec3d place = *viewer.poses().place_of(path);
     pick = [path, place](const Pixel&) { return Hit{path, place}; };
     view = viewer.rig.view(viewer.rig_view(), 800, 600);
     at = *pixel_of(view, place);
   }
   void drag(const MouseControl::Held& held, const Vec3d& way,
             MouseControl::Button button = MouseControl::Button::left) {
-    const Pixel to = *pixel_of(view, *viewer.place_of(*pick(at)->path) + way);
+    const Pixel to = *pixel_of(view, *viewer.poses().place_of(*pick(at)->path) + way);
     control.press(button, held, at, view, pick);
     control.move({0.5 * (at.x + to.x), 0.5 * (at.y + to.y)}, view);
     control.move(to, view);
@@ -226,22 +228,22 @@ TEST(MouseControl, AClickSelectsAndADragTurns) {
   Mouse mouse(viewer, "red1");
   mouse.control.press(MouseControl::Button::left, {}, mouse.at, mouse.view, mouse.pick);
   mouse.control.release(mouse.at, mouse.view, mouse.pick);
-  EXPECT_EQ(viewer.selected(), viewer.path_of("red1"));
+  EXPECT_EQ(viewer.selected(), viewer.outline().path_of("red1"));
   const double azimuth = viewer.rig.orbit.azimuth;
   mouse.control.press(MouseControl::Button::left, {}, {10, 10}, mouse.view, mouse.pick);
   mouse.control.move({110, 10}, mouse.view);
   mouse.control.release({110, 10}, mouse.view, mouse.pick);
   EXPECT_NE(viewer.rig.orbit.azimuth, azimuth);
-  EXPECT_EQ(viewer.selected(), viewer.path_of("red1"));
+  EXPECT_EQ(viewer.selected(), viewer.outline().path_of("red1"));
 }
 
 TEST(MouseControl, ShiftMovesTheBall) {
   Viewer viewer(options_with());
   Mouse mouse(viewer, "ball");
-  const Vec3d before = *viewer.place_of(viewer.path_of("ball"));
+  const Vec3d before = *viewer.poses().place_of(viewer.outline().path_of("ball"));
   mouse.drag({.shift = true}, {0.4, -0.3, 0});
   viewer.settle();
-  const Vec3d after = *viewer.place_of(viewer.path_of("ball"));
+  const Vec3d after = *viewer.poses().place_of(viewer.outline().path_of("ball"));
   EXPECT_NEAR(after.x, before.x + 0.4, 1e-6);
   EXPECT_NEAR(after.y, before.y - 0.3, 1e-6);
   EXPECT_NEAR(after.z, before.z, 1e-9);
@@ -289,7 +291,7 @@ TEST(MouseControl, CtrlAndTheLeftButtonTurn) {
 
 TEST(Viewer, MovesJointsWhileItIsPaused) {
   Viewer viewer(options_with());
-  viewer.select(viewer.path_of("blue1"));
+  viewer.select(viewer.outline().path_of("blue1"));
   const auto shin = [&] {
     for (const MovableJoint& joint : viewer.joints()) {
       if (joint.name.find("shin") != std::string::npos) return joint;
@@ -302,7 +304,7 @@ TEST(Viewer, MovesJointsWhileItIsPaused) {
   const double wanted = 0.5 * (before.lowest + before.highest);
   ASSERT_GT(std::abs(wanted - before.position), 0.01);
   for (const double share : {0.25, 0.5, 1.0}) {
-    viewer.move_joint(before.path, before.position + share * (wanted - before.position));
+    viewer.steering.move_joint(before.path, before.position + share * (wanted - before.position));
   }
   viewer.settle();
   EXPECT_NEAR(shin().position, wanted, 1e-6);
@@ -339,10 +341,10 @@ TEST(Viewer, ShowsWhatOthersDraw) {
   const Pixel middle = *pixel_of(viewer.rig.view(viewer.rig_view(), 800, 600), {1, 0.5, 0});
   EXPECT_LT(std::hypot(shapes()[0].points[0].x - middle.x, shapes()[0].points[0].y - middle.y), 60);
   EXPECT_EQ(viewer.drawing_groups(), std::vector<std::string>{"roboviz/way"});
-  viewer.hidden_groups.insert("roboviz/way");
+  viewer.drawings.hidden.insert("roboviz/way");
   EXPECT_TRUE(shapes().empty());
   EXPECT_EQ(viewer.drawing_groups().size(), 1U) << "it can be switched on again";
-  viewer.hidden_groups.clear();
+  viewer.drawings.hidden.clear();
   viewer.perform(Action::drawings);
   EXPECT_TRUE(shapes().empty());
   watch_to_end(viewer);
@@ -367,18 +369,19 @@ TEST(CameraRig, FollowsWhatIsSelected) {
   viewer.perform(Action::select_1);
   viewer.perform(Action::follow);
   viewer.refresh(0.01);
-  const Vec3d away = viewer.rig.orbit.target - *viewer.place_of({viewer.robot(0), 0});
+  const Vec3d away = viewer.rig.orbit.target - *viewer.poses().place_of({viewer.outline().robot(0), 0});
   watch_to_end(viewer);
   viewer.settle();
   viewer.refresh(0.01);
-  EXPECT_NEAR(norm(viewer.rig.orbit.target - *viewer.place_of({viewer.robot(0), 0}) - away), 0, 1e-9);
+  EXPECT_NEAR(norm(viewer.rig.orbit.target - *viewer.poses().place_of({viewer.outline().robot(0), 0}) - away), 0, 1e-9);
 }
 
 TEST(CameraRig, TelevisionLooksAtTheBall) {
   Viewer viewer(options_with());
   viewer.perform(Action::tv_camera);
   viewer.refresh(100);
-  const auto pixel = pixel_of(viewer.rig.view(viewer.rig_view(), 1000, 600), *viewer.place_of({viewer.ball(), 0}));
+  const auto pixel =
+      pixel_of(viewer.rig.view(viewer.rig_view(), 1000, 600), *viewer.poses().place_of({viewer.outline().ball(), 0}));
   ASSERT_TRUE(pixel);
   EXPECT_NEAR(pixel->x, 500, 30);
   EXPECT_NEAR(pixel->y, 300, 60);

@@ -46,7 +46,7 @@ void draw_robot(ImDrawList& list, const Map& map, const Vec3d& place, double tur
 void field_map(Panels& panels, const Area& area) {
   Viewer& viewer = panels.viewer;
   const Markings* markings = markings_of(viewer);
-  const PoseFrame* frame = viewer.frame();
+  const PoseFrame* frame = viewer.poses().frame();
   if (!markings || !frame || markings->half_length <= 0) return;
   const double width = std::min(scaled(260), 0.4 * area.width),
                height = width * markings->half_width / markings->half_length;

@@ -26,7 +26,7 @@ void choose_level(Panels& panels, int entity, const EntityState& state, float wi
   const auto level = panels.gui.choice(state.name + " level", state.level, levels);
   ImGui::PopStyleColor();
   tip("level of detail");
-  if (level) panels.viewer.switch_level(entity, levels[*level]);
+  if (level) panels.viewer.steering.switch_level(entity, levels[*level]);
 }
 
 void choose_contact(Panels& panels, int entity, const EntityState& state, float width) {
@@ -35,7 +35,7 @@ void choose_contact(Panels& panels, int entity, const EntityState& state, float 
   const auto law =
       panels.gui.choice(state.name + " contact", state.contact.empty() ? "no contact forces" : state.contact, laws);
   tip("law of contact with the ground");
-  if (law) panels.viewer.switch_contact(entity, laws[*law]);
+  if (law) panels.viewer.steering.switch_contact(entity, laws[*law]);
 }
 
 std::string state_text(const EntityState& state) {
@@ -88,7 +88,7 @@ void object_row(Panels& panels, const ObjectPath& path, const std::string& name)
   const ImGuiTreeNodeFlags flags =
       ImGuiTreeNodeFlags_OpenOnArrow | ImGuiTreeNodeFlags_SpanAvailWidth | (selected ? ImGuiTreeNodeFlags_Selected : 0);
   const bool open = ImGui::TreeNodeEx(name.c_str(), flags);
-  panels.gui.remember(viewer.path_text(path));
+  panels.gui.remember(viewer.outline().path_text(path));
   if (ImGui::IsItemClicked() && !ImGui::IsItemToggledOpen()) viewer.select(path);
   viewer.open_objects[path] = open || selected;
   if (!open) return;
@@ -135,7 +135,7 @@ void edit_value(Panels& panels, const ObjectPath& path, const PropertyValue& pro
   const bool entered = ImGui::InputText(id.c_str(), buffer.data(), buffer.size(),
                                         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   panels.gui.remember(property.name);
-  panels.gui.remember(panels.viewer.path_text(path) + "." + property.name);
+  panels.gui.remember(panels.viewer.outline().path_text(path) + "." + property.name);
   if (ImGui::IsItemActive()) {
     state.edited = path;
     state.edited_property = property.name;
@@ -156,7 +156,7 @@ void edit_value(Panels& panels, const ObjectPath& path, const PropertyValue& pro
   if (*place != '\0' || next.numbers.empty()) {
     panels.viewer.tell(fmt::format("'{}' are no numbers", buffer.data()), true);
   } else {
-    panels.viewer.set_property(path, next);
+    panels.viewer.steering.set_property(path, next);
   }
 }
 
@@ -192,7 +192,7 @@ void properties_of(Panels& panels, const ObjectPath& path) {
     if (property.constant || property.numbers.size() > 9) {
       text(property.name, faint);
     } else if (ImGui::Selectable(property.name.c_str())) {
-      viewer.add_plot(path, property.name, false);
+      viewer.plots.add(viewer.outline(), path, property.name, false);
     }
     panels.gui.remember("plot " + property.name);
     tip(fmt::format("{} [{}]\n{}", property.name, property.unit,

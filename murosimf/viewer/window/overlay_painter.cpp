@@ -157,7 +157,7 @@ void paint_pull(const MouseControl::Pull& pull, const sensors::Perspective& view
 void paint_selection(const Viewer& viewer, const sensors::Perspective& view, const Area& area) {
   if (!viewer.selected()) return;
   const Clipped clipped(area);
-  const auto base = viewer.place_of({viewer.selected()->entity, 0});
+  const auto base = viewer.poses().place_of({viewer.selected()->entity, 0});
   if (!base) return;
   Mark ring{.color = {1, 1, 1}, .width = 2, .closed = true};
   constexpr int corners = 32;
@@ -166,7 +166,7 @@ void paint_selection(const Viewer& viewer, const sensors::Perspective& view, con
     ring.points.push_back({base->x + 0.26 * std::cos(angle), base->y + 0.26 * std::sin(angle), 0.004});
   }
   paint(clipped.list, view, area, ring);
-  const auto place = viewer.selected()->object == 0 ? std::nullopt : viewer.place_of(*viewer.selected());
+  const auto place = viewer.selected()->object == 0 ? std::nullopt : viewer.poses().place_of(*viewer.selected());
   if (!place) return;
   paint(clipped.list, view, area, {.points = {*place}, .color = {1, 1, 1}, .width = 5});
 }

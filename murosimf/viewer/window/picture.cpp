@@ -41,7 +41,7 @@ void ScenePicture::renew(const PictureQuality& quality) {
 void ScenePicture::draw(const sensors::Perspective& view, const PictureQuality& quality, sensors::View& into) {
   const bool other = generation_ != viewer_.generation() || changes_ != viewer_.seen().changes_to_see;
   if (other || !(quality == quality_)) renew(quality);
-  moment_.frame = viewer_.frame();
+  moment_.frame = viewer_.poses().frame();
   moment_.standing_feet.clear();
   for (const EntityState& entity : viewer_.seen().entities) {
     const bool marked = viewer_.overlay.standing_feet && entity.standing_foot >= 0;
@@ -53,8 +53,8 @@ void ScenePicture::draw(const sensors::Perspective& view, const PictureQuality& 
 
 /// A picture of a few pixels around the pointer is enough to find what is there.
 std::optional<Hit> ScenePicture::pick(const sensors::Perspective& view, const Pixel& pixel) {
-  if (generation_ != viewer_.generation() || !viewer_.frame()) return std::nullopt;
-  moment_.frame = viewer_.frame();
+  if (generation_ != viewer_.generation() || !viewer_.poses().frame()) return std::nullopt;
+  moment_.frame = viewer_.poses().frame();
   sensors::Perspective one = view;
   const double across = (view.right - view.left) / view.width, down = (view.bottom - view.top) / view.height;
   one.left = view.left + (std::floor(pixel.x)) * across;

@@ -106,7 +106,7 @@ void plots_tab(Panels& panels) {
   }
   std::optional<std::size_t> removed;
   for (std::size_t i = 0; i < viewer.plots.size(); ++i) {
-    const Viewer::PlotRequest& request = viewer.plots[i];
+    const PlotRequest& request = viewer.plots[i];
     ImGui::PushID(static_cast<int>(i));
     if (panels.gui.button("x")) removed = i;
     ImGui::SameLine();
@@ -120,7 +120,7 @@ void plots_tab(Panels& panels) {
               scaled(150));
     ImGui::PopID();
   }
-  if (removed) viewer.plots.erase(viewer.plots.begin() + static_cast<std::ptrdiff_t>(*removed));
+  if (removed) viewer.plots.remove(*removed);
 }
 
 }  // namespace murosimf::viewer

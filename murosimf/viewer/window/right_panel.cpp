@@ -13,7 +13,7 @@ void object_tab(Panels& panels) {
   if (!viewer.selected()) return text("Nothing is selected: click on something.", faint);
   const ObjectPath path = *viewer.selected();
   viewer.open_objects[path] = true;
-  text(viewer.path_text(path));
+  text(viewer.outline().path_text(path));
   ImGui::SameLine();
   if (panels.gui.button("carried by")) viewer.perform(Action::select_parent);
   properties_of(panels, path);
@@ -38,7 +38,8 @@ void sensor_rows(Panels& panels, const SensorState& sensor) {
   for (const sensors::Output& output : sensor.info->outputs) {
     const std::string name = sensor.info->name + "." + output.name;
     ImGui::PushID(name.c_str());
-    if (panels.gui.button("plot")) panels.viewer.add_plot({panels.viewer.selected_entity(), 0}, name, true);
+    if (panels.gui.button("plot"))
+      panels.viewer.plots.add(panels.viewer.outline(), {panels.viewer.selected_entity(), 0}, name, true);
     panels.gui.remember("plot " + name);
     ImGui::SameLine();
     std::string line = fmt::format("{} [{}] ", output.name, output.unit);
@@ -81,12 +82,12 @@ void drawing_boxes(Panels& panels) {
   Viewer& viewer = panels.viewer;
   if (!viewer.overlay.drawings) return;
   for (const std::string& group : viewer.drawing_groups()) {
-    bool shown = !viewer.hidden_groups.contains(group);
+    bool shown = !viewer.drawings.hidden.contains(group);
     if (!panels.gui.checkbox(group, shown)) continue;
     if (shown) {
-      viewer.hidden_groups.erase(group);
+      viewer.drawings.hidden.erase(group);
     } else {
-      viewer.hidden_groups.insert(group);
+      viewer.drawings.hidden.insert(group);
     }
   }
 }
@@ -106,7 +107,7 @@ void joints_tab(Panels& panels) {
     ImGui::SetNextItemWidth(0.55F * ImGui::GetContentRegionAvail().x);
     if (ImGui::SliderFloat(joint.name.c_str(), &position, static_cast<float>(joint.lowest),
                            static_cast<float>(joint.highest), "%.3f")) {
-      viewer.move_joint(joint.path, position);
+      viewer.steering.move_joint(joint.path, position);
     }
     panels.gui.remember("joint " + joint.name);
   }
@@ -188,13 +189,14 @@ void view_tab(Panels& panels) {
   if (ImGui::SliderFloat("mm per N", &scale, 0.1F, 100, "%.1f", ImGuiSliderFlags_Logarithmic))
     overlay.force_scale = 1e-3 * scale;
   text("Pushes (Ctrl and right drag; left turns)", faint);
-  auto gain = static_cast<float>(viewer.newtons_per_meter), time = static_cast<float>(viewer.push_seconds),
+  auto gain = static_cast<float>(viewer.newtons_per_meter), time = static_cast<float>(viewer.steering.push_seconds),
        turning = static_cast<float>(viewer.newton_meters_per_meter);
   if (ImGui::SliderFloat("N per m", &gain, 1, 5000, "%.0f", ImGuiSliderFlags_Logarithmic))
     viewer.newtons_per_meter = gain;
   if (ImGui::SliderFloat("N m per m", &turning, 0.1F, 1000, "%.1f", ImGuiSliderFlags_Logarithmic))
     viewer.newton_meters_per_meter = turning;
-  if (ImGui::SliderFloat("s", &time, 0.01F, 2, "%.2f", ImGuiSliderFlags_Logarithmic)) viewer.push_seconds = time;
+  if (ImGui::SliderFloat("s", &time, 0.01F, 2, "%.2f", ImGuiSliderFlags_Logarithmic))
+    viewer.steering.push_seconds = time;
   text("Picture", faint);
   bool smooth = panels.state.quality.samples > 1;
   if (panels.gui.checkbox("smooth edges", smooth)) panels.state.quality.samples = smooth ? 4 : 1;

@@ -83,7 +83,7 @@ bool ScriptPlayer::begin(const ScriptStep& step, const Stage& stage) {
       viewer.rig.orbit.azimuth = step.numbers[0] * pi / 180;
       viewer.rig.orbit.elevation = step.numbers[1];
       viewer.rig.orbit.distance = step.numbers[2];
-      if (viewer.selected()) viewer.rig.orbit.target = viewer.place_of(*viewer.selected()).value_or(Vec3d{});
+      if (viewer.selected()) viewer.rig.orbit.target = viewer.poses().place_of(*viewer.selected()).value_or(Vec3d{});
       frames(2);
       return true;
     case Kind::screenshot:
@@ -98,7 +98,7 @@ bool ScriptPlayer::begin(const ScriptStep& step, const Stage& stage) {
 /// In coordinates of the window.
 Pixel ScriptPlayer::where(const ScriptStep& step, const Stage& stage) const {
   if (step.text.empty()) return {step.numbers[0], step.numbers[1]};
-  const auto place = stage.viewer.place_of(stage.viewer.path_of(step.text));
+  const auto place = stage.viewer.poses().place_of(stage.viewer.outline().path_of(step.text));
   const auto pixel = place ? pixel_of(stage.view, *place) : std::nullopt;
   if (!pixel || !stage.area.holds(in_window(*pixel, stage.area)))
     throw SetupError(fmt::format("'{}' is not in the picture", step.text));
@@ -151,7 +151,7 @@ void ScriptPlayer::pull(const Pixel& from, const Pixel& to, const char* held, in
 }
 
 void ScriptPlayer::drag_thing(const ScriptStep& step, const Stage& stage) {
-  const ObjectPath path = stage.viewer.path_of(step.text);
+  const ObjectPath path = stage.viewer.outline().path_of(step.text);
   const Pixel from = where(step, stage);
   const auto hit = stage.pick({from.x - stage.area.x, from.y - stage.area.y});
   if (!hit || !hit->path || hit->path->entity != path.entity)
@@ -160,7 +160,7 @@ void ScriptPlayer::drag_thing(const ScriptStep& step, const Stage& stage) {
   if (step.kind != Kind::drag) {
     way.z = step.numbers[2];
   } else {
-    const Vec3d now = stage.viewer.place_of({path.entity, 0}).value_or(hit->point);
+    const Vec3d now = stage.viewer.poses().place_of({path.entity, 0}).value_or(hit->point);
     way = {way.x - now.x, way.y - now.y, 0};
   }
   const auto to = pixel_of(stage.view, hit->point + way);

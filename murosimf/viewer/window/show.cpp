@@ -212,8 +212,8 @@ class Show {
 
   /// Drawn again only if something has changed: pictures are the most expensive part of the window.
   void draw_scene() {
-    Drawn now{.frame = viewer_.frame(),
-              .tick = viewer_.frame() ? viewer_.frame()->tick : -1,
+    Drawn now{.frame = viewer_.poses().frame(),
+              .tick = viewer_.poses().frame() ? viewer_.poses().frame()->tick : -1,
               .jumps = viewer_.status().jumps,
               .view = view_,
               .quality = state_.quality,
@@ -235,7 +235,7 @@ class Show {
     if (!viewer_.wants_pictures || viewer_.seen().sensors_of != viewer_.selected_entity() || !viewer_.selected())
       return;
     const RigView rig = viewer_.rig_view();
-    const PoseFrame* frame = viewer_.frame();
+    const PoseFrame* frame = viewer_.poses().frame();
     for (const CameraState& camera : viewer_.seen().cameras) {
       if (!camera.picture.empty() || !frame) {
         state_.camera_pictures.push_back(camera.picture);

@@ -34,7 +34,7 @@ void scrub(Panels& panels, const TimelineLayout& layout, const Area& area) {
   if (time == state.scrubbed_to && place.branch == state.scrubbed_branch) return;
   state.scrubbed_to = time;
   state.scrubbed_branch = place.branch;
-  panels.viewer.seek(std::min(time, place.time), place.branch);
+  panels.viewer.steering.seek(std::min(time, place.time), place.branch);
 }
 
 /// Branches begin at their parent's bar, so that it is seen where they left it.
@@ -137,7 +137,7 @@ void events_tab(Panels& panels) {
     ImGui::PushStyleColor(ImGuiCol_Text, vec4(color_of(mark.kind)));
     if (panels.gui.selectable(line, false)) {
       viewer.session().pause();
-      viewer.seek(mark.time, mark.branch);
+      viewer.steering.seek(mark.time, mark.branch);
     }
     panels.gui.remember(mark.text);
     ImGui::PopStyleColor();
