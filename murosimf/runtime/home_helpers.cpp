@@ -24,7 +24,7 @@ void HomeHelpers::share_out(std::span<const Entity* const> entities, Call call, 
     }
     ends_.push_back(order_.size());
   }
-  MUROSIMF_ASSERT(order_.size() == entities.size());
+  MUROSIMF_ASSERT(order_.size() == entities.size() && "every entity is at home at one thread");
   pool_.for_each(std::span<const std::size_t>(ends_), kind, [&](std::size_t i) { call(context, order_[i]); });
 }
 

@@ -35,6 +35,9 @@ std::size_t LaneJobs::members_in_groups() const {
 
 WaveJobs LaneJobs::jobs_of(const Wave& wave) {
   WaveJobs result;
+  MUROSIMF_ASSERT(std::ranges::all_of(wave, [&](std::size_t one) {
+    return one < members_.size() && members_[one].home < threads_;
+  }));
   for (std::size_t thread = 0; thread < threads_; ++thread) {
     Wave share;
     std::copy_if(wave.begin(), wave.end(), std::back_inserter(share),
@@ -42,6 +45,7 @@ WaveJobs LaneJobs::jobs_of(const Wave& wave) {
     for (const Wave& family : families(share)) add_jobs(family, result.jobs);
     result.ends.push_back(result.jobs.size());
   }
+  MUROSIMF_ASSERT(result.ends.size() == threads_ && result.jobs.size() <= wave.size());
   return result;
 }
 
@@ -52,6 +56,7 @@ void LaneJobs::add_jobs(const Wave& family, std::vector<Job>& jobs) {
       return family.begin() + static_cast<std::ptrdiff_t>(part * family.size() / groups);
     };
     Job job{{at(g), at(g + 1)}, nullptr};
+    MUROSIMF_ASSERT(!job.algorithms.empty() && job.algorithms.size() <= Pack8::lanes);
     if (job.algorithms.size() > 1) job.lanes = group(job.algorithms);
     if (job.lanes || job.algorithms.size() == 1) {
       jobs.push_back(std::move(job));

@@ -13,6 +13,7 @@ bool LockStep::advance(Duration by) {
   MUROSIMF_ASSERT(by >= Duration{});
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [&] { return started_ || finished_; });
+  MUROSIMF_ASSERT(by >= Duration{} && "a simulation does not run backwards");
   const Duration goal = now_ + by;
   allowed_ = goal;
   changed_.notify_all();

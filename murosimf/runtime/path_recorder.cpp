@@ -63,6 +63,7 @@ void PathRecorder::step(const Instant&) noexcept {
 /// Removes every second point; the start stays, so the points are those of calls that are multiples of 2 every_.
 void PathRecorder::thin_out() noexcept {
   for (Path& path : paths_) {
+    MUROSIMF_ASSERT(path.points.size() == most_points && "all paths have as many points");
     for (std::size_t i = 0; 2 * i < most_points; ++i) path.points[i] = path.points[2 * i];
     path.points.resize(most_points / 2);
   }
@@ -72,7 +73,10 @@ void PathRecorder::thin_out() noexcept {
 void PathRecorder::record() noexcept {
   if (!paths_.empty() && paths_.front().points.size() == most_points) thin_out();
   MUROSIMF_ASSERT(paths_.size() == positions_.size());
-  for (std::size_t i = 0; i < paths_.size(); ++i) paths_[i].points.push_back(positions_[i][0]);
+  for (std::size_t i = 0; i < paths_.size(); ++i) {
+    MUROSIMF_ASSERT(paths_[i].points.size() < paths_[i].points.capacity() && "a step does not allocate");
+    paths_[i].points.push_back(positions_[i][0]);
+  }
 }
 
 }  // namespace murosimf

@@ -95,9 +95,8 @@ std::vector<Wave> make_waves(std::span<const std::size_t> due, std::span<const A
   for (const std::size_t algorithm : due) {
     MUROSIMF_ASSERT(algorithm < access.size() && access[algorithm]);
     const std::size_t wave = free.for_algorithm(*access[algorithm]);
+    MUROSIMF_ASSERT(wave <= waves.size() && "behind those of earlier algorithms there is at most one that is new");
     free.put(*access[algorithm], wave);
-    // at most one new wave: the first free one is at most behind the last
-    MUROSIMF_ASSERT(wave <= waves.size());
     if (wave == waves.size()) waves.emplace_back();
     waves[wave].push_back(algorithm);
   }
@@ -106,7 +105,9 @@ std::vector<Wave> make_waves(std::span<const std::size_t> due, std::span<const A
 
 Plan::Plan(std::span<const PlannedTask> tasks, Duration now) {
   const std::int64_t tick = common_tick(tasks);
+  MUROSIMF_ASSERT(now >= Duration{});
   if (tick > 0) tick_ = Duration(std::gcd(tick, static_cast<std::int64_t>(now.count())));
+  MUROSIMF_ASSERT(tick_ > Duration{} && now % tick_ == Duration{});
 
   std::map<Rate, std::vector<std::size_t>> by_rate;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
@@ -132,8 +133,7 @@ std::vector<Wave> Plan::all() const {
 }
 
 const std::vector<Wave>& Plan::due(std::int64_t n) {
-  // one bit per rate: few patterns occur, and each has its waves only once
-  MUROSIMF_ASSERT(groups_.size() <= 64);
+  MUROSIMF_ASSERT(n >= 0 && groups_.size() <= most_groups);
   std::uint64_t pattern = 0;
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     if (is_due(groups_[g], n)) pattern |= std::uint64_t{1} << g;
@@ -147,6 +147,7 @@ const std::vector<Wave>& Plan::due(std::int64_t n) {
   }
   // in the order of phases and attaching, whatever their rates
   std::sort(due.begin(), due.end());
+  MUROSIMF_ASSERT(std::adjacent_find(due.begin(), due.end()) == due.end() && "an algorithm is in one group");
   return waves_.emplace(pattern, make_waves(due, access_)).first->second;
 }
 

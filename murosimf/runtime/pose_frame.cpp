@@ -15,6 +15,7 @@ template <class T>
 void append_rows(const Entity& entity, const Property<T>& property, std::vector<T>& rows) {
   const auto count = static_cast<std::size_t>(entity.model().size());
   if (const Column<T>* column = entity.find(property)) {
+    MUROSIMF_ASSERT(column->values.size() == count);
     rows.insert(rows.end(), column->values.begin(), column->values.end());
   } else {
     rows.insert(rows.end(), count, T{});
@@ -43,8 +44,9 @@ void take_poses(const World& world, PoseFrame& frame) {
     structural.work_out(properties::orientation, std::span(frame.orientation).subspan(first));
   }
   frame.first.push_back(frame.position.size());
-  MUROSIMF_ASSERT(frame.orientation.size() == frame.position.size());
-  MUROSIMF_ASSERT(frame.joint_position.size() == frame.position.size());
+  MUROSIMF_ASSERT(frame.first.size() == world.entities().size() + 1 && frame.present.size() + 1 == frame.first.size());
+  MUROSIMF_ASSERT(frame.orientation.size() == frame.position.size() &&
+                  frame.joint_position.size() == frame.position.size());
 }
 
 }  // namespace murosimf

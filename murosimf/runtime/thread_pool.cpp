@@ -1,5 +1,6 @@
 #include "murosimf/runtime/thread_pool.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <string_view>
 #include <system_error>
@@ -57,7 +58,8 @@ void ThreadPool::stop() {
 }
 
 void ThreadPool::share_out(std::span<const std::size_t> ends, Call call, void* context) {
-  MUROSIMF_ASSERT(ends.size() == shares_.size());
+  MUROSIMF_ASSERT(ends.size() == shares_.size() && std::is_sorted(ends.begin(), ends.end()));
+  MUROSIMF_ASSERT(unfinished_.load(std::memory_order_relaxed) == 0 && "the wave before has ended");
   ++waves_shared_;
   unfinished_.store(ends.back(), std::memory_order_relaxed);
   std::size_t first = 0;
