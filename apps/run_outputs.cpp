@@ -27,13 +27,13 @@ void RunOutputs::attach(scene::Scene& scene, const scene::SceneOptions& scene_op
   }
   description_ = description_of(options_.scene, scene, scene_options);
   if (game) description_.outside.emplace_back("a GameController or other teams");
-  recorder_ = make_recorder(scene, options_.record, files_, description_, others);
+  recorder_ = make_recorder(scene, options_.record, *files_, description_, others);
   html_ = make_html_recording(scene, options_.web, others);
 }
 
 void RunOutputs::begin() {
   if (!options_.save_at.empty() || !options_.save_state.empty() || !options_.supervision.where.empty()) {
-    saver_.begin(*scene_, files_, description_);
+    saver_.begin(*scene_, *files_, description_);
   }
   if (pictures_) pictures_->show(*scene_);
 }

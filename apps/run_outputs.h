@@ -9,7 +9,7 @@
 #include "apps/run_options.h"
 #include "apps/state_saver.h"
 #include "murosimf/drawing/debug_draw_source.h"
-#include "murosimf/files/files_read.h"
+#include "murosimf/files/file_access.h"
 #include "murosimf/logging/run_log.h"
 #include "murosimf/recording/recorder.h"
 #include "murosimf/scene/run_report.h"
@@ -26,9 +26,9 @@ class RunOutputs {
   void attach(scene::Scene& scene, const scene::SceneOptions& scene_options, const league::League* game,
               const drawing::DebugDrawSource* others);
   /// When the scene is initialized: what is read from now on is none of its files.
-  void scene_is_read() { files_.stop(); }
+  void scene_is_read() { noting_.end(); }
   /// Those that were.
-  [[nodiscard]] const std::vector<std::filesystem::path>& files_read() const { return files_.list(); }
+  [[nodiscard]] const std::vector<std::filesystem::path>& files_read() const { return files_->list(); }
   /// When a state is loaded, if one is.
   void begin();
 
@@ -54,7 +54,8 @@ class RunOutputs {
   const RunOptions& options_;
   StateSaver saver_;
   std::optional<PictureSequence> pictures_;
-  files::FilesRead files_;  // notes what is read from here on
+  std::shared_ptr<files::FilesRead> files_ = std::make_shared<files::FilesRead>();  // what is read from here on
+  files::FileScope noting_{{.noted = files_}};
   recording::RunDescription description_;
   scene::Scene* scene_ = nullptr;
   const league::League* game_ = nullptr;

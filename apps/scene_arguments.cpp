@@ -53,7 +53,7 @@ scene::SceneOptions options_of(const SceneArguments& scene) {
           .libraries = scene.libraries,
           .lenient = scene.lenient,
           .lanes = !scene.no_lanes,
-          .only_from = scene.only_from,
+          .files = {.only_from = scene.only_from},
           .stop = interrupted};
 }
 

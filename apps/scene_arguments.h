@@ -20,7 +20,7 @@ struct SceneArguments {
   std::optional<std::int64_t> seed;  ///< from 0
   std::vector<std::string> overrides, events, pushes, plugins;
   bool lenient = false, libraries = false;
-  std::shared_ptr<const files::AllowedFiles> only_from{};  ///< SceneOptions::only_from
+  std::shared_ptr<const files::AllowedFiles> only_from{};  ///< SceneOptions::files
 };
 
 inline constexpr const char* scene_meaning = "Scene file (TOML), or the name of one that comes with the program";

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "murosimf/files/file_access.h"
 #include "murosimf/model/error.h"
 #include "murosimf/scene/scene_report.h"
 #include "murosimf/session/live_source.h"
@@ -16,11 +17,10 @@ ViewRecording::ViewRecording(const SceneArguments& scene, const RecordOptions& o
 
 std::unique_ptr<session::PlaybackSource> ViewRecording::make_course(const scene::SceneOptions& options) {
   if (scene_) throw SetupError("no other scene: " + no_way_back());
-  files_.emplace();
+  const files::FileScope noting({.noted = files_});
   auto scene = std::make_unique<scene::Scene>(arguments_.file, options);
   recorder_ = make_recorder(*scene, options_, *files_, description_of(arguments_, *scene, options), others_);
   scene->simulation().initialize();
-  files_->stop();
   scene_ = scene.get();
   begin_ = std::chrono::steady_clock::now();
   return std::make_unique<session::LiveSource>(std::move(scene), session::LiveOptions{.no_way_back = no_way_back()});

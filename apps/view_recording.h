@@ -3,7 +3,6 @@
 
 #include <chrono>
 #include <memory>
-#include <optional>
 #include <string>
 
 #include "apps/record_options.h"
@@ -31,7 +30,7 @@ class ViewRecording {
   const SceneArguments& arguments_;
   const RecordOptions& options_;
   const drawing::DebugDrawSource* others_;
-  std::optional<files::FilesRead> files_;  // that the scene is made of
+  std::shared_ptr<files::FilesRead> files_ = std::make_shared<files::FilesRead>();  // that the scene is made of
   scene::Scene* scene_ = nullptr;
   std::unique_ptr<recording::Recorder> recorder_;
   std::chrono::steady_clock::time_point begin_;

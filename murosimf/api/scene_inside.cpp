@@ -38,9 +38,7 @@ void check_threads(const SceneOptions& options) {
 std::shared_ptr<SceneInside> open(const std::filesystem::path& file, SceneOrigin origin) {
   const SceneOptions& options = origin.options;
   const auto spec = scene_file::read_scene(file, options.set, options.events, options.pushes);
-  auto inside = std::make_shared<SceneInside>(spec, std::move(origin), std::make_shared<scene::Assets>());
-  inside->origin.files->stop();
-  return inside;
+  return std::make_shared<SceneInside>(spec, std::move(origin), std::make_shared<scene::Assets>());
 }
 
 /// Without a range, a joint has infinite limits: programs can compare with them.
@@ -128,6 +126,7 @@ std::shared_ptr<SceneInside> open_scene(const std::string& name, const SceneOpti
   check_threads(options);
   return told([&] {
     SceneOrigin origin{name, options, std::make_shared<files::FilesRead>(), nullptr};
+    const files::FileScope noting({.noted = origin.files});
     return open(files::find_data_file(name, "scenes", ".toml"), std::move(origin));
   });
 }
@@ -140,6 +139,7 @@ std::shared_ptr<SceneInside> open_text(const std::string& toml, const SceneOptio
   if (!(std::ofstream(file) << toml).flush()) throw Error(fmt::format("{} cannot be written", file.string()));
   try {
     SceneOrigin origin{file.string(), options, std::make_shared<files::FilesRead>(), folder};
+    const files::FileScope noting({.noted = origin.files});
     return open(files::find_data_file(file.string(), "scenes", ".toml"), std::move(origin));
   } catch (const SetupError& error) {
     std::string text = error.what();

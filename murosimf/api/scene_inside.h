@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "murosimf/collision/queries.h"
-#include "murosimf/files/files_read.h"
+#include "murosimf/files/file_access.h"
 #include "murosimf/recording/recorder.h"
 #include "murosimf/recording/scratch_folder.h"
 #include "murosimf/robot.h"

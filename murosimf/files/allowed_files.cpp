@@ -10,9 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-thread_local const AllowedFiles* limit_of_thread = nullptr;
-
-/// The absolute name, without access to the disk; empty if it has none.
+/// Without looking at the disk; empty if it has no name.
 fs::path named(const fs::path& path) {
   std::error_code error;
   return path.empty() ? fs::path{} : fs::absolute(path, error).lexically_normal();
@@ -72,16 +70,5 @@ bool AllowedFiles::allows(const fs::path& file) const {
   if (!is_in_any(named(file), named_folders_, named_files_)) return false;
   return is_in_any(real(file), folders_, files_);
 }
-
-OnlyAllowed::OnlyAllowed(const AllowedFiles* allowed) : before_(limit_of_thread) {
-  // Null keeps the limit in force: nothing inside widens it.
-  if (allowed) limit_of_thread = allowed;
-}
-
-OnlyAllowed::~OnlyAllowed() { limit_of_thread = before_; }
-
-bool may_be_read(const fs::path& file) { return !limit_of_thread || limit_of_thread->allows(file); }
-
-bool reads_are_limited() { return limit_of_thread != nullptr; }
 
 }  // namespace murosimf::files

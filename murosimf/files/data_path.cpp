@@ -7,10 +7,7 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
-#include "murosimf/files/allowed_files.h"
-#include "murosimf/files/files_read.h"
-#include "murosimf/files/moved_files.h"
-#include "murosimf/math/assert.h"
+#include "murosimf/files/file_access.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::files {
@@ -82,8 +79,7 @@ std::filesystem::path find_data_file(std::string_view name, std::string_view kin
 std::optional<std::filesystem::path> look_for_data_file(std::string_view name, std::string_view kind,
                                                         std::string_view extension,
                                                         const std::filesystem::path& beside) {
-  // A run that is repeated from a recording finds the files of that time, not those of today.
-  if (const MovedFiles* moved = MovedFiles::now()) {
+  if (const MovedFiles* moved = moved_files()) {
     const fs::path folder = beside.empty() ? beside : moved->to_there(fs::absolute(beside).lexically_normal());
     if (const std::string* found = moved->found(look_up_key(name, kind, extension, folder))) {
       const fs::path here = found->empty() ? fs::path{} : moved->to_here(*found);

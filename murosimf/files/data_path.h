@@ -16,7 +16,7 @@ namespace murosimf::files {
 /// The file of a name. Tried in this order: the name as it is; the name in `beside`; the name, alone and in the
 /// folder `kind` ("lenses", "models", "parts", "scenes", "servos"), in the folder that MUROSIMF_DATA names, in
 /// share/murosimf of the installation, and in the source tree. Every place is tried with `extension` appended too.
-/// What this thread may not read (allowed_files.h) is not found. Throws SetupError.
+/// What may not be read (file_access.h) is not found. Throws SetupError.
 [[nodiscard]] std::filesystem::path find_data_file(std::string_view name, std::string_view kind,
                                                    std::string_view extension,
                                                    const std::filesystem::path& beside = {});

@@ -1,8 +1,8 @@
 /// files_read.h - the files that were read while something was built: contents of a recording.
 ///
-///     const FilesRead files;
-///     scene::Scene scene("walk");
-///     for (const auto& file : files.list()) ...
+///     const auto read = std::make_shared<FilesRead>();
+///     scene::Scene scene("walk", {.files = {.noted = read}});
+///     for (const auto& file : read->list()) ...
 #pragma once
 
 #include <filesystem>
@@ -13,31 +13,21 @@
 
 namespace murosimf::files {
 
-/// Records the files that this thread opens while it lives; one at a time in a thread.
+/// One thread at a time.
 class FilesRead {
  public:
-  FilesRead();
-  ~FilesRead();
-  FilesRead(const FilesRead&) = delete;
-  FilesRead& operator=(const FilesRead&) = delete;
-
-  /// Stops recording.
-  void stop();
   /// Each once, in the order of opening.
-  [[nodiscard]] const std::vector<std::filesystem::path>& list() const { return list_; }
-  /// The files that names were resolved to (data_path.h).
-  [[nodiscard]] const FoundNames& names() const { return names_; }
+  [[nodiscard]] const std::vector<std::filesystem::path>& list() const noexcept { return list_; }
+  /// Which of them, or of others, names have meant (data_path.h).
+  [[nodiscard]] const FoundNames& names() const noexcept { return names_; }
+
+  void note(const std::filesystem::path& file);
+  /// `key`: look_up_key(); an empty path: none was found.
+  void note_name(const std::string& key, const std::filesystem::path& file);
 
  private:
-  friend void note_file_read(const std::filesystem::path& file);
-  friend void note_name_found(const std::string& key, const std::filesystem::path& file);
   std::vector<std::filesystem::path> list_;
   FoundNames names_;
 };
-
-/// To be called when a file is opened.
-void note_file_read(const std::filesystem::path& file);
-/// To be called when a name was resolved to a file, or (an empty path) to none.
-void note_name_found(const std::string& key, const std::filesystem::path& file);
 
 }  // namespace murosimf::files

@@ -9,10 +9,9 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/files/allowed_files.h"
+#include "murosimf/files/file_access.h"
 #include "murosimf/files/file_pointer.h"
 #include "murosimf/files/file_roles.h"
-#include "murosimf/files/files_read.h"
 #include "murosimf/files/xml_element.h"
 #include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"

@@ -19,7 +19,7 @@ constexpr std::uintmax_t most_state_bytes = 1'000'000'000;  ///< states of simul
 constexpr std::uintmax_t most_table_bytes = 1'000'000'000;  ///< numbers over time (CSV)
 
 /// The size of the file [byte]. Throws SetupError, one line that begins with the file's name: there is no such file, it is
-/// a folder, a device or a pipe, cannot be read, is larger than `most`, or is none that this thread may read (allowed_files.h).
+/// a folder, a device or a pipe, cannot be read, is larger than `most`, or is none that may be read (file_access.h).
 std::uintmax_t check_input_file(const std::filesystem::path& file, std::uintmax_t most);
 
 /// Its bytes. Throws SetupError likewise.

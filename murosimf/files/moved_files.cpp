@@ -1,19 +1,11 @@
 #include "murosimf/files/moved_files.h"
 
-#include <utility>
-
 #include <fmt/format.h>
 
 #include "murosimf/math/assert.h"
 #include "murosimf/math/hash.h"
 
 namespace murosimf::files {
-namespace {
-
-thread_local const MovedFiles* in_force = nullptr;
-
-}  // namespace
-
 std::string look_up_key(std::string_view name, std::string_view kind, std::string_view extension,
                         const std::filesystem::path& beside) {
   const std::string folder = beside.empty() ? "" : std::filesystem::absolute(beside).lexically_normal().string();
@@ -28,19 +20,6 @@ std::string hidden_key(const std::string& key) {
   hasher.add(std::string_view(key).substr(0, end));
   return fmt::format("#{:016x}{}", hasher.value(), key.substr(end));
 }
-
-MovedFiles::MovedFiles(std::filesystem::path folder, const FoundNames& names)
-    : folder_(std::move(folder)), names_(names) {
-  MUROSIMF_ASSERT(!in_force && "files of two runs at once");
-  in_force = this;
-}
-
-MovedFiles::~MovedFiles() {
-  MUROSIMF_ASSERT(in_force == this);
-  in_force = nullptr;
-}
-
-const MovedFiles* MovedFiles::now() noexcept { return in_force; }
 
 std::filesystem::path MovedFiles::to_here(const std::filesystem::path& path) const {
   return folder_ / path.relative_path();

@@ -1,13 +1,14 @@
 /// moved_files.h - files of an earlier run that are stored in another folder: names refer to those files, not to present ones.
 ///
-///     const MovedFiles moved(folder, names);    // folder/home/me/walk.toml takes the place of /home/me/walk.toml
-///     scene::Scene scene("walk");
+///     const auto moved = std::make_shared<const MovedFiles>(folder, names);  // folder/home/me/walk.toml takes the place of /home/me/walk.toml
+///     scene::Scene scene("walk", {.files = {.moved = moved}});
 #pragma once
 
 #include <filesystem>
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace murosimf::files {
 
@@ -21,18 +22,12 @@ using FoundNames = std::map<std::string, std::string>;
 /// The same without an absolute name, which must not be disclosed: only its hash is in it.
 [[nodiscard]] std::string hidden_key(const std::string& key);
 
-/// Applies to this thread while it lives; one at a time in a thread.
 class MovedFiles {
  public:
-  /// `folder` holds the file of /PATH as folder/PATH; `names` lead to the original places of the files.
-  MovedFiles(std::filesystem::path folder, const FoundNames& names);
-  ~MovedFiles();
-  MovedFiles(const MovedFiles&) = delete;
-  MovedFiles& operator=(const MovedFiles&) = delete;
+  /// `folder` holds what was at /PATH as folder/PATH; `names` lead to where the files were.
+  MovedFiles(std::filesystem::path folder, FoundNames names) : folder_(std::move(folder)), names_(std::move(names)) {}
 
-  /// The one of this thread; null: files are at their own places.
-  [[nodiscard]] static const MovedFiles* now() noexcept;
-  /// The stored place of the file that was at `path`.
+  /// Where what was at `path` stands.
   [[nodiscard]] std::filesystem::path to_here(const std::filesystem::path& path) const;
   /// The original place of the file that is stored at `path`.
   [[nodiscard]] std::filesystem::path to_there(const std::filesystem::path& path) const;
@@ -41,7 +36,7 @@ class MovedFiles {
 
  private:
   std::filesystem::path folder_;
-  const FoundNames& names_;
+  FoundNames names_;
 };
 
 }  // namespace murosimf::files

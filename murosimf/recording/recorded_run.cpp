@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/files/file_access.h"
 #include "murosimf/league/league.h"
 #include "murosimf/model/error.h"
 #include "murosimf/recording/recorded_external_input.h"
@@ -38,6 +39,7 @@ bool takes_part(const RunDescription& run, std::string_view begin) {
 
 RecordedRun::RecordedRun(const std::filesystem::path& file)
     : file_(file), description_(description_of(file_)), files_(file_), states_(file_) {
+  moved_ = std::make_shared<const files::MovedFiles>(files_.folder(), description_.names);
   if (!description_.channels.empty()) {
     outside_ = with_context(file.string(), [&] { return recorded_external_input(file_); });
   }
@@ -64,9 +66,9 @@ std::shared_ptr<scene::Scene> RecordedRun::build(const RepeatOptions& options) c
                                       .lanes = options.lanes,
                                       .cameras = options.cameras.value_or(run.cameras),
                                       .pushable = run.pushable,
+                                      .files = {.moved = moved_},
                                       .stop = options.stop};
     scene_options.overrides.insert(scene_options.overrides.end(), options.overrides.begin(), options.overrides.end());
-    const files::MovedFiles moved(files_.folder(), run.names);
     if (outside_) scene_options.outside.repeated = outside_;
     if (outside_ && options.recorded) scene_options.outside.notes = std::make_shared<ExternalInputLog>();
     const auto repeated = std::make_shared<RepeatedScene>(run.scene, scene_options);
@@ -80,7 +82,6 @@ std::shared_ptr<scene::Scene> RecordedRun::build(const RepeatOptions& options) c
 
 std::unique_ptr<scene::Scene> RecordedRun::build_to_show(const RepeatOptions& options) const {
   return with_context(file_.file().string(), [&] {
-    const files::MovedFiles moved(files_.folder(), description_.names);
     return std::make_unique<scene::Scene>(description_.scene, scene::SceneOptions{.threads = options.threads,
                                                                                   .seed = description_.seed,
                                                                                   .overrides = description_.overrides,
@@ -89,6 +90,7 @@ std::unique_ptr<scene::Scene> RecordedRun::build_to_show(const RepeatOptions& op
                                                                                   .lenient = description_.lenient,
                                                                                   .cameras = false,
                                                                                   .only_shown = true,
+                                                                                  .files = {.moved = moved_},
                                                                                   .stop = options.stop});
   });
 }
@@ -104,7 +106,7 @@ void RecordedRun::check_repeatable(const scene::Scene& scene) const {
 }
 
 void RecordedRun::initialize(scene::Scene& scene) const {
-  const files::MovedFiles moved(files_.folder(), description_.names);
+  const files::FileScope scope({.moved = moved_});
   scene.simulation().initialize();
 }
 

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "murosimf/files/moved_files.h"
 #include "murosimf/recording/recorded_states.h"
 #include "murosimf/recording/run_description.h"
 #include "murosimf/recording/unpacked_files.h"
@@ -59,6 +60,7 @@ class RecordedRun {
   McapReader file_;
   RunDescription description_;
   UnpackedFiles files_;
+  std::shared_ptr<const files::MovedFiles> moved_;  // into `files_`
   RecordedStates states_;
   std::shared_ptr<const ExternalInputLog> outside_;  // null: no external participants
   Duration end_{};

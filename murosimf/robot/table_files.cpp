@@ -4,7 +4,7 @@
 #include <array>
 
 #include "murosimf/files/data_path.h"
-#include "murosimf/files/files_read.h"
+#include "murosimf/files/file_access.h"
 #include "murosimf/robot/robot_config.h"
 #include "murosimf/robot/robot_sensors.h"
 
@@ -33,12 +33,13 @@ bool comes_with_the_program(const fs::path& file) {
 }  // namespace
 
 TableFiles table_files(const fs::path& file, const RobotFile& robot, bool lenient) {
-  const files::FilesRead read;
+  const auto read = std::make_shared<files::FilesRead>();
+  const files::FileScope noting({.noted = read});
   const RobotConfig table = read_table_beside(file);
   robot_formats::RobotDescription description = robot.description;  // receives notes, which are known already
   (void)sensors_of(description, table, *robot.model, file.parent_path(), lenient);
   TableFiles all;
-  for (const fs::path& one : read.list()) {
+  for (const fs::path& one : read->list()) {
     if (comes_with_the_program(one) || whole(one) == whole(fs::path(file).replace_extension(".toml"))) continue;
     const fs::path place = place_in(file.parent_path(), one);
     if (place.empty()) {

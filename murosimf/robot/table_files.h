@@ -17,8 +17,8 @@ struct TableFiles {
   std::vector<std::filesystem::path> elsewhere;  ///< in no folder of the robot, nor of the program
 };
 
-/// In the order in which they are read; files that come with the program are found from everywhere, and left out. `robot`: as read from
-/// `file`. Throws SetupError as read_robot. Must not be called while this thread records files already (files/files_read.h).
+/// In the order in which they are read; what comes with the program is found from anywhere, and left out. `robot`: as it was read from `file`.
+/// Throws SetupError as read_robot. A scope around it (files/file_access.h) does not note them.
 [[nodiscard]] TableFiles table_files(const std::filesystem::path& file, const RobotFile& robot, bool lenient);
 
 }  // namespace murosimf::robot

@@ -5,9 +5,8 @@
 #include <fmt/format.h>
 
 #include "murosimf/appearance/visual_meshes.h"
-#include "murosimf/files/allowed_files.h"
 #include "murosimf/files/data_path.h"
-#include "murosimf/math/assert.h"
+#include "murosimf/files/file_access.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/scene/model_constants.h"

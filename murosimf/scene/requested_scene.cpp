@@ -99,7 +99,7 @@ std::shared_ptr<const files::AllowedFiles> files_of_run(const Scene& scene, std:
 void for_outside(const std::string& name, const SceneOptions& options, const std::function<void()>& build) {
   // before the file system is touched: errors must not reveal which files exist
   if (name.size() > longest_name || files::one_line(name) != name) throw SetupError("this is no name of a scene");
-  const files::OnlyAllowed only(options.only_from.get());
+  const files::FileScope scope(options.files);
   const fs::path file = files::find_data_file(name, "scenes", ".toml");
   for (const std::string& text : options.overrides) scene_file::check_remote_override(text, file.parent_path());
   const bool quotable = is_scene(file);

@@ -2,7 +2,7 @@
 ///
 ///     const auto allowed = files_of_run(scene, folders, files_read.list());   // when the run begins
 ///     ...
-///     for_outside(name, {.overrides = asked, .only_from = allowed}, [&](const SceneOptions& options) { Scene next(name, options); });
+///     for_outside(name, {.overrides = asked, .files = {.only_from = allowed}}, [&](const SceneOptions& options) { Scene next(name, options); });
 ///
 /// Every interface that accepts the name of a scene uses this. Overrides: scene_file/remote_override.h.
 #pragma once
@@ -36,8 +36,8 @@ class RequestError : public SetupError {
                                                                       std::vector<std::filesystem::path> folders,
                                                                       std::vector<std::filesystem::path> files);
 
-/// Checks the request, then calls `build`, which finds and opens files of `options.only_from` only (not null). Throws SetupError
-/// for errors in the request, RequestError for errors that depend on the contents of files.
+/// Looks at what is asked, then calls `build`, which finds and opens files of `options.files.only_from` alone (not null). Throws SetupError
+/// for errors in the request, RequestError for all that has to do with what stands in files.
 void for_outside(const std::string& name, const SceneOptions& options, const std::function<void()>& build);
 
 /// "walk.toml:12: kid.xml:7" of "/home/me/walk.toml:12:3: /home/me/kid.xml:7: message"; empty if it begins with no place.

@@ -19,9 +19,9 @@ namespace murosimf::scene {
 namespace {
 
 scene_file::SceneSpec read(const std::filesystem::path& name, const SceneOptions& options) {
-  const files::OnlyAllowed only(options.only_from.get());
+  const files::FileScope scope(options.files);
   const auto file = files::find_data_file(name.string(), "scenes", ".toml");
-  if (options.only_from) {
+  if (options.files.only_from) {
     for (const std::string& text : options.overrides) scene_file::check_remote_override(text, file.parent_path());
   }
   return scene_file::read_scene(file, options.overrides, options.events, options.pushes);
@@ -38,7 +38,7 @@ Scene::Scene(const std::filesystem::path& name, const SceneOptions& options) : S
 
 Scene::Scene(scene_file::SceneSpec spec, const SceneOptions& options)
     : parts_(with_seed(std::move(spec), options), options.threads) {
-  const files::OnlyAllowed only(options.only_from.get());
+  const files::FileScope scope(options.files);
   parts_.simulation->use_lanes(options.lanes);
   build(parts_, options);
 }

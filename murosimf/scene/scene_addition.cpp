@@ -74,7 +74,7 @@ void finish(SceneParts& parts, Entity& entity) {
 }  // namespace
 
 Entity& add(SceneParts& parts, scene_file::RobotSpec robot) {
-  const files::OnlyAllowed only(parts.only_from.get());
+  const files::FileScope scope(parts.files);
   parts.simulation->initialize();
   check_team(parts.spec, robot);
   ModelSource models(parts.spec, *parts.assets, parts.lenient, parts.diagnostics);
@@ -105,7 +105,7 @@ Entity& add(SceneParts& parts, scene_file::RobotSpec robot) {
 Entity& add(SceneParts& parts, scene_file::BodySpec body) {
   if (body.is_static)
     throw SetupError(fmt::format("'{}' is static: it is part of the field from the start", body.name));
-  const files::OnlyAllowed only(parts.only_from.get());
+  const files::FileScope scope(parts.files);
   parts.simulation->initialize();
   ModelSource models(parts.spec, *parts.assets, parts.lenient, parts.diagnostics);
   const EntitySpec kind = body_entity(models, body);

@@ -55,7 +55,7 @@ catalog::ControllerOptions controller_options(const SceneParts& parts, const sce
 void refuse_library_of_file(const SceneParts& parts, const scene_file::RobotSpec& robot) {
   const auto given = robot.given.find("library");
   const bool by_command_line =
-      given != robot.given.end() && given->second.where.starts_with("--set") && !parts.only_from;
+      given != robot.given.end() && given->second.where.starts_with("--set") && !parts.files.only_from;
   if (parts.libraries || given == robot.given.end() || by_command_line) return;
   throw SetupError(fmt::format(
       "{}: this file has control software loaded, '{}', which may do what it likes; if you trust it: --libraries",

@@ -99,7 +99,7 @@ void build(SceneParts& parts, const SceneOptions& options) {
     return stop && stop();
   });
   parts.libraries = options.libraries;
-  parts.only_from = options.only_from;
+  parts.files.only_from = options.files.only_from;
   parts.only_shown = options.only_shown;
   parts.software = options.software;
   parts.terminals = options.terminals;

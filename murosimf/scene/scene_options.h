@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/files/allowed_files.h"
+#include "murosimf/files/file_access.h"
 #include "murosimf/runtime/external_input_log.h"
 #include "murosimf/runtime/simulation.h"
 
@@ -31,14 +31,15 @@ struct SceneOptions {
   bool lanes = true;                   ///< false: equal robots are not stepped together (Simulation::use_lanes)
   bool cameras = true;                 ///< false: nothing is drawn for cameras; they have no frames
   bool only_shown = false;             ///< it makes no steps: control software and its connections are left out
-  bool pushable = false;  ///< every moving entity can be pushed while it runs, also without a push in the file
-  bool paths = false;     ///< records the paths of all entities, for write_picture
-  std::shared_ptr<connect::TcpServer> software{};  ///< accepts control software of the controller "tcp"; null: none
-  ExternalInputOptions outside{};                  ///< recording and repetition of external input
-  std::shared_ptr<Assets> assets{};                ///< shared with other scenes; null: its own
-  /// Set for requests over a network (requested_scene.h): the scene uses these files only, overrides are restricted to those for
-  /// networks, and none of them loads software. Null: any file may be named.
-  std::shared_ptr<const files::AllowedFiles> only_from{};
+  bool pushable = false;               ///< whoever moves can be pushed while it runs, also without a push in the file
+  bool paths = false;                  ///< remember where everybody has been, for write_picture
+  std::shared_ptr<connect::TcpServer>
+      software{};                    ///< where control software of the controller "tcp" comes in; null: nowhere
+  ExternalInputOptions outside{};    ///< what is done with all that comes from outside
+  std::shared_ptr<Assets> assets{};  ///< that it shares with other scenes; null: its own
+  /// Which files its names mean, and which may be read. With `files.only_from` who asks for it comes over a network (requested_scene.h): it is
+  /// made of these files alone, overrides are those that may come from there, and none of them has software loaded.
+  files::FileAccess files{};
   StopRequest stop{};  ///< ends runs of the simulation early (Simulation::stop_if)
 };
 

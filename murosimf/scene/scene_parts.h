@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "murosimf/connect/crash_note.h"
-#include "murosimf/files/allowed_files.h"
+#include "murosimf/files/file_access.h"
 #include "murosimf/runtime/external_input_log.h"
 #include "murosimf/runtime/path_recorder.h"
 #include "murosimf/runtime/simulation.h"
@@ -92,10 +92,9 @@ struct SceneParts {
   std::shared_ptr<Assets> assets;                ///< for robots added later
   bool lenient = false;                          ///< of their files: unknown elements are warnings
   StartOfScene at_start;
-  /// SceneOptions::only_from
-  std::shared_ptr<const files::AllowedFiles> only_from{};
-  std::unique_ptr<CameraRenderer> cameras;  ///< null: cameras are not drawn
-  int changes_to_see = 0;  ///< number of changes that renderers must follow: light, shapes, colors, entities
+  files::FileAccess files{};                ///< SceneOptions::files, for robots that come later, which are not noted
+  std::unique_ptr<CameraRenderer> cameras;  ///< null: nothing is drawn for them
+  int changes_to_see = 0;  ///< so far, of what renderers have taken over: light, shapes, colors, who is there
 };
 
 /// Null if the entity is no body of [[bodies]].

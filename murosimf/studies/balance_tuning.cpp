@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "murosimf/files/files_read.h"
+#include "murosimf/files/file_access.h"
 #include "murosimf/locomotion/gait_feedback.h"
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/locomotion/leg.h"
@@ -83,7 +83,8 @@ BalanceTuning tune_balance(const BalanceTuningOptions& options) {
   if (!(options.speed > 0) || !(options.duration > 4) || (options.impulse && !(*options.impulse > 0)))
     throw SetupError("a walk that is pushed needs a speed and an impulse above 0, and more than 4 s");
   refuse_levels_that_stand(options.levels, "pushes move nothing");
-  const files::FilesRead read;
+  const auto read = std::make_shared<files::FilesRead>();
+  const files::FileScope noting({.noted = read});
   const VariedRobot robot(options.model, options.common.lenient);
   const std::vector<TunedNumber> numbers = balance_numbers(robot.model());
   BalanceTuning tuning;
@@ -107,8 +108,7 @@ BalanceTuning tune_balance(const BalanceTuningOptions& options) {
   search.space.seed = options.budget.seed;
   search.minutes = options.budget.minutes;
   search.state = options.budget.state;
-  // A state of a search with other inputs must not be continued.
-  search.what = what_balances(options, tuning.impulse, read);
+  search.what = what_balances(options, tuning.impulse, *read);
   search.stop = task.stop;
   search.progress = options.budget.progress;
 

@@ -9,8 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "murosimf/catalog/algorithm_catalog.h"
-#include "murosimf/files/files_read.h"
-#include "murosimf/math/assert.h"
+#include "murosimf/files/file_access.h"
 #include "murosimf/model/error.h"
 #include "murosimf/recording/attached_files.h"
 #include "murosimf/robot/motion_file.h"
@@ -101,7 +100,8 @@ std::size_t population_for(std::size_t numbers) {
 
 MotionTuning tune_motion(const MotionTuningOptions& options) {
   refuse_levels_that_stand(options.levels, "no motion can be tuned there");
-  const files::FilesRead read;
+  const auto read = std::make_shared<files::FilesRead>();
+  const files::FileScope noting({.noted = read});
   const auto file = robot::find_motion(options.motion);
   const KeyframeMotion motion = robot::read_motion(file);
   const VariedRobot robot(options.model, options.common.lenient);
@@ -129,8 +129,7 @@ MotionTuning tune_motion(const MotionTuningOptions& options) {
   search.space.seed = options.budget.seed;
   search.minutes = options.budget.minutes;
   search.state = options.budget.state;
-  // A state of a search with other inputs must not be continued.
-  search.what = what_is_tuned(options, motion, read);
+  search.what = what_is_tuned(options, motion, *read);
   search.stop = task.stop;
   search.progress = options.budget.progress;
 

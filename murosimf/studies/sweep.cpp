@@ -5,8 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "murosimf/files/files_read.h"
-#include "murosimf/math/assert.h"
+#include "murosimf/files/file_access.h"
 #include "murosimf/model/error.h"
 #include "murosimf/recording/attached_files.h"
 #include "murosimf/scene/assets.h"
@@ -57,8 +56,8 @@ std::string describe(const SweepOptions& options, const Plan& plan, const files:
 
 Plan plan_of(const SweepOptions& options, const std::vector<std::string>& patterns) {
   Plan plan;
-  // Notes all files that are read while it lives: a sweep of other files is another one.
-  const files::FilesRead read;
+  const auto read = std::make_shared<files::FilesRead>();
+  const files::FileScope noting({.noted = read});
   scene::SceneOptions as_it_is = options.common;
   as_it_is.threads = 1;
   std::vector<std::uint64_t> seeds = options.seeds;
@@ -68,7 +67,7 @@ Plan plan_of(const SweepOptions& options, const std::vector<std::string>& patter
   first.simulation().initialize();
   for (const ChosenResult& result : results_of(first, patterns)) plan.results.push_back(result.name);
   plan.duration = from_seconds(options.duration.value_or(first.spec().duration));
-  plan.what = describe(options, plan, read);
+  plan.what = describe(options, plan, *read);
   return plan;
 }
 

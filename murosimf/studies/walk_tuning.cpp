@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "murosimf/files/files_read.h"
+#include "murosimf/files/file_access.h"
 #include "murosimf/locomotion/gait_seed.h"
 #include "murosimf/locomotion/walk_options.h"
 #include "murosimf/math/assert.h"
@@ -89,7 +89,8 @@ std::vector<TuningCheck> check_walks(const VariedRobot& robot, const WalkTask& t
 
 WalkTuning tune_walk(const WalkTuningOptions& options) {
   if (!(options.speed > 0) || !(options.duration > 0)) throw SetupError("a walk needs a speed and a duration above 0");
-  const files::FilesRead read;
+  const auto read = std::make_shared<files::FilesRead>();
+  const files::FileScope noting({.noted = read});
   const VariedRobot robot(options.model, options.common.lenient);
   const std::vector<TunedNumber> numbers =
       walk_numbers(robot.model(), locomotion::walk_option_values(locomotion::seeded_parameters(robot.model())));
@@ -115,8 +116,7 @@ WalkTuning tune_walk(const WalkTuningOptions& options) {
   search.first = grid_around(numbers, search.space.start);
   search.minutes = options.budget.minutes;
   search.state = options.budget.state;
-  // A state of a search with other inputs must not be continued.
-  search.what = what_walks(options, read);
+  search.what = what_walks(options, *read);
   search.stop = task.stop;
   search.progress = options.budget.progress;
 

@@ -47,11 +47,11 @@ void PlotList::remove_sensors() {
 }
 
 void PlotList::request(InspectionRequest& request) const {
-  for (const PlotRequest& request : requests_) {
-    if (request.sensor) {
-      if (!request.sensors_of) request.sensors_of = request.path.entity;
-    } else if (std::ranges::find(request.objects, request.path) == request.objects.end()) {
-      request.objects.push_back(request.path);
+  for (const PlotRequest& plot : requests_) {
+    if (plot.sensor) {
+      if (!request.sensors_of) request.sensors_of = plot.path.entity;
+    } else if (std::ranges::find(request.objects, plot.path) == request.objects.end()) {
+      request.objects.push_back(plot.path);
     }
   }
 }

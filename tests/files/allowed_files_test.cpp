@@ -1,5 +1,5 @@
-// Files that are read for requests over a network: only those in the folders that a run was started with.
-#include "murosimf/files/allowed_files.h"
+// Which files are read for those who ask over a network: none but those in the folders that a run was started with.
+#include "murosimf/files/file_access.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -75,11 +75,11 @@ TEST_F(Allowed, FoldersByAnyOfTheirNames) {
 
 // A file outside is neither found nor opened; its existence makes no difference.
 TEST_F(Allowed, ConcernsWhoeverFindsAndOpensFiles) {
-  const AllowedFiles allowed({root_ / "inside"});
+  const auto allowed = std::make_shared<const AllowedFiles>(std::vector{root_ / "inside"});
   const std::string secret = (root_ / "outside/secret.toml").string(), nothing = (root_ / "outside/nothing").string();
   EXPECT_EQ(find_data_file(secret, "scenes", ".toml"), secret);
   {
-    const OnlyAllowed only(&allowed);
+    const FileScope only({.only_from = allowed});
     EXPECT_EQ(find_data_file("scene", "scenes", ".toml", root_ / "inside"), root_ / "inside/scene.toml");
     EXPECT_EQ(look_for_data_file(secret, "scenes", ".toml"), std::nullopt);
     EXPECT_EQ(look_for_data_file("../outside/secret", "scenes", ".toml", root_ / "inside"), std::nullopt);
@@ -90,7 +90,7 @@ TEST_F(Allowed, ConcernsWhoeverFindsAndOpensFiles) {
     };
     EXPECT_EQ(complaint(secret), complaint(nothing));
     EXPECT_TRUE(says(complaint(secret), {"in none of the folders that may be read here"}));
-    const OnlyAllowed no_more(nullptr);
+    const FileScope no_more({});
     EXPECT_FALSE(may_be_read(secret)) << "what is inside widens nothing";
   }
   EXPECT_TRUE(may_be_read(secret));

@@ -25,12 +25,13 @@ struct RepeatableRun {
 
 /// Its file.
 inline std::filesystem::path record(const std::string& name, const RepeatableRun& run) {
-  files::FilesRead read;
+  const auto read = std::make_shared<files::FilesRead>();
+  const files::FileScope noting({.noted = read});
   recording::RecorderOptions options = run.options;
   scene::Scene scene(run.scene, run.how);
   if (run.when_built) run.when_built(scene);
   options.file = temp_folder() / name;
-  options.files = &read;
+  options.files = read.get();
   options.run = recording::RunDescription{.scene = run.scene,
                                           .seed = scene.spec().seed,
                                           .overrides = run.how.overrides,

@@ -184,11 +184,12 @@ TEST(RecordOn, KeepsWhatWasBeforeAFall) {
 
 // It is recorded as long as it is asked for, again and again; what is there can be repeated, over the gap.
 TEST(RecordOn, KeepsWhatIsAskedFor) {
-  files::FilesRead read;
+  const auto read = std::make_shared<files::FilesRead>();
+  const files::FileScope noting({.noted = read});
   scene::Scene scene("walk", {.cameras = false, .pushable = true});
   RecorderOptions options{.file = fixtures::temp_folder() / "asked.mcap", .record_on = {"asked"}, .keep = 200ms};
   options.run = RunDescription{.scene = "walk", .seed = scene.spec().seed, .cameras = false, .pushable = true};
-  options.files = &read;
+  options.files = read.get();
   Recorder recorder(scene, options);
   const auto run = [&](Duration time) { scene.simulation().run(time); };
   scene.simulation().initialize();

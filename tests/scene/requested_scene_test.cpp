@@ -56,7 +56,7 @@ class RequestedScene : public testing::Test {
   /// Builds it as a door would; what is told, empty if nothing is wrong. `whole_` is what the run itself says.
   std::string ask(const std::string& name, std::vector<std::string> overrides = {}, SceneOptions options = {}) {
     options.overrides = std::move(overrides);
-    options.only_from = allowed_;
+    options.files.only_from = allowed_;
     whole_.clear();
     try {
       for_outside(name, options, [&] {
@@ -125,10 +125,10 @@ TEST_F(RequestedScene, LoadsNoSoftware) {
 }
 
 TEST_F(RequestedScene, IsMadeWithTheSameRulesWhoeverBuildsIt) {
-  const SceneOptions options{.overrides = {"robot.library=soft.so"}, .only_from = allowed_};
+  const SceneOptions options{.overrides = {"robot.library=soft.so"}, .files = {.only_from = allowed_}};
   EXPECT_TRUE(says(error_of([&] { const Scene scene("nudge", options); }), {"not among the settings"}));
   const auto second = (root_ / "other/second.toml").string();
-  EXPECT_TRUE(says(error_of([&] { const Scene scene(second, {.only_from = allowed_}); }), {"no file"}));
+  EXPECT_TRUE(says(error_of([&] { const Scene scene(second, {.files = {.only_from = allowed_}}); }), {"no file"}));
 }
 
 TEST_F(RequestedScene, MeshesFromElsewhere) {

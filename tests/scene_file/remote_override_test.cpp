@@ -5,8 +5,8 @@
 
 #include <fstream>
 
-#include "murosimf/files/allowed_files.h"
 #include "murosimf/files/data_path.h"
+#include "murosimf/files/file_access.h"
 #include "murosimf/model/error.h"
 #include "murosimf/scene_file/key_list.h"
 #include "murosimf/scene_file/setting_targets.h"
@@ -20,8 +20,8 @@ using fixtures::says;
 
 /// Empty if it is allowed.
 std::string complaint(const std::string& text) {
-  const files::AllowedFiles allowed(files::program_folders());
-  const files::OnlyAllowed only(&allowed);
+  const auto allowed = std::make_shared<const files::AllowedFiles>(files::program_folders());
+  const files::FileScope only({.only_from = allowed});
   try {
     check_remote_override(text, fixtures::temp_folder());
     return {};

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "murosimf/files/allowed_files.h"
+#include "murosimf/files/file_access.h"
 #include "murosimf/files/file_spelling.h"
 #include "murosimf/files/xml_element.h"
 #include "murosimf/model/error.h"

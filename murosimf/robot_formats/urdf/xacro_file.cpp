@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/files/allowed_files.h"
 #include "murosimf/files/child_process.h"
+#include "murosimf/files/file_access.h"
 #include "murosimf/files/input_file.h"
 #include "murosimf/files/xml_element.h"
 #include "murosimf/math/assert.h"

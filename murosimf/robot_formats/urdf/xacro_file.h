@@ -12,8 +12,8 @@
 
 namespace murosimf::robot_formats::urdf {
 
-/// The expanded text. Throws SetupError, one line: there is no python3 or no xacro, a package is not found, errors of xacro; and
-/// where reads are limited (files/allowed_files.h), since macros name files and a program is started.
+/// The expanded text. Throws SetupError, one line: there is no python3 or no xacro, a package is not found, what xacro complains of; and
+/// where reads are limited (files/file_access.h), since macros name files and a program is started.
 [[nodiscard]] std::string expand_xacro(const std::filesystem::path& file, const robot_formats::ReaderOptions& options);
 
 /// Throws SetupError as expand_xacro and read_urdf.

@@ -5,7 +5,7 @@
 #include <system_error>
 
 #include "murosimf/files/data_path.h"
-#include "murosimf/files/files_read.h"
+#include "murosimf/files/file_access.h"
 #include "murosimf/serial/dynamixel/control_table_file.h"
 
 namespace murosimf::serial::dynamixel {

@@ -3,8 +3,8 @@
 
 #include <cstdlib>
 
-#include "murosimf/files/allowed_files.h"
 #include "murosimf/files/child_process.h"
+#include "murosimf/files/file_access.h"
 #include "tests/fixtures.h"
 #include "tests/robot_formats/urdf/urdf_files.h"
 
@@ -70,8 +70,8 @@ TEST(Xacro, MistakesAreOneLine) {
 // No program is started for a file that comes over a network.
 TEST(Xacro, IsRefusedWhereReadsAreLimited) {
   const auto file = write("robot.xacro", with_macros());
-  const files::AllowedFiles allowed({test_folder()});
-  const files::OnlyAllowed only(&allowed);
+  const auto allowed = std::make_shared<const files::AllowedFiles>(std::vector<std::filesystem::path>{test_folder()});
+  const files::FileScope only({.only_from = allowed});
   EXPECT_TRUE(fixtures::says(fixtures::error_of([&] { (void)read_xacro(file); }), {"comes over a network"}));
 }
 
