@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "murosimf/locomotion/gait_properties.h"
+#include "murosimf/locomotion/rest_positions.h"
 #include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/sensors/reading.h"
@@ -41,13 +42,14 @@ AnkleStrategy::AnkleStrategy(Setup& setup, const AnkleStrategyOptions& options)
       upright_(setup.write(properties::balance_upright)[0]),
       bias_(setup.write(properties::balance_bias)[0]),
       capture_(setup.write(properties::balance_capture)[0]),
+      rest_(rest_positions(setup.model())),
       target_(setup.write(properties::joint_target)) {}
 
 void AnkleStrategy::initialize() {
   up_ = upright_ = {0, 0, 1};
   bias_ = {};
   capture_ = 0;
-  std::fill(target_.begin(), target_.end(), 0.0);
+  std::ranges::copy(rest_, target_.begin());
   write_targets();
 }
 

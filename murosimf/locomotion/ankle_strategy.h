@@ -24,6 +24,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "murosimf/locomotion/gait_seed.h"
 #include "murosimf/model/algorithm.h"
@@ -64,6 +65,7 @@ class AnkleStrategy final : public Algorithm {
   std::span<const double> gyroscope_, accelerometer_;  // [rad/s], [m/s^2]
   Vec3d &up_, &upright_, &bias_;                       // u, u_0 [1]; [rad/s]
   double& capture_;                                    // xi [rad]
+  std::vector<double> rest_;                           // [rad | m] by object
   std::span<double> target_;                           // [rad] by object
 };
 

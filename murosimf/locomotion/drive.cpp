@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "murosimf/locomotion/gait_properties.h"
+#include "murosimf/locomotion/rest_positions.h"
 #include "murosimf/math/assert.h"
 
 namespace murosimf::locomotion {
@@ -22,6 +23,7 @@ Drive::Drive(Setup& setup, const Vec3d& command, const DriveOptions& options)
       halted_(setup.input(properties::halted, 0.0)[0]),
       velocity_(setup.write(properties::gait_velocity)[0]),
       curvature_(setup.write(properties::path_curvature)[0]),
+      rest_(rest_positions(setup.model())),
       target_(setup.write(properties::joint_target)),
       rate_target_(setup.write(properties::joint_velocity_target)) {}
 
@@ -29,7 +31,7 @@ void Drive::initialize() {
   MUROSIMF_ASSERT(target_.size() == rate_target_.size());
   velocity_ = {};
   curvature_ = 0;
-  std::fill(target_.begin(), target_.end(), 0.0);
+  std::ranges::copy(rest_, target_.begin());
   std::fill(rate_target_.begin(), rate_target_.end(), 0.0);
 }
 

@@ -11,6 +11,8 @@
 /// Source: Ackermann's condition, that the axles of all wheels meet in one point; any textbook of vehicle dynamics.
 #pragma once
 
+#include <vector>
+
 #include "murosimf/locomotion/vehicle.h"
 #include "murosimf/model/algorithm.h"
 #include "murosimf/model/properties.h"
@@ -45,6 +47,7 @@ class Drive final : public Algorithm {
   const double& halted_;           // 1: a referee requests a halt
   Vec3d& velocity_;                // [m/s, m/s, rad/s] after the slew limits
   double& curvature_;              // [1/m]
+  std::vector<double> rest_;       // [rad | m] by object
   std::span<double> target_;       // [rad] by object
   std::span<double> rate_target_;  // [rad/s] by object
 };

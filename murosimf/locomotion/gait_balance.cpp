@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "murosimf/locomotion/rest_positions.h"
 #include "murosimf/math/assert.h"
 #include "murosimf/model/feet.h"
 #include "murosimf/model/properties.h"
@@ -12,11 +13,12 @@
 namespace murosimf::locomotion {
 namespace {
 
-/// [rad | m] of all objects; a joint without a target of the walk has the target zero.
+/// [rad | m] of all objects; a joint that the walk does not move is told to be at its rest.
 std::vector<double> joint_positions(const Model& model, const std::array<Leg, 2>& legs, const GaitPose& pose) {
-  std::vector<double> q(static_cast<std::size_t>(model.size()));
+  std::vector<double> q = rest_positions(model);
   for (const int joint : model.joints()) {
-    if (const Vec3d* range = model.find(properties::joint_range, joint)) q[joint] = std::clamp(0.0, range->x, range->y);
+    if (const Vec3d* range = model.find(properties::joint_range, joint))
+      q[joint] = std::clamp(q[joint], range->x, range->y);
   }
   write_pose(legs, pose, q);
   return q;

@@ -10,8 +10,9 @@ constexpr std::array gait_entries{constant(given_walk),     variable(walk_comman
                                   variable(motion_time),    variable(balance_up),      variable(balance_upright),
                                   variable(balance_bias),   variable(balance_capture), variable(halted),
                                   constant(given_balance),  constant(given_motions),   constant(given_steps),
-                                  variable(gait_state),     variable(odometry),        variable(motion_request),
-                                  variable(kick_request),   variable(motion_state),    variable(motion_start)};
+                                  constant(rest_position),  variable(gait_state),      variable(odometry),
+                                  variable(motion_request), variable(kick_request),    variable(motion_state),
+                                  variable(motion_start)};
 
 }  // namespace
 

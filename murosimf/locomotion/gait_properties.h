@@ -19,6 +19,8 @@ inline constexpr Property<OptionValues> given_walk   {{"given_walk", "-", "-", "
 inline constexpr Property<locomotion::NamedMotions> given_motions {{"given_motions", "-", "-", "key-frame motions that the robot's file names, by what they are for", Scope::base}};
 inline constexpr Property<OptionValues> given_balance {{"given_balance", "-", "-", "numbers of the walk with feedback that the robot's file gives, by their names", Scope::base}};
 inline constexpr Property<locomotion::StepTablePtr> given_steps {{"given_steps", "-", "-", "how its steady walk looks to its own sensors", Scope::base}};
+// ---- constant: of joints ----
+inline constexpr Property<double> rest_position {{"rest_position", "rad | m", "joint", "where walks and motions hold it if they do not move it"}};
 
 // ---- variable: one for the whole entity ----
 inline constexpr Property<Vec3d>  walk_command       {{"walk_command", "m/s, m/s, rad/s", "robot, x forward", "desired walking velocity", Scope::base}};

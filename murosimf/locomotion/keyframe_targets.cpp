@@ -4,13 +4,16 @@
 
 #include "murosimf/locomotion/gait_seed.h"
 #include "murosimf/locomotion/keyframe_channel.h"
+#include "murosimf/locomotion/rest_positions.h"
 #include "murosimf/math/assert.h"
 
 namespace murosimf::locomotion {
-KeyframeTargets::KeyframeTargets(const Model& model, const KeyframeMotion& motion) {
+
+KeyframeTargets::KeyframeTargets(const Model& model, const KeyframeMotion& motion) : rest_(rest_positions(model)) {
   for (std::size_t column = 0; column < motion.columns.size(); ++column) {
     for (const Channel& channel : motion.columns[column]) connect(model, channel, column);
   }
+  for (const JointSink& sink : joint_sinks_) rest_[sink.object] = 0;
   if (foot_sinks_.empty()) return;
   legs_ = find_legs(model);
   stance_ = seeded_parameters(model);
@@ -25,7 +28,7 @@ void KeyframeTargets::connect(const Model& model, const Channel& channel, std::s
 }
 
 void KeyframeTargets::write(std::span<const double> values, std::span<double> targets) const noexcept {
-  std::fill(targets.begin(), targets.end(), 0.0);
+  std::ranges::copy(rest_, targets.begin());
   if (!foot_sinks_.empty()) place_feet(values, targets);
   for (const JointSink& sink : joint_sinks_) {
     MUROSIMF_ASSERT(sink.column < values.size() && static_cast<std::size_t>(sink.object) < targets.size());

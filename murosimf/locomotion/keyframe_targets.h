@@ -1,8 +1,8 @@
 /// keyframe_targets.h - joint targets of the values of a key-frame motion for one model.
 ///
-/// Joints that the motion does not name stay at zero. If it moves feet, both legs follow by inverse kinematics (leg.h) from the stance
-/// of the walk engine (gait.h): x forward, y to the left, z up, each in the level frame of the pelvis; angles that the motion
-/// gives to leg joints are added.
+/// Joints that the motion does not name are held at `rest_position`. If it moves feet, both legs follow by inverse kinematics (leg.h) from the stance
+/// in which the walk engine stands (gait.h): x forward, y to the left, z up, each in the level frame of the pelvis; angles that the motion
+/// gives to leg joints come on top.
 #pragma once
 
 #include <array>
@@ -45,6 +45,7 @@ class KeyframeTargets {
   void connect(const Model& model, const Channel& channel, std::size_t column);
   void place_feet(std::span<const double> values, std::span<double> targets) const noexcept;
 
+  std::vector<double> rest_;  // [rad | m] by object: where joints are that the motion does not name
   std::vector<JointSink> joint_sinks_;
   std::vector<FootSink> foot_sinks_;
   std::array<Leg, 2> legs_;  // if feet are moved

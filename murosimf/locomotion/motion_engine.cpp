@@ -9,6 +9,7 @@
 #include "murosimf/collision/contact_properties.h"
 #include "murosimf/locomotion/gait_seed.h"
 #include "murosimf/locomotion/motion_report.h"
+#include "murosimf/locomotion/rest_positions.h"
 #include "murosimf/locomotion/wide_step.h"
 #include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
@@ -49,6 +50,7 @@ MotionEngine::MotionEngine(Setup& setup, const Vec3d& command, const MotionEngin
       senses_(setup, legs_),
       clock_(setup, command),
       rates_(static_cast<std::size_t>(setup.model().size())),
+      rest_(rest_positions(setup.model())),
       next_(rates_.size()),
       dynamic_(setup.input(properties::dynamic, 1.0)[0]),
       requests_(setup.input(properties::motion_request, {})[0]),
@@ -90,7 +92,7 @@ void MotionEngine::add_motion(const Model& model, const NamedMotion& named) {
 }
 
 void MotionEngine::initialize() {
-  std::ranges::fill(target_, 0.0);
+  std::ranges::copy(rest_, target_.begin());
   std::ranges::fill(start_, 0.0);
   clock_.initialize();
   senses_.initialize(clock_.standing(), gait_state_);
@@ -280,7 +282,7 @@ void MotionEngine::write_motion(PlayedMotion& played, double time) noexcept {
 }
 
 void MotionEngine::write_walk(const GaitPose& pose) noexcept {
-  std::ranges::fill(next_, 0.0);
+  std::ranges::copy(rest_, next_.begin());
   write_pose(legs_, pose, next_);
 }
 

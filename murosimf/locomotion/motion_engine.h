@@ -92,6 +92,7 @@ class MotionEngine final : public Algorithm {
   std::vector<KickChoice> kicks_;
   std::vector<int> joints_;
   std::vector<double> rates_;  // [rad/s | m/s] by object
+  std::vector<double> rest_;   // [rad | m] by object
   std::vector<double> next_;   // [rad | m] targets of this cycle, by object; made anew in each
   const double& dynamic_;      // 0: at kinematic_walking, which cannot fall: sensors are ignored
   const MotionRequests& requests_;

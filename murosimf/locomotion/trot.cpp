@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "murosimf/locomotion/rest_positions.h"
 #include "murosimf/locomotion/stride.h"
 #include "murosimf/math/assert.h"
 #include "murosimf/multibody/kinematics.h"
@@ -100,10 +101,11 @@ Trot::Trot(Setup& setup, const Vec3d& command, const TrotParameters& parameters)
     : legs_(find_four_legs(setup.model())),
       parameters_(parameters),
       clock_(setup, command),
+      rest_(rest_positions(setup.model())),
       target_(setup.write(properties::joint_target)) {}
 
 void Trot::initialize() {
-  std::fill(target_.begin(), target_.end(), 0.0);
+  std::ranges::copy(rest_, target_.begin());
   clock_.initialize();
   write_targets(home_pose(legs_));
 }

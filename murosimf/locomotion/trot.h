@@ -9,10 +9,12 @@
 /// center of mass is above their middle. Legs bend by leg.h; three hinges place a foot, and its orientation is free.
 ///
 /// Reads `walk_command`; keeps its state in gait_phase, gait_amplitude and gait_velocity; writes `joint_target` of all
-/// joints (the neck stays at zero).
+/// joints (others are held at `rest_position`).
 /// Source:  the pattern is that of animals (Hildebrand, "Symmetrical gaits of horses", Science 150, 1965); own numbers.
 /// Limits:  no feedback; the center of mass is taken at rest.
 #pragma once
+
+#include <vector>
 
 #include "murosimf/locomotion/gait_clock.h"
 #include "murosimf/locomotion/leg.h"
@@ -65,6 +67,7 @@ class Trot final : public Algorithm {
   std::array<Leg, 4> legs_;
   TrotParameters parameters_;
   GaitClock clock_;
+  std::vector<double> rest_;  // [rad | m] by object
   std::span<double> target_;  // [rad] by object
 };
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "murosimf/locomotion/rest_positions.h"
+
 namespace murosimf::locomotion {
 
 WalkEngine::WalkEngine(Setup& setup, const Vec3d& command)
@@ -11,10 +13,11 @@ WalkEngine::WalkEngine(Setup& setup, const Vec3d& command, const WalkParameters&
     : legs_(legs_of(setup.model())),
       parameters_(parameters),
       clock_(setup, command),
+      rest_(rest_positions(setup.model())),
       target_(setup.write(properties::joint_target)) {}
 
 void WalkEngine::initialize() {
-  std::fill(target_.begin(), target_.end(), 0.0);
+  std::ranges::copy(rest_, target_.begin());
   clock_.initialize();
   write_targets(home_pose(legs_));
 }

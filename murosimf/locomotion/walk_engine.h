@@ -1,8 +1,10 @@
 /// walk_engine.h - algorithm: turns a walking velocity into joint targets, for each control cycle.
 ///
-/// Reads `walk_command`; keeps its state in gait_phase, gait_amplitude and gait_velocity, so that it can be observed,
-/// saved and restored; writes `joint_target` of all joints (arms and head stay at zero).
+/// Reads `walk_command`; keeps its state in gait_phase, gait_amplitude and gait_velocity, so that it can be watched,
+/// saved and restored; writes `joint_target` of all joints (others are held at `rest_position`).
 #pragma once
+
+#include <vector>
 
 #include "murosimf/locomotion/gait.h"
 #include "murosimf/locomotion/gait_clock.h"
@@ -32,6 +34,7 @@ class WalkEngine final : public Algorithm {
   const std::array<Leg, 2>& legs_;  // the model's
   WalkParameters parameters_;
   GaitClock clock_;
+  std::vector<double> rest_;  // [rad | m] by object
   std::span<double> target_;  // [rad] by object
 };
 

@@ -149,7 +149,17 @@ class Builder {
     if (is_free) add_other_names(chain, table_.frames, step.joint->name);
   }
 
-  /// A servo of the table has its own rotor, friction and speed-torque line: the file's describe the same part, and are dropped.
+  void add_rest_position(Chain& chain, const robot_formats::JointDescription& joint) const {
+    const auto found = table_.rest_positions.find(joint.name);
+    if (found == table_.rest_positions.end()) return;
+    const auto& [rest, where] = found->second;
+    if (joint.range && (rest < joint.range->x || rest > joint.range->y))
+      throw SetupError(fmt::format("{}: the rest position of '{}', {}, is not in its range, {} to {}", where,
+                                   joint.name, rest, joint.range->x, joint.range->y));
+    chain.with(properties::rest_position, rest);
+  }
+
+  /// A servo of the table has rotor, friction and speed-torque line of its own: the file's describe the same part.
   void add_joint_constants(Chain& chain, const robot_formats::JointDescription& joint) const {
     if (joint.range) chain.with(properties::joint_range, *joint.range);
     if (joint.reference != 0) chain.with(properties::joint_start, joint.reference);
@@ -166,6 +176,7 @@ class Builder {
     if (std::ranges::count(table_.commanded, joint.name, &TableName::name) > 0) {
       chain.with(properties::loop_commanded, 1.0);
     }
+    add_rest_position(chain, joint);
     const auto found = table_.servos.find(joint.name);
     const bool of_table = found != table_.servos.end();
     const bool same_kind =

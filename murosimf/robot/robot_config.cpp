@@ -34,6 +34,8 @@ class Reader {
         read_other_names(table_of(key, value), table_.joints);
       } else if (key == "rate_limits") {
         read_rate_limits(table_of(key, value));
+      } else if (key == "rest_positions") {
+        read_rest_positions(table_of(key, value));
       } else if (key == "linkages") {
         read_names("linkages", "commanded", table_of(key, value), table_.commanded);
       } else if (key == "surfaces") {
@@ -52,8 +54,8 @@ class Reader {
         read_motions(table_of(key, value));
       } else {
         unknown("table", key,
-                {"soles", "sole_sizes", "frames", "joints", "rate_limits", "linkages", "surfaces", "meshes", "servos",
-                 "sensors", "walk", "balance", "motions"});
+                {"soles", "sole_sizes", "frames", "joints", "rate_limits", "rest_positions", "linkages", "surfaces",
+                 "meshes", "servos", "sensors", "walk", "balance", "motions"});
       }
     }
     return table_;
@@ -108,6 +110,15 @@ class Reader {
         files::fail_at(value.source(), fmt::format("the largest rate of '{}' must be a number from 0", key.str()));
       }
       table_.rate_limits[std::string(key.str())] = {numbers->front(), files::where(key.source())};
+    }
+  }
+
+  void read_rest_positions(const toml::table& positions) {
+    for (const auto& [key, value] : positions) {
+      const auto numbers = value.is_array() ? std::nullopt : files::numbers_of(value);
+      if (!numbers || !std::isfinite(numbers->front()))
+        files::fail_at(value.source(), fmt::format("the rest position of '{}' must be a number", key.str()));
+      table_.rest_positions[std::string(key.str())] = {numbers->front(), files::where(key.source())};
     }
   }
 
@@ -230,6 +241,7 @@ void check_names(const RobotConfig& table, const RobotNames& names) {
   for (const auto& [joint, servo] : table.servos) check_name({joint, servo.where}, "joint", names.joints);
   // Servos and other tables of the file were read before the robot was known: names are checked here.
   for (const auto& [joint, limit] : table.rate_limits) check_name({joint, limit.where}, "joint", names.joints);
+  for (const auto& [joint, rest] : table.rest_positions) check_name({joint, rest.where}, "joint", names.joints);
   for (const auto& [body, surface] : table.surfaces) check_name({body, surface.where}, "body", names.bodies);
   for (const TableName& joint : table.commanded) check_name(joint, "joint", names.joints);
   for (const TableName& mesh : table.part_per_group) check_name(mesh, "mesh", names.meshes);

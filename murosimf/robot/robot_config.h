@@ -17,7 +17,10 @@
 ///     [rate_limits]                # [rad/s | m/s] largest rates of joints (URDF has them itself); 0: none
 ///     LHipYaw = 5.5
 ///
-///     [linkages]                   # joints of loops that have targets: servos of the loops' other joints follow them
+///     [rest_positions]             # [rad | m] where walks and motions hold joints that they do not move; 0 if not given
+///     LHipYaw = 0.1
+///
+///     [linkages]                   # joints of loops that take targets: servos of the loops' other joints follow them
 ///     commanded = ["l_ankle_pitch", "l_ankle_roll"]
 ///
 ///     [surfaces]                   # materials of the pair table (model/material.h), by body
@@ -88,20 +91,21 @@ struct TableMotion {
 
 struct RobotConfig {
   std::vector<TableName> soles;
-  std::vector<std::string> sole_frames;            ///< frames of the soles, after they are placed (role_inference.h)
-  std::map<std::string, TableSole> sole_sizes;     ///< by frame, or body that is welded
-  std::map<std::string, TableName> frames;         ///< frame, body or joint by its other name
-  std::map<std::string, TableName> joints;         ///< joint by its other name
-  std::map<std::string, TableNumber> rate_limits;  ///< [rad/s | m/s] by joint
-  std::vector<TableName> commanded;                ///< joints of loops that have targets
-  std::string default_surface;                     ///< empty: none
-  std::map<std::string, TableName> surfaces;       ///< material by body
-  std::map<std::string, TableServo> servos;        ///< by joint
-  std::vector<TableName> part_per_group;           ///< meshes of several convex parts
-  std::vector<components::SensorTable> sensors;    ///< to make, change or remove
-  OptionValues walk, balance;                      ///< numbers of the walk and of the one with feedback, by their names
-  locomotion::StepTablePtr steps;                  ///< null: none
-  std::map<std::string, TableMotion> motions;      ///< by purpose
+  std::vector<std::string> sole_frames;               ///< where the soles are, once they are placed (role_inference.h)
+  std::map<std::string, TableSole> sole_sizes;        ///< by frame, or body that is welded
+  std::map<std::string, TableName> frames;            ///< frame, body or joint by its other name
+  std::map<std::string, TableName> joints;            ///< joint by its other name
+  std::map<std::string, TableNumber> rate_limits;     ///< [rad/s | m/s] by joint
+  std::map<std::string, TableNumber> rest_positions;  ///< [rad | m] by joint
+  std::vector<TableName> commanded;                   ///< joints of loops that take targets
+  std::string default_surface;                        ///< empty: none
+  std::map<std::string, TableName> surfaces;          ///< material by body
+  std::map<std::string, TableServo> servos;           ///< by joint
+  std::vector<TableName> part_per_group;              ///< meshes of several convex parts
+  std::vector<components::SensorTable> sensors;       ///< that it makes, changes or removes
+  OptionValues walk, balance;                  ///< numbers of the walk and of the one with feedback, by their names
+  locomotion::StepTablePtr steps;              ///< null: none
+  std::map<std::string, TableMotion> motions;  ///< by what they are for
 
   /// Material of a body: its own or the default.
   [[nodiscard]] const std::string& surface(const std::string& body) const;

@@ -314,6 +314,36 @@ TEST(RobotConfig, RateLimitsAreThoseOfTheTable) {
   EXPECT_EQ(complaint("\n[rate_limits]\na = 'x'\n"), ":3:5: the largest rate of 'a' must be a number from 0");
 }
 
+TEST(RobotConfig, RestPositionsAreNumbersOfJoints) {
+  const RobotConfig table = read("[rest_positions]\na = -1.5\nb = 1\n");
+  EXPECT_EQ(table.rest_positions.at("a").number, -1.5);
+  EXPECT_EQ(table.rest_positions.at("b").number, 1);
+  EXPECT_NO_THROW(check_names(table, {.joints = {"a", "b"}}));
+  EXPECT_THROW(check_names(table, {.joints = {"a"}}), SetupError);
+  EXPECT_EQ(complaint("\n[rest_positions]\na = 'x'\n"), ":3:5: the rest position of 'a' must be a number");
+  EXPECT_EQ(complaint("\n[rest_positions]\na = nan\n"), ":3:5: the rest position of 'a' must be a number");
+}
+
+TEST(RobotConfig, RestPositionsAreInTheRangesOfTheirJoints) {
+  const auto table = write("");
+  const auto file = std::filesystem::path(table).replace_extension(".xml");
+  std::ofstream(file)
+      << "<mujoco><worldbody><body name='trunk'><freejoint/><geom size='0.1' mass='1'/><body name='arm'><joint "
+         "name='a' axis='1 0 0' range='-90 0'/><geom size='0.1' mass='1'/></body></body></worldbody></mujoco>";
+  std::ofstream(table) << "[rest_positions]\na = -1.5\n";
+  const ModelPtr model = read_robot(file).model;
+  EXPECT_EQ(*model->find(properties::rest_position, model->object_index("a")), -1.5);
+  std::ofstream(table) << "[rest_positions]\na = 0.5\n";
+  try {
+    (void)read_robot(file);
+    FAIL();
+  } catch (const SetupError& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find(":2:1: the rest position of 'a', 0.5, is not in its range, -1.57"), std::string::npos)
+        << message;
+  }
+}
+
 TEST(RobotConfig, LinkagesNameTheJointsThatTakeTargets) {
   const RobotConfig table = read("[linkages]\ncommanded = ['pitch', 'roll']\n");
   ASSERT_EQ(table.commanded.size(), 2U);
