@@ -24,7 +24,7 @@ except ImportError as missing:
 from comparison import Worst
 
 STATES = 20
-OWN = ["kid21", "quadruped", "car", "spark_nao0", "spark_nao4"]
+OWN = ["kid21", "quadruped", "car", "spark_nao0", "spark_nao4", "booster_k1"]
 TEAMS = ["booster_k1/K1_22dof.urdf", "booster_k1/K1_22dof.xml", "wolfgang_op/wolfgang_description/urdf/robot.urdf"]
 TOLERANCES = {
     "total mass": 1e-9,  # [kg]

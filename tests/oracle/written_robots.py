@@ -25,7 +25,8 @@ except ImportError as missing:
 from comparison import Worst
 
 STATES = 10
-OWN = ["models/kid21.xml", "models/quadruped.xml", "models/car.xml", *(f"models/spark_nao{i}.xml" for i in range(5)),
+OWN = ["models/kid21.xml", "models/quadruped.xml", "models/car.xml", "models/booster_k1.xml",
+       *(f"models/spark_nao{i}.xml" for i in range(5)),
        "examples/data/robot.urdf"]
 TEAMS = ["booster_k1/K1_22dof.urdf", "booster_k1/K1_22dof.xml", "wolfgang_op/wolfgang_description/urdf/robot.urdf"]
 TOLERANCES = {

@@ -80,7 +80,8 @@ TEST(Conversion, WritesTheGainsOfTheTable) {
   fs::remove(fs::path(file).replace_extension(".toml"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Mjcf, OwnModel, testing::Values("kid21", "quadruped", "car", "spark_nao0", "spark_nao4"),
+INSTANTIATE_TEST_SUITE_P(Mjcf, OwnModel,
+                         testing::Values("kid21", "quadruped", "car", "spark_nao0", "spark_nao4", "booster_k1"),
                          [](const auto& model) { return std::string(model.param); });
 
 using TeamFile = std::pair<std::string, fs::path (*)()>;
@@ -301,7 +302,8 @@ TEST_P(AsUrdf, WithItsTableItIsTheSameRobot) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Mjcf, AsUrdf, testing::Values("kid21", "quadruped", "car", "spark_nao0", "spark_nao4"),
+INSTANTIATE_TEST_SUITE_P(Mjcf, AsUrdf,
+                         testing::Values("kid21", "quadruped", "car", "spark_nao0", "spark_nao4", "booster_k1"),
                          [](const auto& model) { return std::string(model.param); });
 
 std::string urdf_with(const std::string& limit, const std::string& gazebo = "") {
