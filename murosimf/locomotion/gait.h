@@ -27,6 +27,7 @@ struct WalkParameters {
   double half_width = 0.0557;      ///< [m] fy, ankle from the middle
   double lead = -0.128;            ///< [rad] of the sway
   double hip_roll = 0.055;         ///< [rad] against droop
+  double arm_swing = 0;            ///< [1] of what balances the legs about the vertical (arm_swing.h)
   Vec3d slew{0.375, 0.25, 2};      ///< [m/s^2, m/s^2, rad/s^2] of the walking velocity
   Vec3d fastest{0.25, 0.10, 0.8};  ///< [m/s, m/s, rad/s] commands beyond are clipped
 };

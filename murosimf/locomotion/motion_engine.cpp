@@ -47,6 +47,7 @@ MotionEngineOptions motion_engine_options(const Model& model, const OptionValues
 MotionEngine::MotionEngine(Setup& setup, const Vec3d& command, const MotionEngineOptions& options)
     : legs_(legs_of(setup.model())),
       gait_(legs_, options.walk, options.feedback, options.stance, options.steps),
+      arms_(setup.model(), legs_, options.walk),
       senses_(setup, legs_),
       clock_(setup, command),
       rates_(static_cast<std::size_t>(setup.model().size())),
@@ -257,6 +258,7 @@ void MotionEngine::walk(double dt) noexcept {
   const bool waits = state_.motion >= 0;
   write_walk(gait_.step(dt, clock_, senses_, gait_state_, pose_among(legs_, target_),
                         {.stops = waits, .answers = can_fall(), .velocity = velocity}));
+  arms_.write(clock_.phase(), clock_.amplitude(), clock_.velocity().x, next_);
 }
 
 void MotionEngine::play() noexcept {

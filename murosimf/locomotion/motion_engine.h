@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "murosimf/locomotion/arm_swing.h"
 #include "murosimf/locomotion/balanced_gait.h"
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/locomotion/keyframe_targets.h"
@@ -85,6 +86,7 @@ class MotionEngine final : public Algorithm {
 
   const std::array<Leg, 2>& legs_;
   BalancedGait gait_;
+  ArmSwing arms_;
   WalkSenses senses_;
   GaitClock clock_;
   std::vector<PlayedMotion> motions_;  // the robot's, and wide steps behind them

@@ -14,6 +14,7 @@ WalkEngine::WalkEngine(Setup& setup, const Vec3d& command, const WalkParameters&
       parameters_(parameters),
       clock_(setup, command),
       rest_(rest_positions(setup.model())),
+      arms_(setup.model(), legs_, parameters_),
       target_(setup.write(properties::joint_target)) {}
 
 void WalkEngine::initialize() {
@@ -31,6 +32,7 @@ void WalkEngine::step(const Instant& instant) noexcept {
 void WalkEngine::write_targets(const GaitPose& start) noexcept {
   write_pose(legs_, gait_pose(legs_, parameters_, clock_.phase(), clock_.amplitude(), clock_.velocity(), start),
              target_);
+  arms_.write(clock_.phase(), clock_.amplitude(), clock_.velocity().x, target_);
 }
 
 }  // namespace murosimf::locomotion

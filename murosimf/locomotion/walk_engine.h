@@ -1,11 +1,12 @@
 /// walk_engine.h - algorithm: turns a walking velocity into joint targets, for each control cycle.
 ///
 /// Reads `walk_command`; keeps its state in gait_phase, gait_amplitude and gait_velocity, so that it can be watched,
-/// saved and restored; writes `joint_target` of all joints (others are held at `rest_position`).
+/// saved and restored; writes `joint_target` of all joints (shoulders as arm_swing.h says, others are held at `rest_position`).
 #pragma once
 
 #include <vector>
 
+#include "murosimf/locomotion/arm_swing.h"
 #include "murosimf/locomotion/gait.h"
 #include "murosimf/locomotion/gait_clock.h"
 #include "murosimf/locomotion/gait_seed.h"
@@ -35,6 +36,7 @@ class WalkEngine final : public Algorithm {
   WalkParameters parameters_;
   GaitClock clock_;
   std::vector<double> rest_;  // [rad | m] by object
+  ArmSwing arms_;
   std::span<double> target_;  // [rad] by object
 };
 
