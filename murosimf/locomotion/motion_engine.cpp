@@ -86,9 +86,9 @@ MotionEngine::MotionEngine(Setup& setup, const Vec3d& command, const MotionEngin
 void MotionEngine::add_motion(const Model& model, const NamedMotion& named) {
   const auto& [name, motion] = named;
   const int number = static_cast<int>(motions_.size());
-  const bool lies = starts_with_any(name, {"dive", "protect", "get_up"});
+  const bool lies = starts_with_any(name, {"dive", "protect", "get_up", "lie_down"});
   motions_.push_back({name, motion, duration(motion), KeyframeTargets(model, motion), motion.start,
-                      name.starts_with("dive"), lies, lies ? -1 : number});
+                      name.starts_with("dive"), lies, name.starts_with("lie_down"), lies ? -1 : number});
   if (motion.kick) kicks_.push_back({number, *motion.kick});
 }
 
@@ -129,11 +129,11 @@ void MotionEngine::read_requests() noexcept {
   if (std::exchange(state_.kick_seen, kick_request_.number) != kick_request_.number) request_kick();
 }
 
-/// Starts a motion: a request waits in `motion` until the robot has stopped. While it falls or plays, requests are ignored.
-void MotionEngine::request_motion(int motion) noexcept {
-  MUROSIMF_ASSERT(motion >= 0 && static_cast<std::size_t>(motion) < named_);
+/// A request waits in `motion` until the robot has stopped. Where it falls or plays already, it is over.
+void MotionEngine::ask(int motion) noexcept {
+  if (rests() && motions_[motion].name.starts_with("get_up")) return begin(MotionMode::lie, -1);
   if (mode() != MotionMode::walk || (!can_fall() && motions_[motion].standing < 0)) return;
-  if (motions_[motion].lies) return begin(MotionMode::play, motion);
+  if (motions_[motion].lies && !motions_[motion].rests) return begin(MotionMode::play, motion);
   state_.motion = motion;
   state_.kick = -1;
 }
@@ -181,6 +181,10 @@ void MotionEngine::choose(double dt) noexcept {
     case MotionMode::walk:
     case MotionMode::play:
       if (means_to_lie && !over) return;
+      if (rests()) {
+        if (!clock_.is_idle({.fastest = gait_.fastest()})) begin(MotionMode::lie, -1);
+        return;
+      }
       if (can_fall() && up < cos_fallen) return lie_down();
       if (can_fall() && up < cos_falling && !means_to_lie) return begin(MotionMode::protect, find_motion("protect_"));
       if (over) return begin(MotionMode::walk, -1);
@@ -202,6 +206,12 @@ void MotionEngine::choose(double dt) noexcept {
     case MotionMode::get_up:
       if (over) return up > cos_upright ? begin(MotionMode::walk, -1) : lie_down();
   }
+}
+
+/// It has lain down because it was asked to.
+bool MotionEngine::rests() const noexcept {
+  if (mode() != MotionMode::play || state_.motion < 0 || !motions_[static_cast<int>(state_.motion)].rests) return false;
+  return state_.time > state_.blend + state_.duration && gait_state_.attitude.up.z < cos_fallen;
 }
 
 void MotionEngine::lie_down() noexcept {

@@ -3,8 +3,9 @@
 /// Modes (motion_state.h), later ones precede earlier ones:
 ///     walk      stands or walks with the velocity in `walk_command` (balanced_gait.h); without a command and undisturbed it stands,
 ///               its feet as far apart as where key frames begin
-///     play      a key-frame motion of a `motion_request` (motion_state.h). It begins when the robot has stopped, a dive at once;
-///               a kick of a `kick_request`, when the robot has walked to where it sends the ball there (kick_plan.h)
+///     play      a key-frame motion that `motion_request` asked for (motion_state.h). It begins when the robot has stopped, a dive at once;
+///               `lie_down` ends lying, and the robot lies until it is asked to walk or for a motion get_up_*;
+///               a kick that `kick_request` asked for, when the robot has walked to where it sends the ball there (kick_plan.h)
 ///     protect   it falls (leans over 35 degrees): plays protect_front, _back, _left or _right, if the robot has it
 ///     lie       it has fallen (60 degrees): waits until it lies still
 ///     get_up    plays get_up_front, _back, _left or _right by the side that it lies on, and again if it does not stand then
@@ -60,8 +61,9 @@ class MotionEngine final : public Algorithm {
     KeyframeTargets targets;
     std::vector<double> values;  // of this instant, by column
     bool dives = false;
-    bool lies = false;  ///< the robot goes down on purpose, or comes from there
-    int standing = -1;  ///< the motion that replaces it where a robot cannot fall: itself, a wide step, or -1, none
+    bool lies = false;   ///< the robot is meant to go down, or to come from there
+    bool rests = false;  ///< it stays down until it is asked to walk or to get up
+    int standing = -1;   ///< what is played instead where a robot cannot fall: itself, a wide step, or -1, nothing
   };
 
   void read_requests() noexcept;
@@ -81,6 +83,7 @@ class MotionEngine final : public Algorithm {
   void limit_rates(double dt) noexcept;
   [[nodiscard]] double blend_time() const noexcept;
   [[nodiscard]] MotionMode mode() const noexcept { return static_cast<MotionMode>(state_.mode); }
+  [[nodiscard]] bool rests() const noexcept;
   [[nodiscard]] bool can_fall() const noexcept { return dynamic_ != 0; }
   [[nodiscard]] int find_motion(std::string_view kind) const noexcept;
 
