@@ -140,6 +140,45 @@ TEST(MotionEngine, GetsSparkNaosUpFromTheirFronts) {
   }
 }
 
+TEST(MotionEngine, GetsABoosterK1UpFromEverySide) {
+  for (const char* lies : {"pitch_deg=90", "pitch_deg=-90", "roll_deg=90", "roll_deg=-90"}) {
+    Walker walker("full_dynamics", "[0,0,0]", {"walker.model=booster_k1", std::string("walker.") + lies});
+    walker.run(11s);  // a second try, where the first one fails
+    EXPECT_GT(walker.upright(), 0.9) << lies;
+    EXPECT_EQ(walker.mode(), MotionMode::walk) << lies;
+  }
+}
+
+TEST(MotionEngine, LiesDownUntilItIsAskedToGetUpOrToWalk) {
+  for (const bool asks_to_walk : {false, true}) {
+    Walker walker("full_dynamics", "[0,0,0]", {"walker.model=booster_k1"});
+    walker.run(1s);
+    walker.ask("lie_down");
+    walker.run(10s);
+    EXPECT_LT(walker.upright(), 0.2);
+    EXPECT_EQ(walker.mode(), MotionMode::play);
+    if (asks_to_walk) walker.robot.base().set(properties::walk_command, {0.1, 0, 0});
+    if (!asks_to_walk) walker.ask("get_up_front");
+    walker.run(11s);
+    EXPECT_GT(walker.upright(), 0.9) << asks_to_walk;
+    EXPECT_EQ(walker.mode(), MotionMode::walk) << asks_to_walk;
+    EXPECT_EQ(walker.robot.base().get(properties::motion_state).falls, 0) << "it was asked to";
+  }
+}
+
+TEST(MotionEngine, StandsAfterABoosterK1HasKicked) {
+  for (const char* level : {"simplified_dynamics", "full_dynamics", articulated}) {
+    Walker walker(level, "[0,0,0]", {"walker.model=booster_k1"});
+    walker.run(1s);
+    walker.ask("kick_left");
+    walker.run(300ms);
+    EXPECT_EQ(walker.mode(), MotionMode::play) << level;
+    walker.run(4s);
+    EXPECT_EQ(walker.mode(), MotionMode::walk) << level;
+    EXPECT_EQ(walker.robot.base().get(properties::motion_state).falls, 0) << level;
+  }
+}
+
 TEST(MotionEngine, FallsGetsUpAndGoesOnAfterAPushThatNothingHelpsAgainst) {
   Walker walker(articulated, "[0.15,0,0]");
   walker.run(3s);
