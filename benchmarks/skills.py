@@ -15,9 +15,9 @@ Every experiment has --runs runs at each level; run k has its own seed, lean (up
     kick     every motion `*kick_*`, with a ball where its foot is (--ball, --side-ball): standing after a ball of more than
              1.5 m/s; mean speed of the ball
     dive     to both sides: torso down within 0.8 s; with `motions` also up again 15 s later
-    protect  from a lean of 35 degrees to front and back: the head's largest deceleration (4 ms) is less than half of that of
+    protect  from a lean of 35 degrees to front, back, left and right: the head's largest deceleration (4 ms) is less than half of that of
              a robot that keeps its stance (not with `motions`); mean deceleration
-    push     0.1 s at the torso's center of mass, standing and at 0.15 m/s: the largest impulse, of a ladder of 0.25 N s, that
+    push     0.1 s at the torso's center of mass, standing and at 0.15 m/s: the largest impulse, of a ladder of --step (0.25 N s), that
              is survived in all of 8 phases; unperturbed, at the last of --levels only, or at each with --all-pushes
 
 Which motions there are, the robot's TOML file says in [motions]; what it does not name is left out. --controller: `walk`
@@ -46,6 +46,7 @@ PUSHES = {"forward": (1, 0), "backward": (-1, 0), "left": (0, 1), "right": (0, -
 UP = 0.85  # [1] of the height at which it stands: it stands
 AIMS, BALL_TO_AIM_AT, BALL_WAY_M = (-60, -30, 0, 30, 60, 90), (0.2, 0.056), 0.5
 BALL_SPEED, DOWN_S, STEP_NS, LARGEST_NS, PERIOD_S = 1.5, 0.8, 0.25, 5.0, 0.452
+FALLS = {"front": "pitch_deg=35", "back": "pitch_deg=-35", "left": "roll_deg=-35", "right": "roll_deg=35"}
 SCENE = """duration = 5.0
 [field]
 size = "kid_size_2008"
@@ -257,14 +258,14 @@ class Bench:
             self.table("dive", name, one, "s until the torso is down")
 
     def protect(self):
-        for side, pitch in (("front", 35), ("back", -35)):
+        for side, leans in FALLS.items():
             if f"protect_{side}" not in self.robot.motions:
                 continue
 
-            def peak(level, perturbed, controller, changes, lean=pitch):
+            def peak(level, perturbed, controller, changes, leans=leans):
                 """[g] of the head, over 4 ms."""
                 head = f"robot.{self.robot.head}.linear_velocity"
-                run = self.run(level, controller, 1.5, perturbed, [f"robot.pitch_deg={lean}", *changes], logs=[head], rate=1000)
+                run = self.run(level, controller, 1.5, perturbed, [f"robot.{leans}", *changes], logs=[head], rate=1000)
                 v = list(zip(*(run.column(f"{head}.{axis}") for axis in "xyz"), strict=True))
                 return max(math.dist(a, b) for a, b in zip(v[10:], v[14:], strict=False)) / 0.004 / 9.81
 
@@ -285,14 +286,15 @@ class Bench:
 
     def largest(self, level, speed, to):
         """[N s] survived in all phases."""
-        for step in range(1, round(self.arguments.largest / STEP_NS) + 1):
-            force = [10 * STEP_NS * step * axis for axis in to]
+        rung = self.arguments.step
+        for step in range(1, round(self.arguments.largest / rung) + 1):
+            force = [10 * rung * step * axis for axis in to]
             for phase in range(self.arguments.phases):
                 begin = 2.5 + PERIOD_S * phase / self.arguments.phases
                 push = f"robot.{self.robot.torso}=[{force[0]:g},{force[1]:g},0]@{begin:.3f}..{begin + 0.1:.3f}"
                 run = self.run(level, self.walker(), 6, [], [f"robot.command=[{speed}, 0, 0]"], pushes=[push])
                 if run.falls > 0:
-                    return STEP_NS * (step - 1)
+                    return rung * (step - 1)
         return self.arguments.largest
 
 
@@ -316,12 +318,13 @@ def arguments_of():
     parser.add_argument("--walk-s", type=float, default=20.0, help="seconds of each walk")
     parser.add_argument("--phases", type=int, default=8, help="instants of a step at which a push begins")
     parser.add_argument("--largest", type=float, default=LARGEST_NS, help="N s: the end of the ladder of pushes")
+    parser.add_argument("--step", type=float, default=STEP_NS, help="N s: of that ladder")
     parser.add_argument("--all-pushes", action="store_true", help="push at each level")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--out", help="write the rows to this file, as JSON")
     arguments = parser.parse_args()
-    if min(arguments.runs, arguments.phases, arguments.jobs, arguments.walk_s, arguments.largest) <= 0:
-        parser.error("--runs, --phases, --jobs, --walk-s and --largest must be above 0")
+    if min(arguments.runs, arguments.phases, arguments.jobs, arguments.walk_s, arguments.largest, arguments.step) <= 0:
+        parser.error("--runs, --phases, --jobs, --walk-s, --largest and --step must be above 0")
     if not shutil.which(arguments.program):
         parser.error(f"'{arguments.program}' is no program")
     possible = OF_CONTROLLER[arguments.controller]

@@ -140,6 +140,21 @@ TEST(MotionEngine, GetsSparkNaosUpFromTheirFronts) {
   }
 }
 
+TEST(MotionEngine, ProtectsItselfOnTheSideToWhichItFallsAndGetsUp) {
+  for (const auto& [lean, name] :
+       {std::pair{"roll_deg=-38", "protect_left"}, std::pair{"roll_deg=38", "protect_right"}}) {
+    Walker walker(articulated, "[0,0,0]", {std::string("walker.") + lean});
+    walker.run(100ms);
+    ASSERT_EQ(walker.mode(), MotionMode::protect) << name;
+    const NamedMotions& motions = *walker.robot.model().find(properties::given_motions, 0);
+    const double motion = walker.robot.base().get(properties::motion_state).motion;
+    EXPECT_EQ(motions.at(static_cast<std::size_t>(motion)).name, name);
+    walker.run(11s);
+    EXPECT_GT(walker.upright(), 0.9) << name;
+    EXPECT_EQ(walker.mode(), MotionMode::walk) << name;
+  }
+}
+
 TEST(MotionEngine, GetsABoosterK1UpFromEverySide) {
   for (const char* lies : {"pitch_deg=90", "pitch_deg=-90", "roll_deg=90", "roll_deg=-90"}) {
     Walker walker("full_dynamics", "[0,0,0]", {"walker.model=booster_k1", std::string("walker.") + lies});
