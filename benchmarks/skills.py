@@ -15,10 +15,11 @@ Every experiment has --runs runs at each level; run k has its own seed, lean (up
     kick     every motion `*kick_*`, with a ball where its foot is (--ball, --side-ball): standing after a ball of more than
              1.5 m/s; mean speed of the ball
     dive     to both sides: torso down within 0.8 s; with `motions` also up again 15 s later
-    protect  from a lean of 35 degrees to front, back, left and right: the head's largest deceleration (4 ms) is less than half of that of
-             a robot that keeps its stance (not with `motions`); mean deceleration
-    push     0.1 s at the torso's center of mass, standing and at 0.15 m/s: the largest impulse, of a ladder of --step (0.25 N s), that
-             is survived in all of 8 phases; unperturbed, at the last of --levels only, or at each with --all-pushes
+    protect  from a lean of 35 degrees to front, back, left and right: the head's largest deceleration (4 ms) is less than half
+             of that of a robot that keeps its stance (not with `motions`); mean deceleration
+    push     0.1 s at the torso's center of mass, standing and at 0.15 m/s: the largest impulse, of a ladder of --step
+             (0.25 N s), that is survived in all of 8 phases; unperturbed, at the last of --levels only, or at each with
+             --all-pushes
 
 Which motions there are, the robot's TOML file says in [motions]; what it does not name is left out. --controller: `walk`
 walks only, `keyframes` plays motions only, `motions` does both with the motion engine; without it walk and keyframes, each
