@@ -21,7 +21,7 @@
 namespace murosimf {
 
 namespace api {
-struct BatchInside;
+class BatchInside;
 }
 
 inline namespace v0 {
@@ -37,6 +37,9 @@ class MUROSIMF_API Batch {
   [[nodiscard]] std::size_t size() const;
   /// One of the worlds as a scene, shared with the batch. It must not be used during step(). Throws InputError beyond the last.
   [[nodiscard]] Scene world(std::size_t number) const;
+
+  /// Equal states have equal hashes; that of a Scene in the same state. Throws InputError beyond the last.
+  [[nodiscard]] std::uint64_t state_hash(std::size_t world) const;
 
   void step(int steps = 1);
   /// Resets the worlds with a nonzero entry, or all if there are no entries, to `seed` plus their number.
@@ -58,6 +61,7 @@ class MUROSIMF_API Batch {
 
  private:
   [[nodiscard]] api::BatchInside& inside() const;
+  void check(std::size_t world) const;
   std::unique_ptr<api::BatchInside> inside_;
 };
 

@@ -28,15 +28,15 @@ void GroundLanes::step(LaneMask due, const Instant& instant) noexcept {
   for_lanes(due, [&](int lane) {
     if (member(lane).dynamic_ != 0) lanes |= lane_bit(lane);
   });
-  if (std::popcount(lanes) < fewest_in_lanes) lanes = 0;  // with few robots, packs cost more than they save
-  for_lanes(due & ~lanes, [&](int lane) { member(lane).step(instant); });
+  if (std::popcount(lanes) < fewest_in_lanes) lanes = 0;
+  for_lanes(due & ~lanes, [&](int lane) { member(lane).step(of_lane(lane, instant)); });
   if (lanes == 0) return;
   for_lanes(lanes, [&](int lane) { static_cast<void>(member(lane).begin_step(instant)); });
   find_on_planes(lanes);
   for_lanes(lanes, [&](int lane) {
     GroundContact& robot = member(lane);
     robot.find_rest(robot.set_.points.size());
-    robot.end_step(instant);
+    robot.end_step(of_lane(lane, instant));
   });
 }
 

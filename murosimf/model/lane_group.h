@@ -30,6 +30,19 @@ class LaneGroup {
   /// Executes one step of the members in `due`, by their numbers; bit for bit the result of Algorithm::step() of each. The others are
   /// not changed.
   virtual void step(LaneMask due, const Instant& instant) noexcept = 0;
+
+  /// In the next steps the members begin at these simulated times, by lane, instead of at that of the instant: they belong to several
+  /// simulations. Null: to one.
+  void begin_at(const Duration* times) noexcept { times_ = times; }
+
+ protected:
+  /// As one member has it.
+  [[nodiscard]] Instant of_lane(int lane, const Instant& instant) const noexcept {
+    return {times_ ? times_[lane] : instant.now, instant.period, instant.parallel_for};
+  }
+
+ private:
+  const Duration* times_ = nullptr;
 };
 
 }  // namespace murosimf

@@ -58,8 +58,8 @@ ArticulatedLanes::ArticulatedLanes(std::vector<ArticulatedDynamics*> members)
 }
 
 void ArticulatedLanes::step(LaneMask due, const Instant& instant) noexcept {
-  if (std::popcount(due) < fewest_in_lanes) return for_lanes(due, [&](int lane) { member(lane).step(instant); });
-  MUROSIMF_ASSERT(due >> members_.size() == 0 && instant.period > Duration{});
+  if (std::popcount(due) < fewest_in_lanes)
+    return for_lanes(due, [&](int lane) { member(lane).step(of_lane(lane, instant)); });
   dt_ = seconds(instant.period);
   const LaneMask lanes = trees_.ready(due);
   LaneMask moved = 0;

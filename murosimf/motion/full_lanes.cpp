@@ -18,7 +18,7 @@ FullLanes::FullLanes(std::vector<FullDynamics*> members)
 void FullLanes::step(LaneMask due, const Instant& instant) noexcept {
   MUROSIMF_ASSERT(due >> members_.size() == 0 && instant.period > Duration{});
   const LaneMask lanes = trees_.ready(due);
-  for_lanes(due & ~lanes, [&](int lane) { member(lane).step(instant); });
+  for_lanes(due & ~lanes, [&](int lane) { member(lane).step(of_lane(lane, instant)); });
   if (lanes == 0) return;
   dt_ = seconds(instant.period);
   begin(lanes);
@@ -86,7 +86,7 @@ void FullLanes::end(LaneMask lanes, const Instant& instant) noexcept {
   // before the bases move: torques belong to the poses at the beginning of the step
   find_torques(together);
   for_lanes(together, [&](int lane) {
-    member(lane).watch_torques(instant);
+    member(lane).watch_torques(of_lane(lane, instant));
     member(lane).tree_.contacts.commit();
   });
   const LaneMask moved = trees_.advance_bases(base_, dt_, together);

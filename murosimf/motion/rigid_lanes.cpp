@@ -15,7 +15,7 @@ RigidLanes::RigidLanes(std::vector<SimplifiedDynamics*> members)
 void RigidLanes::step(LaneMask due, const Instant& instant) noexcept {
   MUROSIMF_ASSERT(due >> members_.size() == 0);
   if (std::popcount(due) < fewest_in_lanes) {
-    return for_lanes(due, [&](int lane) { member(lane).step(instant); });
+    return for_lanes(due, [&](int lane) { member(lane).step(of_lane(lane, instant)); });
   }
   LaneMask lanes = 0;
   for_lanes(due, [&](int lane) {

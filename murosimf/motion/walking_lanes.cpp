@@ -16,7 +16,7 @@ WalkingLanes::WalkingLanes(std::vector<KinematicWalking*> members)
 void WalkingLanes::step(LaneMask due, const Instant& instant) noexcept {
   MUROSIMF_ASSERT(due >> members_.size() == 0 && instant.period > Duration{});
   if (std::popcount(due) < fewest_in_lanes) {
-    return for_lanes(due, [&](int lane) { member(lane).step(instant); });
+    return for_lanes(due, [&](int lane) { member(lane).step(of_lane(lane, instant)); });
   }
   LaneMask lanes = 0;
   // a robot whose numbers are not sane is frozen by begin_step and leaves the lanes

@@ -1,0 +1,82 @@
+#include "murosimf/api/batch_bench.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "murosimf/api/told.h"
+#include "murosimf/model/properties.h"
+#include "murosimf/motion/motion_properties.h"
+
+namespace murosimf::api {
+namespace {
+
+template <class T>
+const std::vector<T>& values_of(const Entity& robot, const Property<T>& property) {
+  const Column<T>* column = robot.find(property);
+  if (!column) throw SetupError(fmt::format("'{}' has no {} at {}", robot.name(), property.name, robot.level));
+  return column->values;
+}
+
+}  // namespace
+
+RobotColumns::RobotColumns(Entity& robot, const JointRows& rows)
+    : joints(rows.objects),
+      position(values_of(robot, properties::joint_position)),
+      velocity(values_of(robot, properties::joint_velocity)),
+      place(values_of(robot, properties::position)),
+      linear(values_of(robot, properties::linear_velocity)),
+      angular(values_of(robot, properties::angular_velocity)),
+      orientation(values_of(robot, properties::orientation)),
+      lying(robot.find(properties::lying)),
+      target(robot.find(properties::joint_target) ? &robot.column(properties::joint_target) : nullptr) {}
+
+BatchBench::BatchBench(std::vector<std::shared_ptr<SceneInside>> scenes, int robot)
+    : scenes_(std::move(scenes)), seeds_(scenes_.size()), robot_(robot), lanes_(simulations_of(scenes_)) {
+  for (std::size_t i = 0; i < scenes_.size(); ++i) {
+    scenes_[i]->begun = true;
+    seeds_[i] = scenes_[i]->scene.spec().seed;
+  }
+}
+
+std::vector<Simulation*> BatchBench::simulations_of(const std::vector<std::shared_ptr<SceneInside>>& scenes) {
+  std::vector<Simulation*> simulations;
+  for (const auto& scene : scenes) simulations.push_back(&scene->simulation());
+  return simulations;
+}
+
+void BatchBench::join_again() { lanes_ = SimulationLanes(simulations_of(scenes_)); }
+
+LaneMask BatchBench::lanes(const std::vector<BatchWorld>& worlds) const {
+  LaneMask lanes = 0;
+  for (std::size_t i = 0; first_ != nothing && i < scenes_.size() && first_ + i < worlds.size(); ++i) {
+    if (!worlds[first_ + i].whole) lanes |= lane_bit(static_cast<int>(i));
+  }
+  return lanes;
+}
+
+void BatchBench::store(std::vector<BatchWorld>& worlds) {
+  for_lanes(lanes(worlds), [&](int lane) {
+    packer_.save(scene(lane).simulation(), worlds[first_ + static_cast<std::size_t>(lane)].state);
+  });
+}
+
+void BatchBench::bring(std::vector<BatchWorld>& worlds, std::size_t first, LaneMask renewed) {
+  if (first_ == first) return;
+  store(worlds);
+  first_ = first;
+  for_lanes(lanes(worlds) & ~renewed, [&](int lane) {
+    const BatchWorld& world = worlds[first_ + static_cast<std::size_t>(lane)];
+    std::uint64_t& seed = seeds_[static_cast<std::size_t>(lane)];
+    if (seed != world.seed) scene(lane).simulation().reseed(world.seed);
+    seed = world.seed;
+    told([&] { packer_.load(scene(lane).simulation(), world.state); });
+  });
+}
+
+void BatchBench::reset(int lane, std::uint64_t seed) {
+  seeds_[static_cast<std::size_t>(lane)] = seed;
+  told([&] { scene(lane).scene.reset(seed); });
+}
+
+}  // namespace murosimf::api

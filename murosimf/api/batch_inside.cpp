@@ -1,0 +1,240 @@
+#include "murosimf/api/batch_inside.h"
+
+#include <algorithm>
+#include <exception>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "murosimf/api/told.h"
+#include "murosimf/model/properties.h"
+
+namespace murosimf::api {
+namespace {
+
+/// Whether all that decides how a world of this scene goes on is its state: software from outside remembers more.
+bool is_state_only(SceneInside& inside) {
+  const scene::SceneParts& parts = inside.scene.parts();
+  const auto from_outside = [](const scene_file::RobotSpec& robot) {
+    return robot.controller == "library" || robot.controller == "serial" || robot.controller == "tcp";
+  };
+  return SimulationLanes::can_hold(inside.simulation()) && !parts.software && !parts.recorder &&
+         std::ranges::none_of(parts.spec.robots, from_outside);
+}
+
+void put(const Vec3d& v, double* to) {
+  to[0] = v.x;
+  to[1] = v.y;
+  to[2] = v.z;
+}
+
+}  // namespace
+
+BatchInside::BatchInside(const std::string& scene, std::size_t worlds, const SceneOptions& options, int threads)
+    : template_(open_scene(scene, options)), seed_(template_->scene.spec().seed), worlds_(worlds), pool_(threads) {
+  template_->begin();
+  const auto& robots = template_->scene.parts().robots;
+  if (robots.empty()) throw InputError(fmt::format("scene '{}' has no robot", scene));
+  robot_ = template_->world().index_of(robots[0]);
+  const auto workers = static_cast<std::size_t>(threads);
+  width_ = std::min<std::size_t>(Pack8::lanes, (worlds + workers - 1) / workers);
+  rows_.position.resize(worlds * joints());
+  rows_.velocity = targets_ = rows_.position;
+  rows_.pose.resize(7 * worlds);
+  rows_.base_velocity.resize(6 * worlds);
+  rows_.fallen.resize(worlds);
+  for (std::size_t i = 0; i < worlds; ++i) worlds_[i].seed = seed_ + i;
+  if (is_state_only(*template_)) {
+    make_benches(threads);
+    reset(seed_, {});
+  } else {
+    for (std::size_t i = 0; i < worlds; ++i) {
+      worlds_[i].whole = i == 0 ? template_ : another_scene(*template_, seed_ + i);
+      worlds_[i].whole->begin();
+    }
+  }
+}
+
+void BatchInside::make_benches(int threads) {
+  const std::size_t blocks = (worlds_.size() + width_ - 1) / width_;
+  for (std::size_t b = 0; b < std::min(static_cast<std::size_t>(threads), blocks); ++b) {
+    std::vector<std::shared_ptr<SceneInside>> scenes;
+    while (scenes.size() < width_) {
+      const bool first = b == 0 && scenes.empty();
+      scenes.push_back(first ? template_ : another_scene(*template_, seed_));
+    }
+    benches_.push_back(told([&] { return std::make_unique<BatchBench>(std::move(scenes), robot_); }));
+    free_.push_back(benches_.back().get());
+  }
+}
+
+/// Calls use(block) for all blocks of worlds, in several threads. The first that throws is told.
+template <class Use>
+void BatchInside::for_blocks(const Use& use) {
+  const std::size_t blocks = (worlds_.size() + width_ - 1) / width_;
+  std::vector<std::exception_ptr> thrown(blocks);
+  pool_.for_each(blocks, [&](std::size_t block) {
+    try {
+      use(block);
+    } catch (...) {
+      thrown[block] = std::current_exception();
+    }
+  });
+  const auto first = std::ranges::find_if(thrown, [](const auto& error) { return error != nullptr; });
+  if (first != thrown.end()) std::rethrow_exception(*first);
+}
+
+/// One that has these worlds, if there is one.
+BatchBench& BatchInside::take_bench(std::size_t first) {
+  const std::lock_guard lock(choosing_);
+  auto chosen = std::ranges::find(free_, first, [](const BatchBench* bench) { return bench->first(); });
+  if (chosen == free_.end()) chosen = free_.begin();
+  BatchBench& bench = **chosen;
+  free_.erase(chosen);
+  return bench;
+}
+
+void BatchInside::give_back(BatchBench& bench) {
+  const std::lock_guard lock(choosing_);
+  free_.push_back(&bench);
+}
+
+/// Calls use(bench) with the worlds of a block on it.
+template <class Use>
+void BatchInside::use_bench(std::size_t block, LaneMask renewed, const Use& use) {
+  if (benches_.empty()) return;
+  BatchBench& bench = take_bench(block * width_);
+  try {
+    bench.bring(worlds_, block * width_, renewed);
+    take_targets(bench);
+    use(bench);
+  } catch (...) {
+    give_back(bench);
+    throw;
+  }
+  give_back(bench);
+}
+
+void BatchInside::take_targets(BatchBench& bench) {
+  for_lanes(bench.lanes(worlds_), [&](int lane) {
+    const std::size_t i = bench.first() + static_cast<std::size_t>(lane);
+    if (std::exchange(worlds_[i].has_targets, false)) put_targets(i, bench.columns(lane));
+  });
+}
+
+void BatchInside::put_targets(std::size_t world, const RobotColumns& robot) const {
+  const double* from = targets_.data() + world * robot.joints.size();
+  for (const int joint : robot.joints) robot.target->values[static_cast<std::size_t>(joint)] = *from++;
+}
+
+void BatchInside::step(int steps) {
+  for_blocks([&](std::size_t block) {
+    use_bench(block, 0, [&](BatchBench& bench) {
+      const LaneMask lanes = bench.lanes(worlds_);
+      bench.step(lanes, steps);
+      for_lanes(lanes, [&](int lane) { show(bench.first() + static_cast<std::size_t>(lane), bench.columns(lane)); });
+    });
+    for (std::size_t i = block * width_; i < std::min(size(), (block + 1) * width_); ++i) {
+      for (int step = 0; worlds_[i].whole && step < steps; ++step) worlds_[i].whole->step();
+    }
+  });
+}
+
+void BatchInside::reset(std::uint64_t seed, std::span<const std::uint8_t> which) {
+  for_blocks([&](std::size_t block) {
+    LaneMask renewed = 0;
+    for (std::size_t i = block * width_; i < std::min(size(), (block + 1) * width_); ++i) {
+      if (!which.empty() && !which[i]) continue;
+      renewed |= lane_bit(static_cast<int>(i - block * width_));
+      worlds_[i].seed = seed + i;
+      worlds_[i].has_targets = false;
+      if (worlds_[i].whole) told([&] { worlds_[i].whole->scene.reset(seed + i); });
+    }
+    if (renewed == 0) return;
+    use_bench(block, renewed, [&](BatchBench& bench) {
+      for_lanes(bench.lanes(worlds_) & renewed, [&](int lane) {
+        const std::size_t i = bench.first() + static_cast<std::size_t>(lane);
+        bench.reset(lane, seed + i);
+        show(i, bench.columns(lane));
+      });
+    });
+  });
+}
+
+void BatchInside::set_targets(std::span<const double> targets) {
+  check_row(targets, targets_.size(), "joint_target of the batch");
+  const auto check = [&](SceneInside& scene) {
+    scene.check_targets_are_free(robot_);
+    const Entity& robot = scene.entity(robot_);
+    if (!robot.find(properties::joint_target))
+      throw InputError(fmt::format("'{}' has no joint_target at {}", robot.name(), robot.level));
+  };
+  check(*template_);
+  for (const BatchWorld& world : worlds_) {
+    if (world.whole) check(*world.whole);
+  }
+  std::ranges::copy(targets, targets_.begin());
+  for (std::size_t i = 0; i < size(); ++i) {
+    if (worlds_[i].whole) {
+      put_targets(i, columns_of_whole(i));
+    } else {
+      worlds_[i].has_targets = true;
+    }
+  }
+}
+
+/// Never the scene of a bench.
+std::shared_ptr<SceneInside> BatchInside::whole(std::size_t world) {
+  if (worlds_[world].whole) return worlds_[world].whole;
+  auto scene = another_scene(*template_, worlds_[world].seed);
+  scene->begin();
+  use_bench(world / width_, 0, [&](BatchBench& bench) {
+    bench.store(worlds_);
+    StatePacker packer;
+    told([&] { packer.load(scene->simulation(), worlds_[world].state); });
+  });
+  worlds_[world].state = {};
+  return worlds_[world].whole = std::move(scene);
+}
+
+std::uint64_t BatchInside::state_hash(std::size_t world) {
+  if (worlds_[world].whole) return worlds_[world].whole->simulation().state_hash();
+  std::uint64_t hash = 0;
+  use_bench(world / width_, 0,
+            [&](BatchBench& bench) { hash = bench.scene(static_cast<int>(world % width_)).simulation().state_hash(); });
+  return hash;
+}
+
+RobotColumns BatchInside::columns_of_whole(std::size_t world) {
+  SceneInside& scene = *worlds_[world].whole;
+  return {scene.entity(robot_), scene.joints(robot_)};
+}
+
+auto BatchInside::show() -> Rows& {
+  for (std::size_t i = 0; i < size(); ++i) {
+    if (worlds_[i].whole) show(i, columns_of_whole(i));
+  }
+  return rows_;
+}
+
+void BatchInside::show(std::size_t world, const RobotColumns& robot) {
+  const std::size_t each = robot.joints.size();
+  for (std::size_t k = 0; k < each; ++k) {
+    const auto object = static_cast<std::size_t>(robot.joints[k]);
+    rows_.position[world * each + k] = robot.position[object];
+    rows_.velocity[world * each + k] = robot.velocity[object];
+  }
+  double* const pose = rows_.pose.data() + 7 * world;
+  put(robot.place[0], pose);
+  const Rotation turned = rotation_of(robot.orientation[0]);
+  pose[3] = turned.w;
+  pose[4] = turned.x;
+  pose[5] = turned.y;
+  pose[6] = turned.z;
+  double* const velocity = rows_.base_velocity.data() + 6 * world;
+  put(robot.linear[0], velocity);
+  put(robot.angular[0], velocity + 3);
+  rows_.fallen[world] = robot.lying && robot.lying->values[0] == 1;
+}
+
+}  // namespace murosimf::api

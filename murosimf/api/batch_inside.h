@@ -1,0 +1,69 @@
+/// batch_inside.h - what stands behind the handle of a batch: the states of its worlds, the benches where they are stepped, and rows of
+/// what they show.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "murosimf/api/batch_bench.h"
+#include "murosimf/runtime/thread_pool.h"
+
+namespace murosimf::api {
+
+class BatchInside {
+ public:
+  BatchInside(const std::string& scene, std::size_t worlds, const SceneOptions& options, int threads);
+
+  [[nodiscard]] std::size_t size() const { return worlds_.size(); }
+  [[nodiscard]] std::size_t joints() { return template_->joints(robot_).objects.size(); }
+  [[nodiscard]] std::uint64_t seed() const { return seed_; }
+
+  void step(int steps);
+  /// Of a world: that of the batch plus its number.
+  void reset(std::uint64_t seed, std::span<const std::uint8_t> which);
+  void set_targets(std::span<const double> targets);
+
+  /// From now on a scene of its own.
+  [[nodiscard]] std::shared_ptr<SceneInside> whole(std::size_t world);
+  [[nodiscard]] std::uint64_t state_hash(std::size_t world);
+
+  /// Rows of what worlds show now; those of whole scenes, which others may have changed, are renewed by show().
+  struct Rows {
+    std::vector<double> position, velocity;   ///< (worlds, joints)
+    std::vector<double> pose, base_velocity;  ///< (worlds, 7), (worlds, 6)
+    std::vector<std::uint8_t> fallen;         ///< (worlds)
+  };
+  [[nodiscard]] Rows& show();
+
+ private:
+  template <class Use>
+  void for_blocks(const Use& use);
+  template <class Use>
+  void use_bench(std::size_t block, LaneMask renewed, const Use& use);
+  [[nodiscard]] BatchBench& take_bench(std::size_t first);
+  void give_back(BatchBench& bench);
+  void make_benches(int threads);
+  void take_targets(BatchBench& bench);
+  void put_targets(std::size_t world, const RobotColumns& robot) const;
+  void show(std::size_t world, const RobotColumns& robot);
+  [[nodiscard]] RobotColumns columns_of_whole(std::size_t world);
+
+  std::shared_ptr<SceneInside> template_;
+  std::uint64_t seed_;
+  int robot_ = 0;
+  std::vector<BatchWorld> worlds_;
+  std::size_t width_ = 1;  // worlds of a block: what a bench holds
+  ThreadPool pool_;
+  std::mutex choosing_;
+  std::vector<std::unique_ptr<BatchBench>> benches_;
+  std::vector<BatchBench*> free_;
+  std::vector<double> targets_;  // (worlds, joints)
+  Rows rows_;
+};
+
+}  // namespace murosimf::api

@@ -1,0 +1,171 @@
+// Worlds of a batch step side by side in lanes, and wait as packed states: each of them is a Scene alone, bit for bit.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "murosimf/batch.h"
+
+namespace murosimf::api {
+namespace {
+
+SceneOptions options_of(const std::string& level, std::vector<std::string> more = {}) {
+  std::vector<std::string> set = {"walker.level=" + level, "walker.controller=none", "start.jitter_heading_deg=20",
+                                  "start.jitter_posture_deg=5"};
+  set.insert(set.end(), more.begin(), more.end());
+  return {.set = set};
+}
+
+/// Makes the same calls of a batch, and of scenes of which each is alone.
+class BatchAndScenes {
+ public:
+  BatchAndScenes(const std::string& scene, std::size_t worlds, SceneOptions options, int threads)
+      : batch_(scene, worlds, with_seed(options), threads) {
+    for (std::size_t i = 0; i < worlds; ++i) {
+      options.seed = 1 + i;
+      alone_.emplace_back(scene, options);
+    }
+  }
+  Batch& batch() { return batch_; }
+  Scene& alone(std::size_t i) { return alone_[i]; }
+
+  void step(int steps) {
+    batch_.step(steps);
+    for (Scene& scene : alone_) scene.step(steps);
+  }
+  /// Wild ones: robots fall.
+  void move(double size) {
+    const std::size_t each = batch_.joints();
+    std::vector<double> targets(batch_.size() * each);
+    for (double& target : targets) target = size * std::sin(++turn_ * 0.7);
+    batch_.set_joint_target(targets);
+    for (std::size_t i = 0; i < alone_.size(); ++i)
+      alone_[i].robot().set_joint_target(std::span(targets).subspan(i * each, each));
+  }
+  void reset(std::uint64_t seed, std::size_t every, std::size_t from) {
+    std::vector<std::uint8_t> which(batch_.size());
+    for (std::size_t i = from; i < which.size(); i += every) {
+      which[i] = 1;
+      alone_[i].reset(seed + i);
+    }
+    batch_.reset(seed, which);
+  }
+  void expect_equal() {
+    const auto q = batch_.joint_position();
+    const std::size_t each = batch_.joints();
+    for (std::size_t i = 0; i < alone_.size(); ++i) {
+      EXPECT_EQ(batch_.state_hash(i), alone_[i].state_hash()) << "world " << i << " of " << alone_.size();
+      const auto own = alone_[i].robot().joint_position();
+      for (std::size_t k = 0; k < each; ++k) EXPECT_EQ(q[i * each + k], own[k]);
+      EXPECT_EQ(batch_.fallen()[i], alone_[i].robot().fallen());
+    }
+  }
+
+ private:
+  static SceneOptions with_seed(SceneOptions options) {
+    options.seed = 1;
+    return options;
+  }
+
+  Batch batch_;
+  std::vector<Scene> alone_;
+  double turn_ = 0;
+};
+
+/// Falls, resets of some, and times that differ from world to world.
+void compare(BatchAndScenes worlds) {
+  worlds.expect_equal();
+  worlds.step(30);
+  worlds.expect_equal();
+  worlds.move(0.9);
+  worlds.step(7);
+  worlds.reset(40, 3, 1);
+  worlds.expect_equal();
+  worlds.step(250);
+  worlds.move(0.4);
+  worlds.step(3);
+  worlds.reset(7, 2, 0);
+  for (int i = 0; i < 4; ++i) {
+    worlds.move(1.2);
+    worlds.step(100);
+  }
+  worlds.expect_equal();
+}
+
+TEST(ApiBatchLanes, EachWorldIsASceneAlone) {
+  for (const char* level : {"articulated_dynamics", "simplified_dynamics"}) {
+    for (const std::size_t worlds : {1U, 7U, 8U, 9U, 21U}) {
+      for (const int threads : {1, 2}) {
+        SCOPED_TRACE(fmt::format("{}, {} worlds, {} threads", level, worlds, threads));
+        compare({"walk", worlds, options_of(level, {"walker.sensors=false"}), threads});
+      }
+    }
+  }
+}
+
+TEST(ApiBatchLanes, AlsoManyWithSensors) { compare({"walk", 64, options_of("articulated_dynamics"), 2}); }
+
+TEST(ApiBatchLanes, AlsoAtOtherLevels) {
+  compare({"walk", 9, options_of("full_dynamics"), 2});
+  compare({"walk", 3, options_of("articulated_dynamics", {"walker.contact=kelvin_voigt"}), 1});
+}
+
+TEST(ApiBatchLanes, SomeFall) {
+  Batch batch("walk", 16, options_of("articulated_dynamics"));
+  std::vector<double> targets(batch.size() * batch.joints());
+  for (std::size_t i = 0; i < targets.size(); ++i) targets[i] = std::sin(0.7 * static_cast<double>(i));
+  batch.set_joint_target(targets);
+  batch.step(3000);
+  EXPECT_GT(std::ranges::count(batch.fallen(), 1), 3);
+}
+
+TEST(ApiBatchLanes, AlsoWalkingOnesWithTheirEngines) {
+  for (const char* level : {"articulated_dynamics", "kinematic_walking"}) {
+    BatchAndScenes worlds("walk", 10, {.set = {std::string("walker.level=") + level, "start.jitter_heading_deg=20"}},
+                          2);
+    worlds.step(105);
+    worlds.reset(3, 2, 1);
+    worlds.step(701);
+    worlds.expect_equal();
+  }
+}
+
+TEST(ApiBatchLanes, AlsoTeamsWithABall) {
+  BatchAndScenes worlds("three_on_three", 5, {.cameras = false}, 2);
+  worlds.step(200);
+  worlds.reset(9, 2, 0);
+  worlds.step(601);
+  worlds.expect_equal();
+}
+
+TEST(ApiBatchLanes, AWorldThatIsAskedForGoesOnAsASceneOfItsOwn) {
+  BatchAndScenes worlds("walk", 10, options_of("articulated_dynamics"), 2);
+  worlds.move(0.5);
+  worlds.step(50);
+  Scene third = worlds.batch().world(3);
+  EXPECT_EQ(third.state_hash(), worlds.alone(3).state_hash());
+  third.robot().push("torso", {30, 0, 0}, 0.1);
+  worlds.alone(3).robot().push("torso", {30, 0, 0}, 0.1);
+  worlds.step(60);
+  worlds.move(0.3);
+  worlds.step(60);
+  worlds.expect_equal();
+  EXPECT_EQ(third.state_hash(), worlds.alone(3).state_hash());
+  EXPECT_EQ(worlds.batch().world(3).state_hash(), third.state_hash());
+}
+
+TEST(ApiBatchLanes, WhatIsPlannedForLaterHappensToo) {
+  SceneOptions options = options_of("articulated_dynamics");
+  options.events = {"0.05:walker.level=simplified_dynamics"};
+  BatchAndScenes worlds("walk", 3, options, 2);
+  worlds.step(100);
+  worlds.expect_equal();
+  EXPECT_EQ(worlds.batch().world(2).robot().level(), "simplified_dynamics");
+}
+
+}  // namespace
+}  // namespace murosimf::api
