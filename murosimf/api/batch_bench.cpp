@@ -36,6 +36,7 @@ BatchBench::BatchBench(std::vector<std::shared_ptr<SceneInside>> scenes, int rob
   for (std::size_t i = 0; i < scenes_.size(); ++i) {
     scenes_[i]->begun = true;
     seeds_[i] = scenes_[i]->scene.spec().seed;
+    packers_.emplace_back(scenes_[i]->simulation());
   }
 }
 
@@ -45,7 +46,12 @@ std::vector<Simulation*> BatchBench::simulations_of(const std::vector<std::share
   return simulations;
 }
 
-void BatchBench::join_again() { lanes_ = SimulationLanes(simulations_of(scenes_)); }
+void BatchBench::join_again() {
+  lanes_ = SimulationLanes(simulations_of(scenes_));
+  packers_.clear();
+  for (const auto& scene : scenes_) packers_.emplace_back(scene->simulation());
+  first_ = nothing;
+}
 
 LaneMask BatchBench::lanes(const std::vector<BatchWorld>& worlds) const {
   LaneMask lanes = 0;
@@ -57,7 +63,8 @@ LaneMask BatchBench::lanes(const std::vector<BatchWorld>& worlds) const {
 
 void BatchBench::store(std::vector<BatchWorld>& worlds) {
   for_lanes(lanes(worlds), [&](int lane) {
-    packer_.save(scene(lane).simulation(), worlds[first_ + static_cast<std::size_t>(lane)].state);
+    const auto i = static_cast<std::size_t>(lane);
+    packers_[i].save(worlds[first_ + i].state);
   });
 }
 
@@ -66,11 +73,11 @@ void BatchBench::bring(std::vector<BatchWorld>& worlds, std::size_t first, LaneM
   store(worlds);
   first_ = first;
   for_lanes(lanes(worlds) & ~renewed, [&](int lane) {
-    const BatchWorld& world = worlds[first_ + static_cast<std::size_t>(lane)];
-    std::uint64_t& seed = seeds_[static_cast<std::size_t>(lane)];
-    if (seed != world.seed) scene(lane).simulation().reseed(world.seed);
-    seed = world.seed;
-    told([&] { packer_.load(scene(lane).simulation(), world.state); });
+    const auto i = static_cast<std::size_t>(lane);
+    const BatchWorld& world = worlds[first_ + i];
+    if (seeds_[i] != world.seed) scene(lane).simulation().reseed(world.seed);
+    seeds_[i] = world.seed;
+    told([&] { packers_[i].load(world.state); });
   });
 }
 

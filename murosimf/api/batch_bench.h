@@ -66,7 +66,7 @@ class BatchBench {
   std::vector<std::uint64_t> seeds_;  // of their random numbers
   int robot_;
   SimulationLanes lanes_;
-  StatePacker packer_;
+  std::vector<StatePacker> packers_;
   std::size_t first_ = nothing;
 };
 

@@ -190,8 +190,7 @@ std::shared_ptr<SceneInside> BatchInside::whole(std::size_t world) {
   scene->begin();
   use_bench(world / width_, 0, [&](BatchBench& bench) {
     bench.store(worlds_);
-    StatePacker packer;
-    told([&] { packer.load(scene->simulation(), worlds_[world].state); });
+    told([&] { StatePacker(scene->simulation()).load(worlds_[world].state); });
   });
   worlds_[world].state = {};
   return worlds_[world].whole = std::move(scene);

@@ -124,8 +124,12 @@ void SimulationLanes::execute(std::size_t number, LaneMask lanes) noexcept {
   Duration period{};
   for_lanes(lanes, [&](int lane) {
     auto& task = *member(lane).tasks_[number];
-    if (!group) return member(lane).execute(task);
+    if (!group && (task.step_ratio || ForeignCode::of(*task.algorithm))) return member(lane).execute(task);
     if (task.idle) return;
+    if (!group) {
+      const KeptFloatingPoint modes;  // the algorithm may be somebody else's
+      return task.algorithm->step({times_[static_cast<std::size_t>(lane)], task.period});
+    }
     ++task.calls;
     period = task.period;
     awake |= lane_bit(lane);

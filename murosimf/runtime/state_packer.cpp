@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cstring>
 
-#include <fmt/format.h>
-
 #include "murosimf/model/error.h"
 #include "murosimf/runtime/simulation.h"
 
@@ -15,81 +13,129 @@ using Word = StatePacker::Word;
 
 constexpr std::size_t words_in_block = 4, block_size = words_in_block * sizeof(Word), blocks_in_mask = 64;
 
-std::size_t blocks_of(std::size_t bytes) { return (bytes + block_size - 1) / block_size; }
+struct Block {
+  Word words[words_in_block] = {};
+};
 
-/// All that a state has, as Simulation::save() visits it.
-template <class Visit>
-void visit_parts(Simulation& simulation, const Visit& visit) {
+/// Words that at most stand for so many bytes, with the masks.
+std::size_t most_words(std::size_t bytes) {
+  const std::size_t blocks = bytes / block_size + 1;
+  return words_in_block * blocks + blocks / blocks_in_mask + 1;
+}
+
+class Packing {
+ public:
+  /// Behind what is there; each call of add() has room for it.
+  explicit Packing(std::vector<Word>& to) : to_(to) {}
+
+  void add(std::span<const std::byte> bytes) {
+    to_.resize(std::max(to_.size(), end_ + most_words(bytes.size())));
+    std::size_t at = 0;
+    for (; at + block_size <= bytes.size(); at += block_size) {
+      Block block;
+      std::memcpy(&block, bytes.data() + at, block_size);
+      add(block);
+    }
+    if (at == bytes.size()) return;
+    Block block;
+    std::memcpy(&block, bytes.data() + at, bytes.size() - at);
+    add(block);
+  }
+  [[nodiscard]] std::size_t end() const { return end_; }
+
+ private:
+  void add(const Block& block) {
+    if (blocks_++ % blocks_in_mask == 0) {
+      mask_ = end_++;
+      to_[mask_] = 0;
+    }
+    if ((block.words[0] | block.words[1] | block.words[2] | block.words[3]) == 0) return;
+    to_[mask_] |= Word{1} << (blocks_ - 1) % blocks_in_mask;
+    std::memcpy(&to_[end_], &block, block_size);
+    end_ += words_in_block;
+  }
+
+  std::vector<Word>& to_;
+  std::size_t end_ = 1, mask_ = 0, blocks_ = 0;  // the first word is the caller's
+};
+
+class Unpacking {
+ public:
+  explicit Unpacking(std::span<const Word> from) : from_(from) {}
+
+  void take(std::span<std::byte> bytes) {
+    for (std::size_t at = 0; at < bytes.size(); at += block_size) {
+      if (blocks_ % blocks_in_mask == 0) mask_ = next(1)[0];
+      const bool there = (mask_ >> blocks_++ % blocks_in_mask & 1U) != 0;
+      const std::size_t size = std::min(block_size, bytes.size() - at);
+      if (size == block_size) {
+        there ? std::memcpy(&bytes[at], next(words_in_block), block_size) : std::memset(&bytes[at], 0, block_size);
+      } else {
+        there ? std::memcpy(&bytes[at], next(words_in_block), size) : std::memset(&bytes[at], 0, size);
+      }
+    }
+  }
+  [[nodiscard]] bool done() const { return at_ == from_.size(); }
+
+ private:
+  [[nodiscard]] const Word* next(std::size_t words) {
+    if (at_ + words > from_.size()) throw SetupError("a packed state ends too early");
+    at_ += words;
+    return from_.data() + (at_ - words);
+  }
+
+  std::span<const Word> from_;
+  std::size_t at_ = 1, blocks_ = 0;
+  Word mask_ = 0;
+};
+
+}  // namespace
+
+StatePacker::StatePacker(Simulation& simulation) : simulation_(&simulation) {
   simulation.world().for_all([&](Entity& entity) {
-    visit(entity);
     for (const auto& [name, column] : entity.columns()) {
-      if (column->info().scope != Scope::wiring) visit(*column);
+      if (column->info().scope == Scope::wiring) continue;
+      const ColumnBase::Memory memory = column->memory();
+      if (memory.data) {
+        numbers_.push_back(std::as_writable_bytes(std::span(memory.data, memory.rows * memory.stride)));
+      } else {
+        others_.push_back(column.get());
+      }
     }
   });
 }
 
-}  // namespace
+/// All but columns of numbers.
+template <class Archive>
+void StatePacker::visit_others(Archive& archive) {
+  simulation_->world().for_all([&](Entity& entity) { entity.state(archive); });
+  for (ColumnBase* column : others_) column->state(archive);
+  for (const auto& task : simulation_->tasks_) task->algorithm->state(archive);
+  simulation_->state(archive);
+}
 
-void StatePacker::save(Simulation& simulation, std::vector<Word>& packed) {
+void StatePacker::save(std::vector<Word>& packed) {
   plain_.clear();
   StateArchive archive(plain_);
-  visit_parts(simulation, [&](auto& part) { part.state(archive); });
-  for (const auto& task : simulation.tasks_) task->algorithm->state(archive);
-  simulation.state(archive);
-  pack(packed);
+  visit_others(archive);
+  Packing packing(packed_);
+  for (const std::span<std::byte>& column : numbers_) packing.add(column);
+  packing.add(plain_);
+  packed_[0] = plain_.size();
+  packed.assign(packed_.begin(), packed_.begin() + static_cast<std::ptrdiff_t>(packing.end()));
 }
 
-void StatePacker::load(Simulation& simulation, std::span<const Word> packed) {
-  unpack(packed);
+void StatePacker::load(std::span<const Word> packed) {
+  if (packed.empty()) throw SetupError("a packed state is empty");
+  Unpacking unpacking(packed);
+  for (const std::span<std::byte>& column : numbers_) unpacking.take(column);
+  plain_.resize(packed[0]);
+  unpacking.take(plain_);
   StateArchive archive{std::span<const std::byte>(plain_)};
-  visit_parts(simulation, [&](auto& part) { part.state(archive); });
-  for (const auto& task : simulation.tasks_) task->algorithm->state(archive);
-  simulation.state(archive);
-  if (archive.left() > 0) throw SetupError(fmt::format("{} bytes of a state are left over", archive.left()));
-  simulation.restart_checks();
-}
-
-/// Into working memory first, so that `packed` takes no more than it needs.
-void StatePacker::pack(std::vector<Word>& to) {
-  const std::size_t size = plain_.size(), blocks = blocks_of(size);
-  std::vector<Word>& packed = packed_;
-  packed.resize(1 + words_in_block * blocks +
-                (blocks + blocks_in_mask - 1) / blocks_in_mask);  // the most that it may become
-  packed[0] = size;
-  std::size_t end = 1, mask = 0;
-  for (std::size_t block = 0; block < blocks; ++block) {
-    if (block % blocks_in_mask == 0) packed[mask = end++] = 0;
-    Word words[words_in_block] = {};
-    const std::size_t first = block * block_size;
-    if (first + block_size <= size) {
-      std::memcpy(words, plain_.data() + first, block_size);
-    } else {
-      std::memcpy(words, plain_.data() + first, size - first);
-    }
-    if ((words[0] | words[1] | words[2] | words[3]) == 0) continue;
-    packed[mask] |= Word{1} << block % blocks_in_mask;
-    std::memcpy(&packed[end], words, block_size);
-    end += words_in_block;
-  }
-  to.assign(packed.begin(), packed.begin() + static_cast<std::ptrdiff_t>(end));
-}
-
-void StatePacker::unpack(std::span<const Word> packed) {
-  const std::size_t size = packed[0], blocks = blocks_of(size);
-  plain_.resize(blocks * block_size);
-  std::size_t next = 1;
-  Word mask = 0;
-  for (std::size_t block = 0; block < blocks; ++block) {
-    if (block % blocks_in_mask == 0) mask = packed[next++];
-    std::byte* const to = plain_.data() + block * block_size;
-    if ((mask >> block % blocks_in_mask & 1U) == 0) {
-      std::memset(to, 0, block_size);
-      continue;
-    }
-    std::memcpy(to, &packed[next], block_size);
-    next += words_in_block;
-  }
-  plain_.resize(size);
+  visit_others(archive);
+  if (archive.left() > 0 || !unpacking.done())
+    throw SetupError("a packed state is longer than those of this simulation");
+  simulation_->restart_checks();
 }
 
 }  // namespace murosimf
