@@ -3,10 +3,14 @@
 ///     murosimf::Batch batch("walk", 1024, {.set = {"walker.level=simplified_dynamics", "walker.controller=none"}}, 2);
 ///     batch.set_joint_target(actions);   // (worlds, joints), row by row
 ///     batch.step(20);
-///     const auto q = batch.joint_position();
+///     const auto seen = batch.observe({"base.gravity", "base.angular_velocity", "joint_position", "joint_velocity", "last_action"});
 ///
 /// Robot files are read once. World i begins with the seed of the scene plus i, and gives the states that a Scene with that seed gives alone,
-/// bit for bit, for any number of threads. Rows are one for each world, of its first robot.
+/// bit for bit, for any number of worlds and threads. Rows are one for each world, of its first robot.
+///
+/// Eight worlds at a time are stepped in lanes, as equal robots of one scene are, and the others wait as packed states of a few KiB. So
+/// many steps at once, as between two actions of a policy, cost less for each than one by one. Worlds with events, with control
+/// software from outside, and those that world() has given away are scenes of their own, which step by themselves.
 #pragma once
 
 #include <cstddef>
@@ -58,6 +62,20 @@ class MUROSIMF_API Batch {
   [[nodiscard]] std::span<const std::uint8_t> fallen();
   /// (worlds, joints). Throws as Robot::set_joint_target.
   void set_joint_target(std::span<const double> targets);
+
+  /// (worlds, numbers of these names): what a policy sees, one after the other, as it was after the last step() or reset(); memory as of
+  /// the rows above. A name is
+  ///     base.gravity, base.linear_velocity, base.angular_velocity   3 numbers in axes of the base: where gravity points to [1], [m/s], [rad/s]
+  ///     joint_position, joint_velocity, ...                         a property of all joints, in the order of joint_position()
+  ///     last_action                                                 the joint targets
+  ///     common_center_of_mass, lying, ...                           a property that the robot has once
+  ///     torso.position, l_foot.linear_velocity, ...                 a property of one object (docs/properties.md)
+  /// Asking for other names than before looks at all worlds; the same ones again cost nothing. Throws UnknownName.
+  [[nodiscard]] std::span<const float> observe(const std::vector<std::string>& names);
+
+  /// From now on the robot is at this level in all worlds, which begin anew, each as a Scene that was opened with that level. Throws
+  /// InputError, and changes nothing, for one that does not exist or cannot move the robot.
+  void set_level(const std::string& level);
 
  private:
   [[nodiscard]] api::BatchInside& inside() const;

@@ -20,16 +20,17 @@ const std::vector<T>& values_of(const Entity& robot, const Property<T>& property
 
 }  // namespace
 
-RobotColumns::RobotColumns(Entity& robot, const JointRows& rows)
-    : joints(rows.objects),
-      position(values_of(robot, properties::joint_position)),
-      velocity(values_of(robot, properties::joint_velocity)),
-      place(values_of(robot, properties::position)),
-      linear(values_of(robot, properties::linear_velocity)),
-      angular(values_of(robot, properties::angular_velocity)),
-      orientation(values_of(robot, properties::orientation)),
-      lying(robot.find(properties::lying)),
-      target(robot.find(properties::joint_target) ? &robot.column(properties::joint_target) : nullptr) {}
+RobotColumns::RobotColumns(Entity& of, const JointRows& rows)
+    : robot(of),
+      joints(rows.objects),
+      position(values_of(of, properties::joint_position)),
+      velocity(values_of(of, properties::joint_velocity)),
+      place(values_of(of, properties::position)),
+      linear(values_of(of, properties::linear_velocity)),
+      angular(values_of(of, properties::angular_velocity)),
+      orientation(values_of(of, properties::orientation)),
+      lying(of.find(properties::lying)),
+      target(of.find(properties::joint_target) ? &of.column(properties::joint_target) : nullptr) {}
 
 BatchBench::BatchBench(std::vector<std::shared_ptr<SceneInside>> scenes, int robot)
     : scenes_(std::move(scenes)), seeds_(scenes_.size()), robot_(robot), lanes_(simulations_of(scenes_)) {
@@ -50,6 +51,10 @@ void BatchBench::join_again() {
   lanes_ = SimulationLanes(simulations_of(scenes_));
   packers_.clear();
   for (const auto& scene : scenes_) packers_.emplace_back(scene->simulation());
+}
+
+void BatchBench::clear(std::vector<BatchWorld>& worlds) {
+  store(worlds);
   first_ = nothing;
 }
 

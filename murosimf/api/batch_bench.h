@@ -27,6 +27,7 @@ struct BatchWorld {
 struct RobotColumns {
   RobotColumns(Entity& robot, const JointRows& joints);
 
+  const Entity& robot;
   const std::vector<int>& joints;  ///< their objects
   const std::vector<double>&position, &velocity;
   const std::vector<Vec3d>&place, &linear, &angular;
@@ -52,11 +53,14 @@ class BatchBench {
 
   /// The lanes of the worlds that are here and have no whole scene.
   [[nodiscard]] LaneMask lanes(const std::vector<BatchWorld>& worlds) const;
+  [[nodiscard]] const std::vector<std::shared_ptr<SceneInside>>& scenes() const { return scenes_; }
   [[nodiscard]] SceneInside& scene(int lane) { return *scenes_[static_cast<std::size_t>(lane)]; }
   [[nodiscard]] RobotColumns columns(int lane) { return {scene(lane).entity(robot_), scene(lane).joints(robot_)}; }
   void reset(int lane, std::uint64_t seed);
   void step(LaneMask lanes, int steps) { lanes_.step(lanes, steps); }
-  /// After levels or laws of all its scenes have been exchanged.
+  /// Stores the states of all that are here; nothing is here then.
+  void clear(std::vector<BatchWorld>& worlds);
+  /// After levels of its scenes have been exchanged, while nothing is here.
   void join_again();
 
  private:

@@ -67,6 +67,10 @@ std::span<const double> Batch::base_velocity() { return inside().show().base_vel
 
 std::span<const std::uint8_t> Batch::fallen() { return inside().show().fallen; }
 
+std::span<const float> Batch::observe(const std::vector<std::string>& names) { return inside().observe(names); }
+
+void Batch::set_level(const std::string& level) { inside().set_level(level); }
+
 void Batch::set_joint_target(std::span<const double> targets) { inside().set_targets(targets); }
 
 }  // namespace v0

@@ -22,6 +22,14 @@ bool is_state_only(SceneInside& inside) {
          std::ranges::none_of(parts.spec.robots, from_outside);
 }
 
+/// Has the robot at this level at each start from now on, and starts.
+void begin_at(SceneInside& inside, int robot, const std::string& level, std::uint64_t seed) {
+  scene::SceneParts& parts = inside.scene.parts();
+  const auto moving = std::ranges::find(parts.moving_entities, &inside.entity(robot));
+  parts.at_start.algorithms[static_cast<std::size_t>(moving - parts.moving_entities.begin())].level = level;
+  told([&] { inside.scene.reset(seed); });
+}
+
 void put(const Vec3d& v, double* to) {
   to[0] = v.x;
   to[1] = v.y;
@@ -183,6 +191,29 @@ void BatchInside::set_targets(std::span<const double> targets) {
   }
 }
 
+void BatchInside::set_level(const std::string& level) {
+  for (const auto& bench : benches_) bench->clear(worlds_);
+  const std::string before = template_->entity(robot_).level;
+  const std::vector<std::byte> state = template_->scene.save();
+  try {
+    begin_at(*template_, robot_, level, seed_);
+  } catch (...) {
+    begin_at(*template_, robot_, before, seed_);
+    template_->scene.load(state);
+    if (!benches_.empty()) benches_[0]->join_again();
+    throw;
+  }
+  for (const auto& bench : benches_) {
+    for (const auto& scene : bench->scenes()) begin_at(*scene, robot_, level, seed_);
+    bench->join_again();
+  }
+  for (const BatchWorld& world : worlds_) {
+    if (world.whole) begin_at(*world.whole, robot_, level, world.seed);
+  }
+  observations_ = {};  // the level may have other properties
+  reset(seed_, {});
+}
+
 /// Never the scene of a bench.
 std::shared_ptr<SceneInside> BatchInside::whole(std::size_t world) {
   if (worlds_[world].whole) return worlds_[world].whole;
@@ -234,6 +265,29 @@ void BatchInside::show(std::size_t world, const RobotColumns& robot) {
   put(robot.linear[0], velocity);
   put(robot.angular[0], velocity + 3);
   rows_.fallen[world] = robot.lying && robot.lying->values[0] == 1;
+  observe(world, robot.robot);
+}
+
+void BatchInside::observe(std::size_t world, const Entity& robot) {
+  if (observations_.width() > 0) observations_.fill(robot, &observed_[world * observations_.width()]);
+}
+
+std::span<const float> BatchInside::observe(const std::vector<std::string>& names) {
+  if (names != observations_.names()) {
+    observations_ = BatchObservations(template_->entity(robot_), template_->joints(robot_), names);
+    observed_.assign(size() * observations_.width(), 0);
+    for_blocks([&](std::size_t block) {
+      use_bench(block, 0, [&](BatchBench& bench) {
+        for_lanes(bench.lanes(worlds_), [&](int lane) {
+          observe(bench.first() + static_cast<std::size_t>(lane), bench.columns(lane).robot);
+        });
+      });
+    });
+  }
+  for (std::size_t i = 0; i < size(); ++i) {
+    if (worlds_[i].whole) observe(i, worlds_[i].whole->entity(robot_));
+  }
+  return observed_;
 }
 
 }  // namespace murosimf::api

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "murosimf/api/batch_bench.h"
+#include "murosimf/api/batch_observations.h"
 #include "murosimf/runtime/thread_pool.h"
 
 namespace murosimf::api {
@@ -27,6 +28,8 @@ class BatchInside {
   /// Of a world: that of the batch plus its number.
   void reset(std::uint64_t seed, std::span<const std::uint8_t> which);
   void set_targets(std::span<const double> targets);
+  /// Of the robot of all worlds, which begin anew. Throws InputError, and changes nothing.
+  void set_level(const std::string& level);
 
   /// From now on a scene of its own.
   [[nodiscard]] std::shared_ptr<SceneInside> whole(std::size_t world);
@@ -39,6 +42,8 @@ class BatchInside {
     std::vector<std::uint8_t> fallen;         ///< (worlds)
   };
   [[nodiscard]] Rows& show();
+  /// (worlds, numbers of these names), renewed as the rows are.
+  [[nodiscard]] std::span<const float> observe(const std::vector<std::string>& names);
 
  private:
   template <class Use>
@@ -51,6 +56,7 @@ class BatchInside {
   void take_targets(BatchBench& bench);
   void put_targets(std::size_t world, const RobotColumns& robot) const;
   void show(std::size_t world, const RobotColumns& robot);
+  void observe(std::size_t world, const Entity& robot);
   [[nodiscard]] RobotColumns columns_of_whole(std::size_t world);
 
   std::shared_ptr<SceneInside> template_;
@@ -64,6 +70,8 @@ class BatchInside {
   std::vector<BatchBench*> free_;
   std::vector<double> targets_;  // (worlds, joints)
   Rows rows_;
+  BatchObservations observations_;
+  std::vector<float> observed_;
 };
 
 }  // namespace murosimf::api

@@ -167,5 +167,32 @@ TEST(ApiBatchLanes, WhatIsPlannedForLaterHappensToo) {
   EXPECT_EQ(worlds.batch().world(2).robot().level(), "simplified_dynamics");
 }
 
+TEST(ApiBatchLanes, ALevelIsThatOfScenesThatWereOpenedWithIt) {
+  Batch batch("walk", 9, options_of("articulated_dynamics"), 2);
+  batch.step(50);
+  EXPECT_THROW(batch.set_level("articulated_dynamic"), InputError);
+  batch.step(10);
+  const Scene before = [] {
+    SceneOptions options = options_of("articulated_dynamics");
+    options.seed = 9;
+    Scene scene("walk", options);
+    scene.step(60);
+    return scene;
+  }();
+  EXPECT_EQ(batch.state_hash(8), before.state_hash());
+  for (const char* level : {"simplified_dynamics", "articulated_dynamics"}) {
+    batch.set_level(level);
+    batch.step(70);
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+      SceneOptions options = options_of(level);
+      options.seed = 1 + i;
+      Scene alone("walk", options);
+      alone.step(70);
+      EXPECT_EQ(batch.state_hash(i), alone.state_hash()) << level << i;
+    }
+    EXPECT_EQ(batch.world(4).robot().level(), level);
+  }
+}
+
 }  // namespace
 }  // namespace murosimf::api
