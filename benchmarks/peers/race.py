@@ -19,6 +19,7 @@ import pathlib
 import platform
 import time
 
+import batches
 import chart
 import collision
 import games
@@ -36,6 +37,7 @@ PARTS = {
     "heap": steps.part("heap", [10, 22]),
     "slope": steps.part("slope", [1]),
     "worlds": worlds.part,
+    "batch": batches.part,
     "kernels": kernels.part,
     "collision": collision.part,
     "cameras": pictures.part,

@@ -39,7 +39,8 @@ class MUROSIMF_API Batch {
   Batch& operator=(Batch&&) noexcept;
 
   [[nodiscard]] std::size_t size() const;
-  /// One of the worlds as a scene, shared with the batch. It must not be used during step(). Throws InputError beyond the last.
+  [[nodiscard]] double step_length() const;  ///< [s]
+  /// One of the worlds, as a scene; it shares it. While step() works nothing else uses it. Throws InputError beyond the last.
   [[nodiscard]] Scene world(std::size_t number) const;
 
   /// Equal states have equal hashes; that of a Scene in the same state. Throws InputError beyond the last.
@@ -69,7 +70,7 @@ class MUROSIMF_API Batch {
   ///     joint_position, joint_velocity, ...                         a property of all joints, in the order of joint_position()
   ///     last_action                                                 the joint targets
   ///     common_center_of_mass, lying, ...                           a property that the robot has once
-  ///     torso.position, l_foot.linear_velocity, ...                 a property of one object (docs/properties.md)
+  ///     torso.position, l_foot.linear_velocity, ...                 a property of one object (`murosimf list properties`)
   /// Asking for other names than before looks at all worlds; the same ones again cost nothing. Throws UnknownName.
   [[nodiscard]] std::span<const float> observe(const std::vector<std::string>& names);
 

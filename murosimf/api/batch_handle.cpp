@@ -26,6 +26,8 @@ api::BatchInside& Batch::inside() const {
 
 std::size_t Batch::size() const { return inside().size(); }
 
+double Batch::step_length() const { return inside().step_length(); }
+
 void Batch::check(std::size_t world) const {
   if (world >= size()) throw InputError(fmt::format("world {} of a batch of {}", world, size()));
 }

@@ -22,6 +22,7 @@ class BatchInside {
 
   [[nodiscard]] std::size_t size() const { return worlds_.size(); }
   [[nodiscard]] std::size_t joints() { return template_->joints(robot_).objects.size(); }
+  [[nodiscard]] double step_length() { return seconds(template_->simulation().tick()); }
   [[nodiscard]] std::uint64_t seed() const { return seed_; }
 
   void step(int steps);
