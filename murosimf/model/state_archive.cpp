@@ -32,8 +32,10 @@ void StateArchive::check_count(std::size_t number) {
 }
 
 void StateArchive::raw(std::span<std::byte> bytes) {
-  if (!loads()) {
-    saved_->insert(saved_->end(), bytes.begin(), bytes.end());
+  if (!loads()) {  // most are a few bytes: insert() would take longer
+    const std::size_t end = saved_->size();
+    saved_->resize(end + bytes.size());
+    std::copy_n(bytes.begin(), bytes.size(), saved_->begin() + static_cast<std::ptrdiff_t>(end));
     return;
   }
   if (bytes.size() > left_.size()) throw SetupError("it ends too early");
