@@ -1,7 +1,7 @@
 /// batch_bench.h - a place where up to eight worlds of a batch are stepped side by side: one compiled scene for each, lanes across them.
 ///
-/// A batch has one bench for each thread. Its worlds are stored as packed states (runtime/state_packer.h) and put on a bench, eight at
-/// a time, while they are needed; they stay there until others take their place.
+/// A batch has one bench for each thread. Worlds that have none for good are stored as packed states (runtime/state_packer.h), and put on
+/// one, up to eight at a time, while they are needed.
 #pragma once
 
 #include <cstddef>
@@ -60,6 +60,8 @@ class BatchBench {
   void step(LaneMask lanes, int steps) { lanes_.step(lanes, steps); }
   /// Stores the states of all that are here; nothing is here then.
   void clear(std::vector<BatchWorld>& worlds);
+  /// Nothing is here then, either, but states stay as they were stored last.
+  void forget() { first_ = nothing; }
   /// After levels of its scenes have been exchanged, while nothing is here.
   void join_again();
 

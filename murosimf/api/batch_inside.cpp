@@ -64,8 +64,9 @@ BatchInside::BatchInside(const std::string& scene, std::size_t worlds, const Sce
 }
 
 void BatchInside::make_benches(int threads) {
-  const std::size_t blocks = (worlds_.size() + width_ - 1) / width_;
-  for (std::size_t b = 0; b < std::min(static_cast<std::size_t>(threads), blocks); ++b) {
+  const std::size_t blocks = (worlds_.size() + width_ - 1) / width_, most = static_cast<std::size_t>(threads);
+  benches_change_ = blocks > most;
+  for (std::size_t b = 0; b < std::min(most, blocks); ++b) {
     std::vector<std::shared_ptr<SceneInside>> scenes;
     while (scenes.size() < width_) {
       const bool first = b == 0 && scenes.empty();
@@ -92,31 +93,34 @@ void BatchInside::for_blocks(const Use& use) {
   if (first != thrown.end()) std::rethrow_exception(*first);
 }
 
-/// One that has these worlds, if there is one.
-BatchBench& BatchInside::take_bench(std::size_t first) {
+/// Its own, if there are enough of them; else any that is free.
+BatchBench& BatchInside::take_bench(std::size_t block) {
+  if (!benches_change_) return *benches_[block];
   const std::lock_guard lock(choosing_);
-  auto chosen = std::ranges::find(free_, first, [](const BatchBench* bench) { return bench->first(); });
-  if (chosen == free_.end()) chosen = free_.begin();
-  BatchBench& bench = **chosen;
-  free_.erase(chosen);
+  BatchBench& bench = *free_.back();
+  free_.pop_back();
   return bench;
 }
 
 void BatchInside::give_back(BatchBench& bench) {
+  if (!benches_change_) return;
   const std::lock_guard lock(choosing_);
   free_.push_back(&bench);
 }
 
-/// Calls use(bench) with the worlds of a block on it.
+/// Calls use(bench) with the worlds of a block on it. Benches that change their worlds are empty before and afterwards: so states are
+/// written only by the thread that works on their block.
 template <class Use>
 void BatchInside::use_bench(std::size_t block, LaneMask renewed, const Use& use) {
   if (benches_.empty()) return;
-  BatchBench& bench = take_bench(block * width_);
+  BatchBench& bench = take_bench(block);
   try {
     bench.bring(worlds_, block * width_, renewed);
     take_targets(bench);
     use(bench);
+    if (benches_change_) bench.clear(worlds_);
   } catch (...) {
+    if (benches_change_) bench.forget();
     give_back(bench);
     throw;
   }

@@ -51,7 +51,7 @@ class BatchInside {
   void for_blocks(const Use& use);
   template <class Use>
   void use_bench(std::size_t block, LaneMask renewed, const Use& use);
-  [[nodiscard]] BatchBench& take_bench(std::size_t first);
+  [[nodiscard]] BatchBench& take_bench(std::size_t block);
   void give_back(BatchBench& bench);
   void make_benches(int threads);
   void take_targets(BatchBench& bench);
@@ -68,8 +68,9 @@ class BatchInside {
   ThreadPool pool_;
   std::mutex choosing_;
   std::vector<std::unique_ptr<BatchBench>> benches_;
-  std::vector<BatchBench*> free_;
-  std::vector<double> targets_;  // (worlds, joints)
+  bool benches_change_ = false;    // they are fewer than blocks
+  std::vector<BatchBench*> free_;  // of those that change
+  std::vector<double> targets_;    // (worlds, joints)
   Rows rows_;
   BatchObservations observations_;
   std::vector<float> observed_;
