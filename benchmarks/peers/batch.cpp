@@ -4,8 +4,11 @@
 /// Joints begin up to a degree beside their posture: worlds that are all the same would settle their contacts in the same passes.
 #include <malloc.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <span>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 

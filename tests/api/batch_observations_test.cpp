@@ -1,6 +1,7 @@
 // Batch::observe: numbers of robots by names.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "murosimf/batch.h"

@@ -64,7 +64,7 @@ class QuickRace(unittest.TestCase):
         self.assertEqual(self.done.returncode, 0, self.done.stderr)
         for line in self.document["missing"]:
             print(f"missing: {line}")
-        for part in ("walk", "squat", "heap", "slope", "worlds", "games", "growth"):
+        for part in ("walk", "squat", "heap", "slope", "worlds", "batch", "games", "growth"):
             self.assertTrue(self.rows(part), part)
             self.assertIn(f"{part}: took", self.done.stdout)
 
