@@ -30,6 +30,13 @@ class BatchInside;
 
 inline namespace v0 {
 
+/// A property of the robot that differs from world to world. Evenly distributed from `low` to `high`, each number by itself.
+struct Randomized {
+  std::string property;      ///< as in Batch::observe(): "supply_voltage", "torso.applied_force"
+  double low = 1, high = 1;  ///< [1], or in units of the property
+  bool scales = true;        ///< multiplies what the start gives; false: takes its place
+};
+
 class MUROSIMF_API Batch {
  public:
   /// Of a file or name, as Scene. `options.threads` are those of one world, `threads` those that all worlds share. Throws InputError.
@@ -50,6 +57,11 @@ class MUROSIMF_API Batch {
   /// Resets the worlds with a nonzero entry, or all if there are no entries, to `seed` plus their number.
   void reset(std::span<const std::uint8_t> which = {});
   void reset(std::uint64_t seed, std::span<const std::uint8_t> which = {});
+
+  /// From its next reset on a world has these numbers at its start, which follow from its seed and the names alone. In place of those of an
+  /// earlier call. What a level or sensor writes in every step does not keep them; constants of the model, such as masses, are the same in
+  /// all worlds. Throws UnknownName and InputError.
+  void randomize(const std::vector<Randomized>& properties);
 
   [[nodiscard]] std::size_t joints() const;
   // (worlds, joints), [rad | m] and [rad/s | m/s]; the memory stays where it is as long as the batch lives, and is renewed by each call.

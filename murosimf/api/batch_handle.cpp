@@ -57,6 +57,8 @@ void Batch::reset(std::uint64_t seed, std::span<const std::uint8_t> which) {
   inside().reset(seed, which);
 }
 
+void Batch::randomize(const std::vector<Randomized>& properties) { inside().randomize(properties); }
+
 std::size_t Batch::joints() const { return inside().joints(); }
 
 std::span<const double> Batch::joint_position() { return inside().show().position; }

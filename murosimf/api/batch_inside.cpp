@@ -160,13 +160,16 @@ void BatchInside::reset(std::uint64_t seed, std::span<const std::uint8_t> which)
       renewed |= lane_bit(static_cast<int>(i - block * width_));
       worlds_[i].seed = seed + i;
       worlds_[i].has_targets = false;
-      if (worlds_[i].whole) told([&] { worlds_[i].whole->scene.reset(seed + i); });
+      if (!worlds_[i].whole) continue;
+      told([&] { worlds_[i].whole->scene.reset(seed + i); });
+      random_.apply(worlds_[i].whole->entity(robot_), seed + i);
     }
     if (renewed == 0) return;
     use_bench(block, renewed, [&](BatchBench& bench) {
       for_lanes(bench.lanes(worlds_) & renewed, [&](int lane) {
         const std::size_t i = bench.first() + static_cast<std::size_t>(lane);
         bench.reset(lane, seed + i);
+        random_.apply(bench.scene(lane).entity(robot_), seed + i);
         show(i, bench.columns(lane));
       });
     });
@@ -195,6 +198,10 @@ void BatchInside::set_targets(std::span<const double> targets) {
   }
 }
 
+void BatchInside::randomize(const std::vector<Randomized>& properties) {
+  random_ = BatchRandom(template_->entity(robot_), template_->joints(robot_), properties);
+}
+
 void BatchInside::set_level(const std::string& level) {
   for (const auto& bench : benches_) bench->clear(worlds_);
   const std::string before = template_->entity(robot_).level;
@@ -215,6 +222,7 @@ void BatchInside::set_level(const std::string& level) {
     if (world.whole) begin_at(*world.whole, robot_, level, world.seed);
   }
   observations_ = {};  // the level may have other properties
+  random_ = {};
   reset(seed_, {});
 }
 

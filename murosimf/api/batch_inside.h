@@ -12,6 +12,7 @@
 
 #include "murosimf/api/batch_bench.h"
 #include "murosimf/api/batch_observations.h"
+#include "murosimf/api/batch_random.h"
 #include "murosimf/runtime/thread_pool.h"
 
 namespace murosimf::api {
@@ -28,6 +29,7 @@ class BatchInside {
   void step(int steps);
   /// Of a world: that of the batch plus its number.
   void reset(std::uint64_t seed, std::span<const std::uint8_t> which);
+  void randomize(const std::vector<Randomized>& properties);
   void set_targets(std::span<const double> targets);
   /// Of the robot of all worlds, which begin anew. Throws InputError, and changes nothing.
   void set_level(const std::string& level);
@@ -74,6 +76,7 @@ class BatchInside {
   Rows rows_;
   BatchObservations observations_;
   std::vector<float> observed_;
+  BatchRandom random_;
 };
 
 }  // namespace murosimf::api

@@ -3,7 +3,6 @@
 #include <limits>
 #include <string_view>
 
-#include "murosimf/api/told.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::api {
@@ -28,14 +27,6 @@ constexpr Named of_base[] = {{"base.gravity", gravity},
                              {"base.linear_velocity", linear_velocity},
                              {"base.angular_velocity", angular_velocity}};
 
-[[noreturn]] void refuse(const Entity& robot, const std::string& name) {
-  std::vector<std::string> known = {"base.gravity", "base.linear_velocity", "base.angular_velocity", "last_action"};
-  for (const auto& [property, column] : robot.columns()) {
-    if (column->numbers() > 0) known.push_back(property);
-  }
-  throw_unknown("observation", name, {known.begin(), known.end()});
-}
-
 }  // namespace
 
 BatchObservations::BatchObservations(const Entity& robot, const JointRows& joints,
@@ -44,7 +35,7 @@ BatchObservations::BatchObservations(const Entity& robot, const JointRows& joint
   for (const std::string& name : names) {
     parts_.push_back(part_of(robot, joints, name));
     const Part& part = parts_.back();
-    width_ += part.base ? 3 : part.rows.size() * part.numbers;
+    width_ += part.base ? 3 : part.named.rows.size() * part.named.numbers;
   }
 }
 
@@ -55,28 +46,11 @@ auto BatchObservations::base_of(const std::string& name) -> Base {
   return nullptr;
 }
 
-/// "OBJECT.PROPERTY", or a property alone: of all joints if all objects have it, else of the base.
 auto BatchObservations::part_of(const Entity& robot, const JointRows& joints, const std::string& name) -> Part {
-  Part part;
-  part.base = base_of(name);
-  if (part.base) return part;
-  const std::size_t dot = name.find('.');
-  part.property = name == "last_action" ? std::string(properties::joint_target.name) : name.substr(dot + 1);
-  if (dot == std::string::npos && name != "last_action") part.property = name;
-  const ColumnBase* column = robot.find(part.property);
-  if (!column || column->numbers() == 0) refuse(robot, name);
-  part.numbers = column->numbers();
-  if (dot != std::string::npos) {
-    const std::string object = name.substr(0, dot);
-    const auto found = robot.model().find_object(object);
-    if (!found) throw_unknown("object", object, robot.model().object_names());
-    part.rows = {column->rows() == 1 ? 0 : static_cast<std::size_t>(*found)};
-  } else if (column->rows() == 1) {
-    part.rows = {0};
-  } else {
-    part.rows.assign(joints.objects.begin(), joints.objects.end());
-  }
-  return part;
+  if (const Base base = base_of(name)) return {base, {}};
+  const std::string property = name == "last_action" ? std::string(properties::joint_target.name) : name;
+  return {nullptr, named_rows(robot, joints, property, "observation",
+                              {"base.gravity", "base.linear_velocity", "base.angular_velocity", "last_action"})};
 }
 
 void BatchObservations::fill(const Entity& robot, float* row) const {
@@ -86,9 +60,9 @@ void BatchObservations::fill(const Entity& robot, float* row) const {
       for (const double number : {v.x, v.y, v.z}) *row++ = static_cast<float>(number);
       continue;
     }
-    const ColumnBase* const column = robot.find(part.property);  // none: the level of this one has been exchanged
-    for (const std::size_t object : part.rows) {
-      for (std::size_t i = 0; i < part.numbers; ++i)
+    const ColumnBase* const column = robot.find(part.named.property);  // none: the level of this one has been exchanged
+    for (const std::size_t object : part.named.rows) {
+      for (std::size_t i = 0; i < part.named.numbers; ++i)
         *row++ = column ? static_cast<float>(column->get(object, i)) : std::numeric_limits<float>::quiet_NaN();
     }
   }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/api/scene_inside.h"
+#include "murosimf/api/named_rows.h"
 
 namespace murosimf::api {
 
@@ -25,9 +25,7 @@ class BatchObservations {
   using Base = Vec3d (*)(const Entity& robot);
   struct Part {
     Base base = nullptr;  // three numbers of the base; null: those of a property
-    std::string property;
-    std::vector<std::size_t> rows;
-    std::size_t numbers = 3;
+    NamedRows named;
   };
   [[nodiscard]] static Base base_of(const std::string& name);
   [[nodiscard]] static Part part_of(const Entity& robot, const JointRows& joints, const std::string& name);
