@@ -29,7 +29,7 @@ bool SimulationLanes::can_hold(const Simulation& simulation) {
          std::ranges::none_of(simulation.tasks_, is_foreign);
 }
 
-/// Who makes steps of its own length is due when the others are not.
+/// An entity that makes steps of its own length is due when those of other worlds are not.
 void SimulationLanes::join() {
   groups_.clear();
   joined_.assign(simulations_.size(), {});
@@ -46,7 +46,6 @@ void SimulationLanes::join() {
                  members.front()->goes_with(*members.back()) && members.back()->goes_with(*members.front());
     }
     groups_.push_back(together ? members.front()->join(members) : nullptr);
-    if (groups_.back()) groups_.back()->begin_at(times_.data());
   }
 }
 
@@ -69,6 +68,9 @@ void SimulationLanes::step(LaneMask due, int steps) {
     for (int i = 0; i < steps; ++i) member(lane).step();
   });
   if (together == 0) return;
+  for (const auto& group : groups_) {
+    if (group) group->begin_at(times_.data());  // here, since this may have been moved
+  }
   known_.clear();
   own_.fill(nullptr);
   for (int i = 0; i < steps; ++i) tick(together);
@@ -126,11 +128,11 @@ void SimulationLanes::execute(std::size_t number, LaneMask lanes) noexcept {
     auto& task = *member(lane).tasks_[number];
     if (!group && (task.step_ratio || ForeignCode::of(*task.algorithm))) return member(lane).execute(task);
     if (task.idle) return;
+    ++task.calls;
     if (!group) {
-      const KeptFloatingPoint modes;  // the algorithm may be somebody else's
+      const KeptFloatingPoint modes;  // a controller may be the program's
       return task.algorithm->step({times_[static_cast<std::size_t>(lane)], task.period});
     }
-    ++task.calls;
     period = task.period;
     awake |= lane_bit(lane);
   });
