@@ -81,7 +81,7 @@ void BatchBench::bring(std::vector<BatchWorld>& worlds, std::size_t first, LaneM
     const auto i = static_cast<std::size_t>(lane);
     const BatchWorld& world = worlds[first_ + i];
     if (seeds_[i] != world.seed) scene(lane).simulation().reseed(world.seed);
-    seeds_[i] = world.seed;
+    scene(lane).scene.parts().spec.seed = seeds_[i] = world.seed;
     told([&] { packers_[i].load(world.state); });
   });
 }
