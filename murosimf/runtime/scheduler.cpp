@@ -52,12 +52,16 @@ void Scheduler::look_at(Duration time) noexcept {
 
 void Scheduler::run_tick() {
   MUROSIMF_ASSERT(planned_ && now_ == ticks_ * plan_.tick());
-  const std::vector<Wave>& waves = plan_.due(ticks_);
+  const std::vector<Wave>& waves = due_waves();
   const auto& shared = lane_jobs_.of(waves);
   const auto& alone = pool_.threads() > 1 ? lane_jobs_alone_.of(waves) : shared;
   MUROSIMF_ASSERT(shared.size() == waves.size() && alone.size() == waves.size());
   for (std::size_t i = 0; i < waves.size(); ++i) run_wave(waves[i], shared[i], alone[i]);
   if constexpr (assertions_checked) checks_.after_tick();
+  advance();
+}
+
+void Scheduler::advance() noexcept {
   now_ += plan_.tick();
   ++ticks_;
 }

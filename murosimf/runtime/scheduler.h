@@ -42,6 +42,12 @@ class Scheduler {
   void plan();
   /// Executes what is due and goes on by one tick.
   void run_tick();
+  /// The waves that are due now; until the next plan() they stay where they are.
+  [[nodiscard]] const std::vector<Wave>& due_waves() { return plan_.due(ticks_); }
+  /// One task, if it is due and its entity not idle.
+  void execute(Task& task) noexcept;
+  /// Goes on by one tick without executing anything: all that is due has been executed.
+  void advance() noexcept;
   /// Between two ticks, to the time of another state. The plan is then that of a simulation which has come there without changes
   /// on the way.
   void jump_to(Duration time);
@@ -65,7 +71,6 @@ class Scheduler {
   [[nodiscard]] ThreadAffinity find_homes() const;
   void run_wave(const Wave& wave, const WaveJobs& shared, const WaveJobs& alone);
   void execute(const Job& job) noexcept;
-  void execute(Task& task) noexcept;
   template <class Step>
   void take_time(std::span<Task* const> tasks, const Step& step) noexcept;
 

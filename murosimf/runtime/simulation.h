@@ -46,10 +46,6 @@ namespace murosimf {
 class Simulation {
   friend class SimulationLanes;
   friend class StatePacker;
-  struct TimedCall {
-    Duration time{};
-    std::function<void()> call;
-  };
 
  public:
   explicit Simulation(int threads = 1);

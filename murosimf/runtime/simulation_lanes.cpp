@@ -11,7 +11,7 @@ namespace murosimf {
 SimulationLanes::SimulationLanes(std::vector<Simulation*> simulations) : simulations_(std::move(simulations)) {
   const auto names = [](const Simulation& simulation) {
     std::vector<std::string> result;
-    for (const auto& task : simulation.tasks_) result.push_back(Simulation::full_name(*task));
+    for (const auto& task : simulation.tasks_) result.push_back(full_name(*task));
     return result;
   };
   for (Simulation* simulation : simulations_) {
@@ -25,7 +25,7 @@ SimulationLanes::SimulationLanes(std::vector<Simulation*> simulations) : simulat
 
 bool SimulationLanes::can_hold(const Simulation& simulation) {
   const auto is_foreign = [](const auto& task) { return ForeignCode::of(*task->algorithm) != nullptr; };
-  return simulation.schedule_.empty() && simulation.timed_calls_.empty() &&
+  return simulation.timed_calls_.empty() &&
          std::ranges::none_of(simulation.tasks_, is_foreign);
 }
 
@@ -40,7 +40,7 @@ void SimulationLanes::join() {
     std::vector<Algorithm*> members;
     bool together = simulations_.size() > 1;
     for (const Simulation* simulation : simulations_) {
-      const auto& task = *simulation->tasks_[number];
+      const Task& task = simulation->tasks_[number];
       members.push_back(task.algorithm.get());
       together = together && !task.step_ratio && !ForeignCode::of(*task.algorithm) &&
                  members.front()->goes_with(*members.back()) && members.back()->goes_with(*members.front());
@@ -74,14 +74,14 @@ void SimulationLanes::step(LaneMask due, int steps) {
   known_.clear();
   own_.fill(nullptr);
   for (int i = 0; i < steps; ++i) tick(together);
-  for_lanes(together, [&](int lane) { member(lane).restart_checks(); });
+  for_lanes(together, [&](int lane) { member(lane).scheduler_.restart_checks(); });
 }
 
 void SimulationLanes::tick(LaneMask lanes) {
   for_lanes(lanes, [&](int lane) {
     Simulation& simulation = member(lane);
-    simulation.take_over_frozen();
-    times_[static_cast<std::size_t>(lane)] = simulation.now_;
+    simulation.registry_.take_over_frozen();
+    times_[static_cast<std::size_t>(lane)] = simulation.now();
     waves_[static_cast<std::size_t>(lane)] = &due_waves(lane);
   });
   for (LaneMask left = lanes; left != 0;) {
@@ -96,16 +96,15 @@ void SimulationLanes::tick(LaneMask lanes) {
   }
   for_lanes(lanes, [&](int lane) {
     Simulation& simulation = member(lane);
-    simulation.now_ += simulation.plan_.tick();
-    ++simulation.ticks_;
-    simulation.take_over_frozen();
+    simulation.scheduler_.advance();
+    simulation.registry_.take_over_frozen();
   });
 }
 
 /// Equal ones are the same ones.
 auto SimulationLanes::due_waves(int lane) -> const Waves& {
   const auto i = static_cast<std::size_t>(lane);
-  const Waves& own = member(lane).plan_.due(member(lane).ticks_);
+  const Waves& own = member(lane).scheduler_.due_waves();
   if (own_[i] == &own) return *waves_[i];  // as in the tick before
   own_[i] = &own;
   const auto known = std::ranges::find_if(known_, [&](const Waves* one) { return *one == own; });
@@ -125,8 +124,8 @@ void SimulationLanes::execute(std::size_t number, LaneMask lanes) noexcept {
   LaneMask awake = 0;
   Duration period{};
   for_lanes(lanes, [&](int lane) {
-    auto& task = *member(lane).tasks_[number];
-    if (!group && (task.step_ratio || ForeignCode::of(*task.algorithm))) return member(lane).execute(task);
+    Task& task = member(lane).tasks_[number];
+    if (!group && (task.step_ratio || ForeignCode::of(*task.algorithm))) return member(lane).scheduler_.execute(task);
     if (task.idle) return;
     ++task.calls;
     if (!group) {

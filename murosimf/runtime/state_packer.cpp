@@ -135,7 +135,7 @@ void StatePacker::load(std::span<const Word> packed) {
   visit_others(archive);
   if (archive.left() > 0 || !unpacking.done())
     throw SetupError("a packed state is longer than those of this simulation");
-  simulation_->restart_checks();
+  simulation_->scheduler_.restart_checks();
 }
 
 }  // namespace murosimf

@@ -34,6 +34,8 @@ class TimedCalls {
 
   /// Those to come that were asked for later.
   [[nodiscard]] const std::vector<TimedCall>& later() const noexcept { return later_; }
+  /// Neither a schedule nor calls to come.
+  [[nodiscard]] bool empty() const noexcept { return schedule_.empty() && later_.empty(); }
   void set_later(std::vector<TimedCall> calls) { later_ = std::move(calls); }
 
   void go_back_to_start() noexcept;
