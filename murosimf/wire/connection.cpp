@@ -1,13 +1,12 @@
 #include "murosimf/wire/connection.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstdint>
 #include <limits>
 #include <utility>
 
 #include <fmt/format.h>
-
-#include "murosimf/math/assert.h"
 
 namespace murosimf::wire {
 namespace {
@@ -16,7 +15,7 @@ constexpr std::size_t prefix = 4;               // [byte]
 constexpr std::size_t first_buffer = 4 * 1024;  // [byte]
 
 std::uint32_t length_at(const char* bytes) {
-  MUROSIMF_ASSERT(bytes != nullptr);
+  assert(bytes != nullptr);
   std::uint32_t length = 0;
   for (std::size_t i = 0; i < prefix; ++i) length = length << 8 | static_cast<unsigned char>(bytes[i]);
   return length;
@@ -28,7 +27,7 @@ Connection::Connection(Socket socket, std::size_t longest)
     : socket_(std::move(socket)), longest_(longest), incoming_(std::min(first_buffer, prefix + longest)) {}
 
 void Connection::send(std::string_view message) {
-  MUROSIMF_ASSERT(message.size() <= std::numeric_limits<std::uint32_t>::max());
+  assert(message.size() <= std::numeric_limits<std::uint32_t>::max());
   const auto length = static_cast<std::uint32_t>(message.size());
   // The most significant byte first, as the protocol has it.
   for (int shift = 24; shift >= 0; shift -= 8) outgoing_.push_back(static_cast<char>(length >> shift & 0xff));
@@ -56,7 +55,7 @@ void Connection::flush_until(WallTime end) {
 
 /// The next message in the buffer, which grows to the arriving message after its length has been checked.
 std::optional<std::string_view> Connection::next_in_buffer() {
-  MUROSIMF_ASSERT(begin_ <= end_ && end_ <= incoming_.size());
+  assert(begin_ <= end_ && end_ <= incoming_.size());
   const std::size_t there = end_ - begin_;
   if (there < prefix) return {};
   const std::size_t length = length_at(&incoming_[begin_]);
@@ -79,7 +78,7 @@ void Connection::fill() {
   end_ -= begin_;
   begin_ = 0;
   end_ += socket_.receive(std::span(incoming_).subspan(end_));
-  MUROSIMF_ASSERT(end_ <= incoming_.size());
+  assert(end_ <= incoming_.size());
 }
 
 std::optional<std::string_view> Connection::receive() {

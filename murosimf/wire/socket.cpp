@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cerrno>
 #include <charconv>
 #include <memory>
@@ -16,8 +17,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-
-#include "murosimf/math/assert.h"
 
 namespace murosimf::wire {
 namespace {
@@ -52,7 +51,7 @@ std::string reason(int error) {
 }
 
 void set_option(int socket, int level, int option, int value) {
-  MUROSIMF_ASSERT(socket >= 0);
+  assert(socket >= 0);
   (void)::setsockopt(socket, level, option, &value, sizeof value);  // an optimization: errors are ignored
 }
 
@@ -174,7 +173,7 @@ std::size_t Socket::send(std::span<const char> bytes) const {
 }
 
 std::size_t Socket::receive(std::span<char> bytes) const {
-  MUROSIMF_ASSERT(!bytes.empty());
+  assert(!bytes.empty());
   const ssize_t received = ::recv(number_, bytes.data(), bytes.size(), 0);
   if (received > 0) return static_cast<std::size_t>(received);
   if (received < 0 && would_wait(errno)) return 0;
