@@ -268,7 +268,7 @@ void ArticulatedDynamics::factor() noexcept {
 
 /// Corrects the accelerations so that coupled joints and loops hold; they count as forces that drive the joints.
 void ArticulatedDynamics::couple() noexcept {
-  if (!accelerations_are_numbers()) return;  // the step is rejected later; a factorization of such numbers is meaningless
+  if (!are_numbers(bodies_)) return;  // the step will be refused
   factor();
   add_impulses(couplings_.solve(tree_, bodies_, root_, dt_));
   couplings_.count_as_drive(friction_);
@@ -334,14 +334,6 @@ void ArticulatedDynamics::finish_drives() noexcept {
   }
 }
 
-/// Not whether they are sane: joints without inertia of their own may be of any rate before their couplings hold them.
-bool ArticulatedDynamics::accelerations_are_numbers() const noexcept {
-  double sum = norm(bodies_[0].acceleration.v) + norm(bodies_[0].acceleration.w);
-  for (const auto& body : bodies_) sum += body.joint_acceleration;
-  return std::isfinite(sum);
-}
-
-/// Whether rates after the step and positions are sane; sums, since one NaN makes them NaN and the comparison false.
 bool ArticulatedDynamics::accelerations_are_sane() const noexcept {
   const PoseColumns& columns = tree_.columns;
   const auto& links = columns.model.tree().links;

@@ -75,7 +75,6 @@ class ArticulatedDynamics final : public MotionLevel, private collision::Impulse
   }
   void finish_drives() noexcept;
   void advance_joints(double dt) noexcept;
-  [[nodiscard]] bool accelerations_are_numbers() const noexcept;
   [[nodiscard]] bool accelerations_are_sane() const noexcept;
   void check_inertias();
 

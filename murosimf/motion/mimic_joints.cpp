@@ -8,10 +8,10 @@
 
 #include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/motion/joint_tendon.h"
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/motion/rate_limit.h"
 #include "murosimf/motion/servo_law.h"
+#include "murosimf/multibody/joint_tendon.h"
 
 namespace murosimf::motion {
 namespace {

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "murosimf/model/fixed_base.h"
-#include "murosimf/motion/joint_tendon.h"
+#include "murosimf/multibody/joint_tendon.h"
 
 namespace murosimf::properties {
 namespace {

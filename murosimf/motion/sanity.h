@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cmath>
+#include <span>
 
+#include "murosimf/multibody/articulated_body.h"
 #include "murosimf/multibody/integrate.h"
 
 namespace murosimf::motion {
@@ -31,6 +33,13 @@ inline constexpr const char* joints_insane = "a joint position or target is no s
 /// Whether the change of the velocities in a step of dt [s] is sane.
 [[nodiscard]] inline bool is_sane(const Twistd& acceleration, double dt) {
   return dt * norm(acceleration.v) < fastest && dt * norm(acceleration.w) < fastest_turn;
+}
+
+/// Whether all accelerations are numbers. How large those of joints without inertia of their own are before couplings hold them says nothing.
+[[nodiscard]] inline bool are_numbers(std::span<const multibody::ArticulatedLink<double>> bodies) {
+  double sum = norm(bodies[0].acceleration.v) + norm(bodies[0].acceleration.w);
+  for (const auto& body : bodies) sum += body.joint_acceleration;
+  return std::isfinite(sum);
 }
 
 }  // namespace murosimf::motion

@@ -14,9 +14,9 @@
 #include "murosimf/model/fixed_base.h"
 #include "murosimf/model/keyframe.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/motion/joint_tendon.h"
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/motion/servo_law.h"
+#include "murosimf/multibody/joint_tendon.h"
 #include "murosimf/robot/robot_soles.h"
 #include "murosimf/robot_formats/robot_visuals.h"
 

@@ -54,7 +54,7 @@ struct MimicDescription {
   double offset = 0;  ///< [rad | m]
 };
 
-/// A tendon over several joints, whose length is the sum of their positions times coefficients (motion/joint_tendon.h).
+/// A tendon over several joints, whose length is the sum of their positions times coefficients (multibody/joint_tendon.h).
 struct TendonDescription {
   JointDescription
       joint;  ///< what acts along it: a slider without a body; its reference is the length in the pose of the file

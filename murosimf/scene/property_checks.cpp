@@ -13,9 +13,9 @@
 #include "murosimf/math/assert.h"
 #include "murosimf/model/fixed_base.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/motion/joint_tendon.h"
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/motion/servo_law.h"
+#include "murosimf/multibody/joint_tendon.h"
 #include "murosimf/scene_file/setting_targets.h"
 #include "murosimf/scene_file/unused_settings.h"
 

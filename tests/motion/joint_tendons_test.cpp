@@ -1,5 +1,5 @@
 /// joint_tendons_test - tendons over several joints against the closed forms of what acts along them.
-#include "murosimf/motion/joint_tendon.h"
+#include "murosimf/multibody/joint_tendon.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-/// mjcf_joint_tendons.h - fixed tendons over several joints, as sliders that stand at their lengths (motion/joint_tendon.h).
+/// mjcf_joint_tendons.h - fixed tendons over several joints, as sliders that stand at their lengths (multibody/joint_tendon.h).
 ///
 /// L = sum c_i q_i, with the positions of the file (`ref` counts). Stiffness, damping, frictionloss, armature and range are those of the
 /// slider; without `springlength` its spring is slack where all joints stand at their `springref`.
