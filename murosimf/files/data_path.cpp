@@ -60,6 +60,7 @@ std::vector<fs::path> data_folders() {
     roots.push_back(program.parent_path().parent_path() / "share" / "murosimf");
   }
   if (const fs::path& library = own_library(); !library.empty()) {  // in lib/, or in lib/x86_64-linux-gnu/
+    roots.push_back(library.parent_path() / "share" / "murosimf");  // a package of Python
     const fs::path folder = library.parent_path().parent_path();
     roots.push_back(folder / "share" / "murosimf");
     roots.push_back(folder.parent_path() / "share" / "murosimf");

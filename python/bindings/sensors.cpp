@@ -1,0 +1,78 @@
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
+#include <nanobind/stl/vector.h>
+
+#include <tuple>
+
+#include "arrays.h"
+#include "module.h"
+#include "pictures.h"
+#include "sensor_refs.h"
+
+namespace murosimf::python {
+namespace {
+
+/// Name, unit, labels, first number and their count.
+using Output = std::tuple<std::string, std::string, std::vector<std::string>, std::size_t, std::size_t>;
+
+std::vector<Output> outputs_of(const SensorRef& ref) {
+  std::vector<Output> outputs;
+  for (const SensorOutput& output : ref.sensor.outputs()) {
+    outputs.emplace_back(output.name, output.unit, output.labels, output.begin, output.size);
+  }
+  return outputs;
+}
+
+/// Live.
+Array<const double> values_of(SensorRef& ref) {
+  const Look look(*ref.state);
+  const std::span<const double> values = ref.sensor.values();
+  return shown<const double>(values.data(), {values.size()}, ref.state);
+}
+
+nb::tuple picture_of(CameraRef& ref) {
+  Image image = [&] {
+    const Look look(*ref.state);
+    return ref.camera.picture();
+  }();
+  return layers_of(std::move(image));
+}
+
+}  // namespace
+
+void bind_sensors(nb::module_& module) {
+  nb::class_<SensorRef>(module, "Sensor")
+      .def_prop_ro("name", [](const SensorRef& ref) { return ref.sensor.name(); })
+      .def_prop_ro("type", [](const SensorRef& ref) { return ref.sensor.type(); })
+      .def_prop_ro("frame", [](const SensorRef& ref) { return ref.sensor.frame(); })
+      .def_prop_ro("period", [](const SensorRef& ref) { return ref.sensor.period(); })
+      .def("outputs", &outputs_of)
+      .def("time",
+           [](SensorRef& ref) {
+             const Look look(*ref.state);
+             return ref.sensor.time();
+           })
+      .def("samples",
+           [](SensorRef& ref) {
+             const Look look(*ref.state);
+             return ref.sensor.samples();
+           })
+      .def("values", &values_of);
+  nb::class_<CameraRef>(module, "Camera")
+      .def_prop_ro("name", [](const CameraRef& ref) { return ref.camera.name(); })
+      .def_prop_ro("period", [](const CameraRef& ref) { return ref.camera.period(); })
+      .def("labels", [](const CameraRef& ref) { return ref.camera.labels(); })
+      .def("time",
+           [](CameraRef& ref) {
+             const Look look(*ref.state);
+             return ref.camera.time();
+           })
+      .def("pictures",
+           [](CameraRef& ref) {
+             const Look look(*ref.state);
+             return ref.camera.pictures();
+           })
+      .def("picture", &picture_of);
+}
+
+}  // namespace murosimf::python

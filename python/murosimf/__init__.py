@@ -1,0 +1,33 @@
+"""MuRoSimF: teams of humanoid robots at exchangeable levels of physical detail.
+
+    import murosimf as ms
+
+    s = ms.Scene("walk", set={"walker.level": "simplified_dynamics"})
+    s.run(5.0)
+    print(s["walker"].position)
+
+Lengths are in meters, angles in radians, times in simulated seconds, forces in newtons; frames are right-handed, x forward, y
+left, z up; quaternions have w first.
+"""
+
+from ._core import version as _version
+from .batch import Batch
+from .contacts import RayHit
+from .demo import demo
+from .entity import Entity, Object, Objects, Pose, Velocity
+from .errors import Error, InputError, SetupError, SimulationError, StateError, UnknownName
+from .joints import Joint, JointArray, Joints
+from .kinematics import Frames, Kinematics
+from .picture import Picture
+from .recording import Recorder, Recording, Series
+from .robot import Controller, Level, Robot
+from .scene import Scene
+from .sensors import Camera, Sensor
+from .studies import check, compare, sweep
+
+__version__: str = _version()
+
+__all__ = ["Batch", "Camera", "Controller", "Entity", "Error", "Frames", "InputError", "Joint", "JointArray", "Joints",
+           "Kinematics", "Level", "Object", "Objects", "Picture", "Pose", "RayHit", "Recorder", "Recording", "Robot", "Scene",
+           "Sensor", "Series", "SetupError", "SimulationError", "StateError", "UnknownName", "Velocity", "check", "compare",
+           "demo", "sweep"]

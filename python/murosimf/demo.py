@@ -1,0 +1,27 @@
+"""Something that moves at once: `python -m murosimf demo`."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+from os import PathLike
+
+from ._program import program
+from .errors import InputError
+from .scene import Scene
+
+
+def demo(file: str | PathLike[str] | None = None, *, seconds: float = 10.0, web: bool = False) -> None:
+    """The game of three against three: in a window; with `web` in browsers (prints the address); with `file` as a picture (PNG)
+    after so many simulated seconds."""
+    if file is not None:
+        scene = Scene("three_on_three")
+        scene.run(seconds)
+        scene.picture(eye=(0, -6, 3.5), width=960, height=540).save(file)
+        print(f"wrote {os.fspath(file)}: the game after {scene.time:g} s")
+        return
+    shown = ["run", "three_on_three", "--web", "8080"] if web else ["view", "three_on_three"]
+    ended = subprocess.run([program(), *shown], check=False).returncode
+    if ended == 2 and not web:
+        raise InputError("there is no window here; python -m murosimf demo --web shows the game in a browser, "
+                         "python -m murosimf demo FILE.png makes a picture")

@@ -1,0 +1,129 @@
+"""What robots feel and see: the last sample of a sensor, the last picture of a camera."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from typing import TypeVar
+
+from ._core import Camera as CoreCamera
+from ._core import Sensor as CoreSensor
+from ._values import Array, nearest
+from .picture import Picture
+
+Handle = TypeVar("Handle")
+
+
+class Sensor:
+    def __init__(self, core: CoreSensor) -> None:
+        self._core = core
+        self._values: Array = core.values()
+        self._outputs = {name: (begin, size) for name, _, _, begin, size in core.outputs()}
+        #: unit of each output, SI
+        self.units: dict[str, str] = {name: unit for name, unit, _, _, _ in core.outputs()}
+
+    @property
+    def name(self) -> str:
+        return self._core.name
+
+    @property
+    def type(self) -> str:
+        """ "imu" """
+        return self._core.type
+
+    @property
+    def frame(self) -> str:
+        """The object that it is mounted on; "": none in particular."""
+        return self._core.frame
+
+    @property
+    def period(self) -> float:
+        """[s] from sample to sample"""
+        return self._core.period
+
+    @property
+    def time(self) -> float:
+        """[s] when the last sample that has arrived was taken"""
+        return self._core.time()
+
+    @property
+    def samples(self) -> int:
+        """How many have arrived so far; 0: none, and values are 0 or as at rest."""
+        return self._core.samples()
+
+    @property
+    def values(self) -> Array:
+        """Of all outputs, one after the other; live, NaN: nothing seen."""
+        return self._values
+
+    def __getitem__(self, output: str) -> Array:
+        """Of one output; live. Raises UnknownName."""
+        if output not in self._outputs:
+            raise nearest(output, list(self._outputs), f"output of sensor '{self.name}'")
+        begin, size = self._outputs[output]
+        return self._values[begin : begin + size]
+
+    def read(self) -> dict[str, Array]:
+        """A copy of the last sample: numbers by output."""
+        return {name: self[name].copy() for name in self._outputs}
+
+    def __repr__(self) -> str:
+        outputs = ", ".join(f"{name} ({size}) [{self.units[name]}]" for name, (_, size) in self._outputs.items())
+        return f"sensor '{self.name}' ({self.type}, {1 / self.period:g} Hz): {outputs}"
+
+
+class Camera:
+    """Draws from the start on only if it was asked for (`robot.cameras["head"]`) before the first step, or is always_on in its
+    file."""
+
+    def __init__(self, core: CoreCamera) -> None:
+        self._core = core
+
+    @property
+    def name(self) -> str:
+        return self._core.name
+
+    @property
+    def period(self) -> float:
+        """[s] from picture to picture"""
+        return self._core.period
+
+    @property
+    def time(self) -> float:
+        """[s] when the exposure of the last one began"""
+        return self._core.time()
+
+    @property
+    def pictures(self) -> int:
+        """How many have come so far."""
+        return self._core.pictures()
+
+    def picture(self) -> Picture:
+        """A copy of the last one, with the layers that the camera has."""
+        return Picture(*self._core.picture(), names=self._core.labels())
+
+    def __repr__(self) -> str:
+        return f"camera '{self.name}' ({1 / self.period:g} Hz)"
+
+
+class ByName(Mapping[str, Handle]):
+    """Sensors or cameras of a robot by name."""
+
+    def __init__(self, names: Callable[[], list[str]], make: Callable[[str], Handle]) -> None:
+        self._names, self._make = names, make
+
+    def __getitem__(self, name: str) -> Handle:
+        return self._make(name)
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._names()
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._names())
+
+    def __len__(self) -> int:
+        return len(self._names())
+
+    def __repr__(self) -> str:
+        return ", ".join(self._names()) or "none"
+
+
