@@ -5,6 +5,7 @@
 
 NB_MODULE(_core, module) {
   using namespace murosimf::python;
+  nanobind::set_leak_warnings(false);  // scripts end with scenes that are still there
   count_forks();
   bind_errors();
   bind_entities(module);

@@ -1,5 +1,7 @@
 #include "python_controller.h"
 
+#include <nanobind/stl/string.h>
+
 #include <cstdio>
 #include <utility>
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._core import Entity as CoreEntity
-from ._values import Array, nearest, numbers, quadruple, triple
+from ._values import Array, numbers, quadruple, triple
 
 
 class Pose(NamedTuple):
@@ -134,9 +134,8 @@ class Entity:
 
     def __getitem__(self, name: str) -> Object:
         """One of its objects. Raises UnknownName."""
-        names = self._entity.objects()
-        if name not in names:
-            raise nearest(name, names, f"object of '{self.name}'")
+        if name not in self._entity.objects():
+            self._entity.pose(name)  # bodies of the robot's file have names, too; says what is nearest to others
         return Object(self._entity, name)
 
     @property

@@ -70,7 +70,7 @@ class Recording:
 
     def table(self, pattern: str = "") -> NDArray[np.void]:
         """(n,) records with the field `time` [s], and a field for each number of the pattern, which were recorded at the same
-        times: `pandas.DataFrame(recording.table("walker.torso.position"))`. Raises InputError if they were not."""
+        times: `pandas.DataFrame(recording.table("walker.j_torso.position"))`. Raises InputError if they were not."""
         from .errors import InputError
 
         found = self.series(pattern)

@@ -115,7 +115,7 @@ def test_robots_and_bodies_come_and_go() -> None:
     scene = ms.Scene("three_on_three")
     added = scene.add_robot("b4", "kid21", position=(-2, 1.5, 0), level="kinematic_walking")
     assert scene.robots[-1] == "b4"
-    assert added.position[:2] == pytest.approx([-2, 1.5])
+    assert added.position[:2] == pytest.approx([-2, 1.5], abs=0.1)  # starts vary, as the scene says
     crate = scene.add_body("crate", "box", size=(0.2, 0.3, 0.4), mass=2.0, position=(0, 1, 0.5))
     scene.run(0.2)
     # falls freely: g t^2 / 2 of the semi-implicit steps, a millimeter or so beside it
@@ -151,7 +151,7 @@ def test_says_what_it_is() -> None:
     camera = scene.robot.cameras["camera"]  # looking at it has not begun the run
     scene.run(0.1)
     assert camera.period == pytest.approx(0.05)
-    assert re.fullmatch(r"scene 'Walk' at 0\.100 s\n  walker +kinematic_walking +-1\.9\d\d, .* m +0 falls", repr(scene))
+    assert re.fullmatch(r"scene 'Walk' at 0\.100 s\n  walker +kinematic_walking +-2\.00\d, .* m +0 falls", repr(scene))
     assert "<td>walker</td>" in scene._repr_html_()
     assert "level     kinematic_walking" in repr(scene.robot)
     assert "<caption>robot walker</caption>" in scene.robot._repr_html_()
