@@ -57,7 +57,7 @@ def test_recordings(tmp_path: Path) -> None:
     z = recording["walker.j_torso.position.z"]
     assert z.unit == "m"
     assert z.times[-1] == pytest.approx(1.0)
-    # poses are those of the begin of the step, a millisecond before
+    # within what a walking robot's torso moves in a step
     assert z.values[-1] == pytest.approx(scene["walker"]["j_torso"].position[2], abs=1e-3)
     table = recording.table("walker.j_torso.position")
     assert table.dtype.names == ("time", *(f"walker.j_torso.position.{axis}" for axis in "xyz"))
