@@ -96,8 +96,7 @@ def test_pools_of_processes() -> None:
     assert set(hashes) == {hash_after(4)}
 
 
-def test_import_takes_no_time() -> None:
-    code = ("import time, numpy\nbegin = time.perf_counter()\nimport murosimf, sys\n"
-            "print('gymnasium' in sys.modules, time.perf_counter() - begin)")
-    heavy, _ = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split()
-    assert heavy == "False"
+def test_import_brings_no_gymnasium() -> None:
+    code = "import murosimf, sys; print('gymnasium' in sys.modules)"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout == "False\n"
