@@ -13,7 +13,7 @@ from pathlib import Path
 GLOSSARY = "docs/glossary.md"
 CODE = ("murosimf", "include", "apps")
 EVERYWHERE = (*CODE, "tests", "examples", "benchmarks", "docs")
-PERSONS = re.compile(r"\b(who|whom|whoever|nobody|somebody|everybody|everyone|anybody|someone)\b", re.IGNORECASE)
+PERSONS = re.compile(r"(?<!people )(?<!those )(?<!user )(?<!users )\b(who|whom|whoever|nobody|somebody|everybody|everyone|anybody|someone)\b(?!\()", re.IGNORECASE)
 COMMENT = re.compile(r'//.*|/\*.*?\*/')
 STRING = re.compile(r'"(?:\\.|[^"\\])*"')
 

@@ -19,7 +19,7 @@
 namespace murosimf::files {
 
 struct FileAccess {
-  std::shared_ptr<const AllowedFiles> only_from{};  ///< null: whoever asks may name any file
+  std::shared_ptr<const AllowedFiles> only_from{};  ///< null: any file may be named
   std::shared_ptr<const MovedFiles> moved{};        ///< files of an earlier run; null: files are where they are
   std::shared_ptr<FilesRead> noted{};               ///< gets all that is read; null: it is not noted
 };

@@ -5,7 +5,7 @@
 /// with masses m_i [kg] at y_i, z_i [m]. A leg swings by Q cos(phase), Q = v T_s / (2 h) at the speed v [m/s], with T_s [s] that a foot stands and h
 /// [m] the height of the hips; the arm of its side by as much as makes the sum of both zero, times `arm_swing`, the other way.
 /// Source: textbook mechanics. What it is good for: Collins, Adamczyk, Kuo, "Dynamic arm swinging in human walking", Proc. R. Soc. B 276
-/// (2009), who measure the moment that the ground must give.
+/// (2009), with measurements of the moment that the ground must give.
 #pragma once
 
 #include <array>

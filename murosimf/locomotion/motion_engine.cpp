@@ -130,7 +130,7 @@ void MotionEngine::read_requests() noexcept {
 }
 
 /// A request waits in `motion` until the robot has stopped. Where it falls or plays already, it is over.
-void MotionEngine::ask(int motion) noexcept {
+void MotionEngine::request_motion(int motion) noexcept {
   if (rests() && motions_[motion].name.starts_with("get_up")) return begin(MotionMode::lie, -1);
   if (mode() != MotionMode::walk || (!can_fall() && motions_[motion].standing < 0)) return;
   if (motions_[motion].lies && !motions_[motion].rests) return begin(MotionMode::play, motion);

@@ -49,7 +49,7 @@ struct RecorderOptions {
   const McapReader* files_of = nullptr;
   bool in_the_middle =
       false;  ///< the scene is initialized already: the file begins with its next step, as one that went on from a state
-  /// What other programs draw, a part of "drawings"; must outlive the run. Null: nobody else draws.
+  /// What other programs draw, a part of "drawings"; must outlive the run. Null: there are no other programs.
   const drawing::DebugDrawSource* others = nullptr;
 };
 

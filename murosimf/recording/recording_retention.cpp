@@ -82,7 +82,7 @@ bool RecordingRetention::begin_file() {
   return writer_.begin(held_.empty() ? scene_.simulation().now() : held_.front().front().time);
 }
 
-/// Drops what is before the last state that is old enough; of a file that has begun commands stay, for who repeats the run.
+/// Drops what is before the last state that is old enough; of a file that has begun commands stay, so that the run can be repeated.
 void RecordingRetention::forget_old() {
   const auto is_start = [&](const Batch& batch) {
     return !batch.front().state.empty() && batch.front().time <= scene_.simulation().now() - keep_;
@@ -104,7 +104,7 @@ void RecordingRetention::forget_old() {
   held_.erase(held_.begin(), first_kept);
 }
 
-/// A file that has begun gets all of it at once, for who repeats the run; before, what lasts is kept for its first event.
+/// A file that has begun gets all of it at once, so that the run can be repeated; before, what lasts is kept for its first event.
 void RecordingRetention::keep_outside(RecordedFrame& dropped, Batch& rest) {
   if (writer_.began()) {
     rest.emplace_back().time = dropped.time;

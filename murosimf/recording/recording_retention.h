@@ -63,7 +63,7 @@ class RecordingRetention {
   Batch batch_;              // the present one
   std::vector<Batch> held_;  // not in the file yet, the oldest first
   Batch spare_;              // frames that were written
-  // of frames that are forgotten, for who repeats the run: what comes with the next thing that happens
+  // of frames that are forgotten, so that the run can be repeated: what comes with the next thing that happens
   std::vector<std::pair<Duration, std::string>> commands_between_;
   std::vector<std::pair<std::string, ExternalInput>> outside_between_;
   Duration write_until_{-1};

@@ -193,7 +193,7 @@ void AlgorithmRegistry::drop_columns_of(const Task& task) {
   }
 }
 
-/// Columns that this task has written and nobody writes now.
+/// Columns that this task has written and no other task writes.
 void AlgorithmRegistry::restart_columns_of(const Task& task) {
   for (const Access& access : task.access.all()) {
     if (access.mode != AccessMode::write) continue;

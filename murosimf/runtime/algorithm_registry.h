@@ -1,4 +1,4 @@
-/// algorithm_registry.h - who takes part in a simulation: algorithms are attached, detached and exchanged, entities come and go.
+/// algorithm_registry.h - the participants of a simulation: algorithms are attached, detached and exchanged, entities come and go.
 ///
 /// Each of these is done between two steps, and done as a whole: what throws a SetupError leaves world, tasks and plan as they were.
 /// Before the first start algorithms are only constructed; what comes later is initialized at once. Simulation says what each means for

@@ -81,7 +81,7 @@ void AlgorithmRegistry::keep_start_of(Entity& entity) {
   }
 }
 
-/// Nobody but what came along refers to it.
+/// Only what came along refers to it.
 void AlgorithmRegistry::take_back(Entity& entity) {
   MUROSIMF_ASSERT(world_.entities().back().get() == &entity);
   std::vector<std::unique_ptr<Task>> gone = tasks_.take_those_that_come_along();

@@ -165,7 +165,7 @@ void Scheduler::execute(const Job& job) noexcept {
 /// Executes a step of these tasks, and shares its time out among them.
 template <class Step>
 void Scheduler::take_time(std::span<Task* const> tasks, const Step& step) noexcept {
-  const KeptFloatingPoint modes;  // the algorithm may be somebody else's
+  const KeptFloatingPoint modes;  // the algorithm may be foreign code
   const std::int64_t call = tasks.front()->calls;
   for (Task* task : tasks) ++task->calls;
   if (call >= all_timed && call % timed_every != 0) return step();

@@ -53,13 +53,13 @@ class Simulation {
   [[nodiscard]] World& world() noexcept { return world_; }
   [[nodiscard]] const World& world() const noexcept { return world_; }
 
-  // ---- Who takes part ----
+  // ---- Participants ----
 
   /// Adds an algorithm: constructs an A with (Setup&, arguments...) for `entity` and executes it at `rate` (a number: [Hz]) of
   /// simulated time, in the ticks that begin nearest to its instants (plan.h). `name` is what reports and messages call it. Algorithms that conflict run by phase, then
   /// in the order of attaching. In a running simulation, between two steps, it is initialized at once and is due from the next step
   /// on. Throws SetupError, and leaves everything as it was, if the rate is not positive and finite or does not fit to the others,
-  /// if the constructor or initialize() throws, or if nobody writes what it reads.
+  /// if the constructor or initialize() throws, or if no algorithm writes what it reads.
   template <class A, class... Arguments>
   A& attach(std::string name, Entity& entity, const Rate& rate, Arguments&&... arguments) {
     const auto make = [&](Setup& setup) { return std::make_unique<A>(setup, std::forward<Arguments>(arguments)...); };
@@ -84,14 +84,14 @@ class Simulation {
     return registry_.add(std::move(name), std::move(model), options, furnish, prepare);
   }
 
-  /// Takes an algorithm out and destroys it, between two steps; columns that nobody uses any more are removed (views keep theirs,
-  /// column_view.h). Throws SetupError, and changes nothing, if it is a level, or if somebody reads what nobody else writes.
+  /// Takes an algorithm out and destroys it, between two steps; unused columns are removed (views keep theirs,
+  /// column_view.h). Throws SetupError, and changes nothing, if it is a level, or if another one reads what only it writes.
   void detach(const Algorithm& algorithm) { registry_.detach(algorithm); }
 
   /// Has another level move `entity` from now on, at the same rate and in the same place of the order: constructs an L
-  /// with (Setup&, arguments...), which takes over the motion as it is (model/motion_level.h). Columns that nobody uses
-  /// any more are removed. Throws SetupError, and leaves everything as it was, if the level refuses, or if somebody
-  /// reads what it does not write. To be called between steps only.
+  /// with (Setup&, arguments...), which takes over the motion as it is (model/motion_level.h). Unused
+  /// columns are removed. Throws SetupError, and leaves everything as it was, if the level refuses, or if an
+  /// algorithm reads what it does not write. To be called between steps only.
   template <std::derived_from<MotionLevel> L, class... Arguments>
   L& exchange(std::string name, Entity& entity, Arguments&&... arguments) {
     const auto make = [&](Setup& setup) { return std::make_unique<L>(setup, std::forward<Arguments>(arguments)...); };
@@ -120,7 +120,7 @@ class Simulation {
 
   /// The level that moves `entity` now; null if there is none.
   [[nodiscard]] const MotionLevel* level_of(const Entity& entity) const { return tasks_.level_of(entity); }
-  /// Names of the algorithms that write a property of an entity while stepping; empty: nobody does.
+  /// Names of the algorithms that write a property of an entity while stepping; empty: none does.
   [[nodiscard]] std::vector<std::string> writers_of(const Entity& entity, std::string_view property) const {
     return tasks_.writers_of(entity, property);
   }
@@ -174,7 +174,7 @@ class Simulation {
 
   /// Has `call` done between two steps, when simulated time has come to `time` (at once if it has passed). A SetupError
   /// that it throws becomes a warning; the run goes on. Those asked for before initialize() are the simulation's schedule: it
-  /// is part of the state how far that has come. Later ones are their caller's, whom a state that is loaded does not concern.
+  /// is part of the state how far that has come. Later ones belong to their caller: a loaded state does not change them.
   void at(Duration time, std::function<void()> call);
 
   /// For other threads: what they post() is done at the beginning of the next step, after the calls of that time. Its history is
@@ -182,11 +182,11 @@ class Simulation {
   [[nodiscard]] CommandQueue& command_queue() noexcept { return commands_; }
   /// Those that were carried out: with them a run can be repeated.
   [[nodiscard]] const std::vector<Command>& commands() const noexcept { return commands_.history(); }
-  /// For who pauses between two steps: carries out now what others have posted, instead of at the beginning of the next step, at the same
+  /// For a caller that pauses between two steps: executes now what others have posted, instead of at the beginning of the next step, at the same
   /// simulated time; as there, after the calls of that time. Poses are published again then.
   void carry_out_commands();
 
-  /// What is to be done, and was asked for: no part of a state. Who undoes by load() what he has done since then puts it back, too.
+  /// What is to be done, and was asked for: no part of a state. A caller that undoes steps by load() restores it, too.
   struct Agenda {
     std::size_t commands = 0;      ///< that were carried out
     std::vector<TimedCall> calls;  ///< that come later
@@ -194,7 +194,7 @@ class Simulation {
   [[nodiscard]] Agenda agenda() const { return {commands_.history().size(), timed_calls_.later()}; }
   void agenda_was(Agenda agenda);
 
-  // ---- What has happened, and who is told ----
+  // ---- Events, and poses for observers ----
 
   /// In the order of time: exchanges, and whatever record() was called with.
   [[nodiscard]] const std::vector<Event>& events() const noexcept { return log_.events(); }
@@ -205,9 +205,9 @@ class Simulation {
 
   /// Copies of poses for other threads.
   [[nodiscard]] PoseFeed& poses() noexcept { return poses_; }
-  /// Poses as they are now for all who look on, also if no step was made since the last ones.
+  /// Publishes the present poses to all observers, also if no step was made since the last ones.
   void publish_poses() { poses_.publish_again(world_, now(), scheduler_.ticks()); }
-  /// For who shows what was, instead of making steps: he has set columns to what they were at that time, until which this had happened.
+  /// For playback, instead of steps: the caller has set the columns to those of that time, with the events and warnings until then.
   /// Nothing is computed; poses are published. To go on from there would be another run: reset() or load() come before that. Initializes.
   void show_past(Duration time, std::span<const Event> events, std::span<const std::string> warnings);
 

@@ -25,8 +25,7 @@ SimulationLanes::SimulationLanes(std::vector<Simulation*> simulations) : simulat
 
 bool SimulationLanes::can_hold(const Simulation& simulation) {
   const auto is_foreign = [](const auto& task) { return ForeignCode::of(*task->algorithm) != nullptr; };
-  return simulation.timed_calls_.empty() &&
-         std::ranges::none_of(simulation.tasks_, is_foreign);
+  return simulation.timed_calls_.empty() && std::ranges::none_of(simulation.tasks_, is_foreign);
 }
 
 /// An entity that makes steps of its own length is due when those of other worlds are not.

@@ -31,13 +31,13 @@ struct SceneOptions {
   bool lanes = true;                   ///< false: equal robots are not stepped together (Simulation::use_lanes)
   bool cameras = true;                 ///< false: nothing is drawn for cameras; they have no frames
   bool only_shown = false;             ///< it makes no steps: control software and its connections are left out
-  bool pushable = false;               ///< whoever moves can be pushed while it runs, also without a push in the file
-  bool paths = false;                  ///< remember where everybody has been, for write_picture
+  bool pushable = false;               ///< moving entities can be pushed while it runs, also without a push in the file
+  bool paths = false;                  ///< record the paths of all entities, for write_picture
   std::shared_ptr<connect::TcpServer>
       software{};                    ///< where control software of the controller "tcp" comes in; null: nowhere
   ExternalInputOptions outside{};    ///< what is done with all that comes from outside
   std::shared_ptr<Assets> assets{};  ///< that it shares with other scenes; null: its own
-  /// Which files its names mean, and which may be read. With `files.only_from` who asks for it comes over a network (requested_scene.h): it is
+  /// Which files its names mean, and which may be read. With `files.only_from` the request comes over a network (requested_scene.h): it is
   /// made of these files alone, overrides are those that may come from there, and none of them has software loaded.
   files::FileAccess files{};
   StopRequest stop{};  ///< ends runs of the simulation early (Simulation::stop_if)

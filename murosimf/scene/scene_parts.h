@@ -94,7 +94,7 @@ struct SceneParts {
   StartOfScene at_start;
   files::FileAccess files{};                ///< SceneOptions::files, for robots that come later, which are not noted
   std::unique_ptr<CameraRenderer> cameras;  ///< null: nothing is drawn for them
-  int changes_to_see = 0;  ///< so far, of what renderers have taken over: light, shapes, colors, who is there
+  int changes_to_see = 0;  ///< so far, of what renderers have taken over: light, shapes, colors, presence
 };
 
 /// Null if the entity is no body of [[bodies]].

@@ -14,7 +14,7 @@ void attach_sensors(SceneParts& parts, ModelSource& models, std::size_t robot);
 /// World queries shared by all of them with rays; attached at the first call.
 sensors::WorldQueries& shared_queries(SceneParts& parts);
 
-/// Notes remarks of sensors on the level of their robots: one line for robots with the same remark.
+/// Notes diagnostics of sensors about the level of their robots: one line for robots with the same diagnostic.
 void note_about_sensors(SceneParts& parts);
 
 /// The same for one robot, unless it was noted before.

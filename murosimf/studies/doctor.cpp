@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <mutex>
 
 #include <fmt/format.h>
@@ -99,6 +100,7 @@ double median_way(const DoctorDimension& dimension, std::size_t entity) {
     if (entity < run.entities.size() && std::isfinite(run.entities[entity].way))
       ways.push_back(run.entities[entity].way);
   }
+  if (ways.empty()) return std::numeric_limits<double>::quiet_NaN();  // frozen in every run
   // The upper one of two in the middle: a way that a run really has.
   const auto middle = ways.begin() + static_cast<std::ptrdiff_t>(ways.size() / 2);
   std::ranges::nth_element(ways, middle);

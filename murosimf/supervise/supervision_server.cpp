@@ -1,6 +1,5 @@
 #include <poll.h>
 #include <sys/eventfd.h>
-#include <sys/random.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -21,6 +20,7 @@
 #include "murosimf/supervise/session_slot.h"
 #include "murosimf/supervise/supervision.h"
 #include "murosimf/wire/reception.h"
+#include "murosimf/wire/token.h"
 
 namespace murosimf::supervise {
 namespace {
@@ -29,24 +29,6 @@ constexpr unsigned protocol_version = 1;
 constexpr std::size_t longest_request = 65536;  // [byte]
 constexpr std::size_t longest_name = 100;
 constexpr std::size_t most_lines = 100;  // about refused clients
-
-/// From the system's source of randomness: a token must not be guessable from the time of the start.
-std::string drawn_token() {
-  std::array<unsigned char, 16> bytes{};
-  if (::getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
-    throw SetupError("this system gives no random numbers for a token");
-  }
-  std::string token;
-  for (const unsigned char byte : bytes) token += fmt::format("{:02x}", byte);
-  return token;
-}
-
-/// Compares in constant time, so that the time does not reveal a prefix of the token.
-bool equal(std::string_view a, std::string_view b) {
-  unsigned char difference = a.size() == b.size() ? 0 : 1;
-  for (std::size_t i = 0; i < a.size() && i < b.size(); ++i) difference |= static_cast<unsigned char>(a[i] ^ b[i]);
-  return difference == 0;
-}
 
 void parse(std::string_view bytes, wire::FromSupervisor& message) {
   if (!message.ParseFromArray(bytes.data(), static_cast<int>(bytes.size())) ||
@@ -197,7 +179,10 @@ class Server final : public Supervision {
 
 Server::Server(session::Session& session, const SupervisionOptions& options) : options_(options) {
   slot_.put(session);
-  if (options_.token.empty()) options_.token = drawn_token();
+  if (options_.token.empty()) {
+    options_.token = wire::new_token();
+    if (options_.token.empty()) throw SetupError("this system gives no random numbers for a token");
+  }
   if (options_.token.size() < shortest_token) {
     throw SetupError(fmt::format("the token of supervisors has {} characters; at least {} are needed",
                                  options_.token.size(), shortest_token));
@@ -229,7 +214,7 @@ void Server::admit(wire::Caller& caller, std::string_view bytes) {
     throw wire::WireError(
         fmt::format("speaks version {} of the protocol, this program {}", hello.version(), protocol_version));
   }
-  if (!equal(hello.token(), options_.token)) throw wire::WireError("does not know the token");
+  if (!wire::is_token(hello.token(), options_.token)) throw wire::WireError("does not know the token");
   supervisors_.remove_if([](const Supervisor& supervisor) { return supervisor.is_over(); });
   if (supervisors_.size() >= most_supervisors) {
     throw wire::WireError(fmt::format("comes when {} others are there, the most that may be", most_supervisors));

@@ -27,7 +27,7 @@ class DrawingLayers {
   /// InspectionRequest::drawings_known
   [[nodiscard]] std::uint64_t known() const noexcept { return known_; }
 
-  /// "blue1/ball": who draws, and the name of a group; also hidden ones that are not there.
+  /// "blue1/ball": the author, and the name of a group; also hidden ones that are not there.
   [[nodiscard]] std::vector<std::string> groups(const SceneOutline& outline) const;
   /// All that is not hidden, as it is seen in a picture.
   [[nodiscard]] std::vector<render::SeenShape> shapes_in(const sensors::Perspective& view, const ShownPoses& poses,

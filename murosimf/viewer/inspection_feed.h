@@ -29,7 +29,7 @@ class InspectionFeed {
   [[nodiscard]] bool has_answer() const;
   /// Whether it is time to ask again, and nothing is on its way.
   [[nodiscard]] bool is_due() const;
-  /// Asks, and not again for a `period` of wall time unless somebody likes to. What is known of events is added to the request.
+  /// Asks, and not again for a `period` of wall time unless asked to. What is known of events is added to the request.
   void ask(session::Session& session, const session::SessionStatus& status, InspectionRequest request,
            std::chrono::steady_clock::duration period);
   /// Once has_answer(): from now on it is seen(). Throws SetupError if there is none after all.

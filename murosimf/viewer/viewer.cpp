@@ -42,7 +42,7 @@ void Viewer::begin() {
 }
 
 void Viewer::take_status() {
-  const bool is_known = !status_.diagnostic.empty();  // it changes while somebody goes through time
+  const bool is_known = !status_.diagnostic.empty();  // it changes during travel through time
   status_ = session().status();
   if (!is_known && !status_.diagnostic.empty()) tell(status_.diagnostic, true);
 }

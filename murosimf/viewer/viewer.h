@@ -60,7 +60,7 @@ class Viewer {
   // ---- What there is ----
   [[nodiscard]] session::Session& session() { return running_->session(); }
   [[nodiscard]] RunningScene& running() { return *running_; }
-  /// How often the scene was made: for who keeps something of it.
+  /// How often the scene was made: for callers that keep something of it.
   [[nodiscard]] int generation() const noexcept { return generation_; }
   [[nodiscard]] const session::SessionStatus& status() const noexcept { return status_; }
   [[nodiscard]] const std::vector<session::BranchView>& branches() const noexcept { return branches_; }
