@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Checks the language of comments and pages: the words of docs/glossary.md, and plain technical English.
 
-Names that the last column of the glossary gives up appear nowhere, neither as written there nor in snake_case. In comments of murosimf/, include/ and
-apps/ no pronoun of persons stands for data or code. Prints each violation as file:line: message and exits with 1 if there is one.
+Names that the last column of the glossary gives up appear nowhere, neither as written there nor in snake_case. In
+comments of murosimf/, include/ and apps/ no pronoun of persons stands for data or code. Prints each violation as
+file:line: message and exits with 1 if there is one.
 
     scripts/check_words.py [root of the source tree]
 """
@@ -13,7 +14,8 @@ from pathlib import Path
 GLOSSARY = "docs/glossary.md"
 CODE = ("murosimf", "include", "apps")
 EVERYWHERE = (*CODE, "tests", "examples", "benchmarks", "docs")
-PERSONS = re.compile(r"(?<!people )(?<!those )(?<!user )(?<!users )\b(who|whom|whoever|nobody|somebody|everybody|everyone|anybody|someone)\b(?!\()", re.IGNORECASE)
+PERSONS = re.compile(r"(?<!people )(?<!those )(?<!user )(?<!users )"
+                     r"\b(who|whom|whoever|nobody|somebody|everybody|everyone|anybody|someone)\b(?!\()", re.IGNORECASE)
 COMMENT = re.compile(r'//.*|/\*.*?\*/')
 STRING = re.compile(r'"(?:\\.|[^"\\])*"')
 

@@ -88,7 +88,7 @@ const murosimf_signal* GameSignals::find(std::string_view name) {
 }
 
 void GameSignals::refresh() noexcept {
-  MUROSIMF_ASSERT(view_ != nullptr);  // the first row is made after the column
+  MUROSIMF_ASSERT(shown_.empty() || view_);  // the first row is made after the column
   for (Shown& each : shown_) {
     murosimf_signal now{};
     now.time = view_->time;

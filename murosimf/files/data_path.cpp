@@ -18,7 +18,6 @@ namespace fs = std::filesystem;
 std::optional<fs::path> look_for(std::string_view name, std::string_view kind, std::string_view extension,
                                  const fs::path& beside) {
   std::vector<fs::path> places{fs::path(name)};
-  MUROSIMF_ASSERT(!kind.empty());
   if (!beside.empty()) places.push_back(beside / name);
   for (const fs::path& root : data_folders()) {
     places.push_back(root / name);

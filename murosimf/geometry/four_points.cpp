@@ -58,7 +58,7 @@ void keep_four(Manifold& manifold) noexcept {
   for (; all.count < manifold.count; ++all.count) all.index[all.count] = all.count;
   const auto choose = [&](int i) {
     if (i >= 0) chosen.index[chosen.count++] = i;
-    MUROSIMF_ASSERT(i < manifold.count && chosen.count < 4);
+    MUROSIMF_ASSERT(i < manifold.count && chosen.count <= 4);
   };
   const Vec3d first = manifold.points[0].point;
   choose(0);

@@ -14,8 +14,8 @@ Model::Model(std::string name, Chain chain)
   check_structure();
   name_all_objects();
   index_names(chain.aliases());
-  MUROSIMF_ASSERT(tree_.link_of.size() == objects_.size());
   use_constants();
+  MUROSIMF_ASSERT(tree_.link_of.size() == objects_.size());
 }
 
 Model Model::with(ConstantTable constants) const {

@@ -14,9 +14,9 @@ from pathlib import Path
 
 try:
     import numpy as np
+    from errors import check, end
     from mcap.reader import make_reader
     from mcap_protobuf.decoder import DecoderFactory
-    from errors import check, end
     from recording_against_official import positions
 except ImportError as missing:
     print(f"skipped: {missing}; pip install mcap mcap-protobuf-support foxglove-schemas-protobuf")

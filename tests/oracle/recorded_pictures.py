@@ -19,9 +19,9 @@ try:
     import foxglove_schemas_protobuf.CompressedImage_pb2  # noqa: F401
     import foxglove_schemas_protobuf.RawImage_pb2  # noqa: F401
     import numpy as np
+    from errors import check, end
     from mcap.reader import make_reader
     from mcap_protobuf.decoder import DecoderFactory
-    from errors import check, end
     from recording_against_official import check_schemas, positions, rotation
 except ImportError as missing:
     print(f"skipped: {missing}; pip install mcap mcap-protobuf-support foxglove-schemas-protobuf opencv-python-headless")

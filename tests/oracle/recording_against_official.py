@@ -19,10 +19,10 @@ from pathlib import Path
 try:
     import foxglove_schemas_protobuf.FrameTransforms_pb2  # noqa: F401
     import numpy as np
+    from errors import check, end
     from google.protobuf import descriptor_pb2
     from mcap.reader import make_reader
     from mcap_protobuf.decoder import DecoderFactory
-    from errors import check, end
 except ImportError as missing:
     print(f"skipped: {missing}; pip install mcap mcap-protobuf-support foxglove-schemas-protobuf")
     sys.exit(77)
