@@ -200,8 +200,8 @@ void InstanceList::append_clear() {
   for (const auto& [solid, instance] : clear_) {
     groups_.push_back({solid, sorted_.size(), 1});
     sorted_.push_back(instance);
-    MUROSIMF_ASSERT(solid_groups_ + clear_.size() == groups_.size());
   }
+  MUROSIMF_ASSERT(solid_groups_ + clear_.size() == groups_.size());
 }
 
 }  // namespace murosimf::render

@@ -48,7 +48,7 @@ CallWatch::Place& CallWatch::take() {
 
 void CallWatch::give_back(Place& place) {
   const std::lock_guard lock(mutex_);
-  MUROSIMF_ASSERT(place.taken && place.due == 0);
+  MUROSIMF_ASSERT(place.taken);
   place.taken = false;
 }
 
