@@ -311,7 +311,7 @@ TEST(GroundContact, OfNothingIsFreeFlight) {
   std::ranges::fill(entity.column(properties::orientation).values, Mat3d{});
   contact.initialize();
   EXPECT_EQ(entity.column(contacts).values[0].environment, -1);
-  contact.step({});
+  contact.step({Duration{}, std::chrono::milliseconds(1)});
   EXPECT_TRUE(entity.column(contacts).values[0].points.empty());
 }
 
