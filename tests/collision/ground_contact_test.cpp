@@ -1,6 +1,8 @@
 // One entity on its ground, without a level: velocities of points, loads, memory, pushes of users, hands off.
 #include "murosimf/collision/ground_contact.h"
 
+#include <chrono>
+
 #include <gtest/gtest.h>
 
 #include "murosimf/collision/contact_parameters.h"
