@@ -62,7 +62,7 @@ void* create(const murosimf_robot* robot, char* error, size_t size) {
   double refuse = 0;
   robot->number_option(robot, "refuse", &refuse);
   robot->number_option(robot, "at", &self->at);
-  if (const char* error = robot->text_option(robot, "error")) self->error = error;
+  if (const char* made = robot->text_option(robot, "error")) self->error = made;
   const char* wanted = robot->text_option(robot, "signal");
   if (refuse != 0) std::strncpy(error, "it is Monday", size);
   if ((wanted && !robot->signal(robot, wanted)) || refuse != 0 || !self->target) {

@@ -3,15 +3,15 @@
 #include "tests/fuzz/fuzz.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace murosimf::connect;
+  using namespace murosimf;
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   drawing::RobovizDrawings drawings;
   (void)drawings.take(bytes.substr(0, size / 2));
   (void)drawings.take(bytes.substr(size / 2));
   (void)drawings.take(bytes);
   std::size_t points = 0;
-  for (const murosimf::DrawnGroup& group : drawings.shown().groups) {
-    for (const murosimf::DrawnShape& shape : group.shapes) points += shape.points.size();
+  for (const DrawnGroup& group : drawings.shown().groups) {
+    for (const DrawnShape& shape : group.shapes) points += shape.points.size();
   }
   if (points > drawing::RobovizDrawings::most_in_all) std::abort();
   return 0;
