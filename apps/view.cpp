@@ -73,12 +73,12 @@ viewer::WindowOptions window_options(const ViewOptions& options) {
 
 /// A scene that runs, or a recording that is played, with what other programs drew then; `end`: of it. `recording`: null if nothing is
 /// recorded.
-session::MakeCourse course_of(const SceneArguments& scene, ViewRecording* recording, Duration& end,
+session::MakeSource source_of(const SceneArguments& scene, ViewRecording* recording, Duration& end,
                               const std::shared_ptr<drawing::DebugDrawBuffer>& others) {
   if (!recording::is_recording(scene.file)) {
     scene::SceneOptions options = options_of(scene);
     options.pushable = true;
-    if (recording) return [recording, options] { return recording->make_course(options); };
+    if (recording) return [recording, options] { return recording->make_source(options); };
     return [file = scene.file, options] {
       return std::make_unique<session::LiveSource>(std::make_unique<scene::Scene>(file, options));
     };
@@ -114,8 +114,8 @@ int view(const ViewOptions& options) {
   const auto drawn_then = std::make_shared<drawing::DebugDrawBuffer>();
   std::optional<ViewRecording> recording;
   if (!options.record.file.empty()) recording.emplace(options.scene, options.record, roboviz.get());
-  viewer_options.make_course =
-      course_of(options.scene, recording ? &*recording : nullptr, viewer_options.end, drawn_then);
+  viewer_options.make_source =
+      source_of(options.scene, recording ? &*recording : nullptr, viewer_options.end, drawn_then);
   if (recording) viewer_options.session.no_way_back = ViewRecording::no_way_back();
   if (is_asked_for(options.record)) viewer_options.session.record = [&](bool on) { recording->record(on); };
   viewer_options.session.paused = options.paused;

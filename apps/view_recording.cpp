@@ -15,7 +15,7 @@ ViewRecording::ViewRecording(const SceneArguments& scene, const RecordOptions& o
   check(options, true);
 }
 
-std::unique_ptr<session::PlaybackSource> ViewRecording::make_course(const scene::SceneOptions& options) {
+std::unique_ptr<session::PlaybackSource> ViewRecording::make_source(const scene::SceneOptions& options) {
   if (scene_) throw SetupError("no other scene: " + no_way_back());
   const files::FileScope noting({.noted = files_});
   auto scene = std::make_unique<scene::Scene>(arguments_.file, options);

@@ -18,7 +18,7 @@ class ViewRecording {
   ViewRecording(const SceneArguments& scene, const RecordOptions& options, const drawing::DebugDrawSource* others);
 
   /// The scene with its recorder; once. Throws SetupError.
-  [[nodiscard]] std::unique_ptr<session::PlaybackSource> make_course(const scene::SceneOptions& options);
+  [[nodiscard]] std::unique_ptr<session::PlaybackSource> make_source(const scene::SceneOptions& options);
   /// From now on, or no longer; in the thread that runs the scene.
   void record(bool on) { recorder_->ask(on); }
   /// Why the window cannot go back in time.

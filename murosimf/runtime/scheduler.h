@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "murosimf/model/world.h"
-#include "murosimf/runtime/home_helpers.h"
 #include "murosimf/runtime/lane_jobs.h"
 #include "murosimf/runtime/plan.h"
+#include "murosimf/runtime/pooled_parallel_for.h"
 #include "murosimf/runtime/step_checks.h"
 #include "murosimf/runtime/task_list.h"
 #include "murosimf/runtime/thread_pool.h"
@@ -82,7 +82,7 @@ class Scheduler {
   Duration now_{};
   std::int64_t ticks_ = 0;
   ThreadPool pool_;
-  HomeHelpers parallel_for_{pool_};
+  PooledParallelFor parallel_for_{pool_};
   LaneJobs lane_jobs_, lane_jobs_alone_;  // of the plan: for all threads, and for one
   bool use_lanes_ = true;
   bool alone_in_wave_ = false;  // the task that steps now

@@ -42,16 +42,16 @@ class Lengths {
     parts_.moving_entities.resize(moving_);
     parts_.ground_contacts.resize(moving_);
     parts_.queries = queries_;
-    parts_.step_multiple = multirate_;
+    parts_.multirate_stepping = multirate_;
     parts_.messages = messages_;
   }
 
   SceneParts& parts_;
   std::size_t robots_ = parts_.spec.robots.size(), bodies_ = parts_.spec.bodies.size();
   std::size_t moving_bodies_ = parts_.bodies.size(), moving_ = parts_.moving_entities.size();
-  sensors::WorldQueries* queries_ = parts_.queries;                 // may have been attached with its sensors
-  collision::MultirateStepping* multirate_ = parts_.step_multiple;  // may have been attached with it
-  connect::MessageExchange* messages_ = parts_.messages;            // the same
+  sensors::WorldQueries* queries_ = parts_.queries;                      // may have been attached with its sensors
+  collision::MultirateStepping* multirate_ = parts_.multirate_stepping;  // may have been attached with it
+  connect::MessageExchange* messages_ = parts_.messages;                 // the same
   bool done_ = false;
 };
 

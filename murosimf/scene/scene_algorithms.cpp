@@ -113,8 +113,8 @@ void attach_level_of(SceneParts& parts, const scene_file::RobotSpec& robot, Enti
 }
 
 void attach_multirate_stepping(SceneParts& parts, const Entity& entity) {
-  if (parts.step_multiple || entity.options().step_multiple == 1) return;
-  parts.step_multiple =
+  if (parts.multirate_stepping || entity.options().step_multiple == 1) return;
+  parts.multirate_stepping =
       &parts.simulation->attach<collision::MultirateStepping>("step_multiple", parts.spec.rate, parts.moving_entities);
 }
 

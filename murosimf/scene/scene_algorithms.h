@@ -24,7 +24,6 @@ void attach_ground_contact(SceneParts& parts, Entity& entity, const std::string&
 /// For balls and other spheres, after the contact with the ground; nothing without air.
 void attach_air(SceneParts& parts, Entity& entity);
 /// Options that a robot passes to its level, on the ground of the scene.
-/// What a robot asks of its level, on the ground of the scene.
 [[nodiscard]] catalog::LevelOptions level_options(const SceneParts& parts, const scene_file::RobotSpec& robot);
 
 /// The level that the entity names.

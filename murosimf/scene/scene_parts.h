@@ -73,16 +73,16 @@ struct SceneParts {
   std::map<std::string, int> times_set;  ///< how often each property was set, by its path
   Entity* field = nullptr;
   Entity* ball = nullptr;
-  std::vector<Entity*> robots;                               ///< in the order of the spec
-  std::vector<std::vector<const sensors::Sensor*>> sensors;  ///< by robot
-  std::vector<Entity*> bodies;                               ///< moving ones of [[bodies]]
-  std::vector<Entity*> moving_entities;                      ///< robots, ball and bodies
-  std::vector<collision::GroundContact*> ground_contacts;    ///< by moving entity
-  std::map<const Entity*, motion::Push*> pushes;             ///< of entities that can be pushed
-  collision::MultirateStepping* step_multiple = nullptr;     ///< null: all use the scene's step
-  sensors::WorldQueries* queries = nullptr;                  ///< null: no sensor uses them
-  connect::MessageExchange* messages = nullptr;              ///< null: no software uses them
-  const PathRecorder* recorder = nullptr;                    ///< null: paths are not recorded
+  std::vector<Entity*> robots;                                 ///< in the order of the spec
+  std::vector<std::vector<const sensors::Sensor*>> sensors;    ///< by robot
+  std::vector<Entity*> bodies;                                 ///< moving ones of [[bodies]]
+  std::vector<Entity*> moving_entities;                        ///< robots, ball and bodies
+  std::vector<collision::GroundContact*> ground_contacts;      ///< by moving entity
+  std::map<const Entity*, motion::Push*> pushes;               ///< of entities that can be pushed
+  collision::MultirateStepping* multirate_stepping = nullptr;  ///< null: all use the scene's step
+  sensors::WorldQueries* queries = nullptr;                    ///< null: no sensor uses them
+  connect::MessageExchange* messages = nullptr;                ///< null: no software uses them
+  const PathRecorder* recorder = nullptr;                      ///< null: paths are not recorded
   std::shared_ptr<connect::CrashNote> crashes = std::make_shared<connect::CrashNote>();  ///< of control software
   std::shared_ptr<connect::TcpServer> software;  ///< accepts that of the controller "tcp"; null: none
   std::string terminals;                         ///< folder for links to serial lines; empty: there are none

@@ -57,6 +57,6 @@ class PlaybackSource {
   [[nodiscard]] virtual const std::vector<std::string>& known_properties() const = 0;
 };
 
-using MakeCourse = std::function<std::unique_ptr<PlaybackSource>()>;
+using MakeSource = std::function<std::unique_ptr<PlaybackSource>()>;
 
 }  // namespace murosimf::session

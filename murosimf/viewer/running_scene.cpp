@@ -6,7 +6,7 @@
 
 namespace murosimf::viewer {
 
-RunningScene::RunningScene(const session::MakeCourse& make, const session::SessionOptions& options, Duration end)
+RunningScene::RunningScene(const session::MakeSource& make, const session::SessionOptions& options, Duration end)
     : session_(std::make_unique<session::Session>(make(), options)) {
   MUROSIMF_ASSERT(session_ != nullptr);
   thread_ = std::thread([this, end] {

@@ -13,7 +13,7 @@ namespace murosimf::viewer {
 class RunningScene {
  public:
   /// Throws exceptions of `make`. It pauses at `end`.
-  RunningScene(const session::MakeCourse& make, const session::SessionOptions& options, Duration end);
+  RunningScene(const session::MakeSource& make, const session::SessionOptions& options, Duration end);
   ~RunningScene();
   RunningScene(const RunningScene&) = delete;
   RunningScene& operator=(const RunningScene&) = delete;

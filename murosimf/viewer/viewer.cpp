@@ -19,7 +19,7 @@ Viewer::Viewer(ViewerOptions options) : drawings(options.others), options_(std::
 
 /// Makes the scene, and learns what it is made of before it runs.
 void Viewer::begin() {
-  auto next = std::make_unique<RunningScene>(options_.make_course, options_.session, options_.end);
+  auto next = std::make_unique<RunningScene>(options_.make_source, options_.session, options_.end);
   poses_ = {};
   running_ = std::move(next);
   steering.begin(session());  // what the scene before was asked does not matter any more

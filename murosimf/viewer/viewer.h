@@ -29,7 +29,7 @@
 namespace murosimf::viewer {
 
 struct ViewerOptions {
-  session::MakeCourse make_course;  ///< also for every reload
+  session::MakeSource make_source;  ///< also for every reload
   session::SessionOptions session{};
   Duration end = Duration::max();  ///< where it pauses by itself
   double inspections = 20;         ///< [Hz] of wall time

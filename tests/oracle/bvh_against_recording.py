@@ -14,13 +14,14 @@ from pathlib import Path
 
 try:
     import numpy as np
-    from errors import check, end
     from mcap.reader import make_reader
     from mcap_protobuf.decoder import DecoderFactory
-    from recording_against_official import positions
 except ImportError as missing:
     print(f"skipped: {missing}; pip install mcap mcap-protobuf-support foxglove-schemas-protobuf")
     sys.exit(77)
+
+from errors import check, end
+from recording_against_official import positions
 
 TOLERANCE = 1e-4  # [m]
 # Somebody walks, somebody falls, and bodies of another level; with the robot's name, or where there is only one without.

@@ -12,10 +12,11 @@ from pathlib import Path
 
 try:
     import numpy as np
-    from errors import check, end
 except ImportError as missing:
     print(f"skipped: {missing}; pip install numpy")
     sys.exit(77)
+
+from errors import check, end
 
 # Sensors of several rates, so that cells are empty; properties; many names; hardly a row.
 RUNS = [("nudge", 1, ["robot.imu", "robot.torso.position", "robot.*.joint_velocity"]),

@@ -19,13 +19,14 @@ from pathlib import Path
 
 try:
     import foxglove_schemas_protobuf.SceneUpdate_pb2  # noqa: F401
-    from errors import check, end
     from mcap.reader import make_reader
     from mcap_protobuf.decoder import DecoderFactory
-    from recording_against_official import check_schemas
 except ImportError as missing:
     print(f"skipped: {missing}; pip install mcap mcap-protobuf-support foxglove-schemas-protobuf")
     sys.exit(77)
+
+from errors import check, end
+from recording_against_official import check_schemas
 
 RUN = ["three_on_three", "--no-cameras", "--duration", "3", "--json", "-"]
 SHOW = bytes([0, 0]) + b"blue.1\0"

@@ -19,13 +19,14 @@ try:
     import foxglove_schemas_protobuf.CompressedImage_pb2  # noqa: F401
     import foxglove_schemas_protobuf.RawImage_pb2  # noqa: F401
     import numpy as np
-    from errors import check, end
     from mcap.reader import make_reader
     from mcap_protobuf.decoder import DecoderFactory
-    from recording_against_official import check_schemas, positions, rotation
 except ImportError as missing:
     print(f"skipped: {missing}; pip install mcap mcap-protobuf-support foxglove-schemas-protobuf opencv-python-headless")
     sys.exit(77)
+
+from errors import check, end
+from recording_against_official import check_schemas, positions, rotation
 
 SCENE, CAMERA, BALL, DURATION = "three_on_three", "red2.camera", "ball/ball", 1
 # No lens, and one that bends what is seen.

@@ -19,13 +19,14 @@ from pathlib import Path
 try:
     import foxglove_schemas_protobuf.FrameTransforms_pb2  # noqa: F401
     import numpy as np
-    from errors import check, end
     from google.protobuf import descriptor_pb2
     from mcap.reader import make_reader
     from mcap_protobuf.decoder import DecoderFactory
 except ImportError as missing:
     print(f"skipped: {missing}; pip install mcap mcap-protobuf-support foxglove-schemas-protobuf")
     sys.exit(77)
+
+from errors import check, end
 
 # Half a step of what is recorded, and for poses of what adds up along a leg of 0.5 m with seven joints.
 JOINT, VELOCITY, LEG = 2.0**-15, 2.0**-6, 2.5e-4

@@ -23,7 +23,7 @@ const std::vector<std::string> dynamic{"blue1.level=simplified_dynamics"};
 
 ViewerOptions options_with(std::vector<std::string> overrides = dynamic, Duration end = 1s) {
   ViewerOptions options;
-  options.make_course = [overrides = std::move(overrides)] {
+  options.make_source = [overrides = std::move(overrides)] {
     return std::make_unique<session::LiveSource>(
         std::make_unique<scene::Scene>("three_on_three",
                                        scene::SceneOptions{.overrides = overrides, .pushable = true}));
@@ -64,7 +64,7 @@ bool told(const Viewer& viewer, const std::string& part) {
 // What keeps its own state and goes on otherwise than it was there before is told of in a message.
 TEST(Viewer, TellsWhatWillNotGoOnAsItWas) {
   ViewerOptions options = options_with();
-  options.make_course = [make = options.make_course] {
+  options.make_source = [make = options.make_source] {
     auto source = make();
     source->scene().parts().outside.memory->expect("the GameController");
     return source;
@@ -183,7 +183,7 @@ TEST(Viewer, GoesBackAndOn) {
 TEST(Viewer, ReadsTheSceneAgain) {
   int made = 0;
   ViewerOptions options = options_with();
-  options.make_course = [&, make = options.make_course] {
+  options.make_source = [&, make = options.make_source] {
     if (++made == 3) throw SetupError("broken now");
     return make();
   };

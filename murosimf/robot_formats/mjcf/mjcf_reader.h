@@ -1,9 +1,9 @@
 /// mjcf_reader.h - a robot from an MJCF file, the format of MuJoCo, as a description.
 ///
 /// The robot is a floating tree or everything that is bolted to the world (mjcf_trees.h). Read are bodies, joints, inertials, geoms, meshes,
-/// sites, frames, cameras, actuators, sensors, default classes, includes, linear couplings of joints, loops, contact masks, exclusions and the
-/// compiler's settings. Parts without effect on a robot's model (solver options, textures, the floor) are notes; parts that would drive or
-/// hold it and do not act (tendons, muscles, equalities with other objects) are warnings; unknown parts, and those that would change masses,
+/// sites, frames, cameras, actuators, sensors, default classes, includes, linear couplings of joints, fixed tendons, loops, contact masks,
+/// exclusions and the compiler's settings. Parts without effect on a robot's model (solver options, textures, the floor) are notes; parts that would drive or
+/// hold it and do not act (spatial tendons, muscles, equalities with other objects) are warnings; unknown parts, and those that would change masses,
 /// joints or contacts, are errors.
 /// Source: XML reference of the MuJoCo documentation.
 /// Limits: a ball joint is three hinges; the ground of the file is left to the scene.

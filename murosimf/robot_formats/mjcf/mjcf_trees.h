@@ -1,8 +1,4 @@
 /// mjcf_trees.h - finds the trees of bodies in the world of an MJCF file, and those of the robot.
-/// and its table, a planar walker on its rails. The robot is the one with the most joints, a floating tree or everything that is bolted; of
-/// several floating trees with as many joints, the one with the most bodies, then the first. Bodies with `mocap` are never part of it:
-/// software moves them.
-/// Name of the body that all bolted trees are attached to.
 ///
 /// A floating tree begins with a body that has a free joint; all others are bolted to the world, and are one robot together: an arm
 /// and its table, a planar walker on its rails. The robot is the one with the most joints, a floating tree or everything that is bolted; of

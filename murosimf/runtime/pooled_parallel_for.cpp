@@ -1,4 +1,4 @@
-#include "murosimf/runtime/home_helpers.h"
+#include "murosimf/runtime/pooled_parallel_for.h"
 
 #include <array>
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace murosimf {
 
-void HomeHelpers::share_out(std::span<const Entity* const> entities, Call call, void* context) noexcept {
+void PooledParallelFor::share_out(std::span<const Entity* const> entities, Call call, void* context) noexcept {
   const auto kind = reinterpret_cast<std::uintptr_t>(call) + entities.size();
   if (!pool_.shares()) {
     const std::array<std::size_t, 2> ends{entities.size() / 2,

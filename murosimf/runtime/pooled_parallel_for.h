@@ -1,4 +1,4 @@
-/// home_helpers.h - the threads of a simulation as parallel_for of one algorithm that runs alone in its wave.
+/// pooled_parallel_for.h - the threads of a pool as ParallelFor of an algorithm that runs alone in its wave.
 #pragma once
 
 #include <utility>
@@ -10,10 +10,11 @@
 
 namespace murosimf {
 
-class HomeHelpers final : public ParallelFor {
+class PooledParallelFor final : public ParallelFor {
  public:
   /// The pool outlives it.
-  explicit HomeHelpers(ThreadPool& pool) : pool_(pool), thread_affinity_(static_cast<std::size_t>(pool.threads())) {}
+  explicit PooledParallelFor(ThreadPool& pool)
+      : pool_(pool), thread_affinity_(static_cast<std::size_t>(pool.threads())) {}
 
   /// Where the entities are at home from now on.
   void use(ThreadAffinity thread_affinity) { thread_affinity_ = std::move(thread_affinity); }

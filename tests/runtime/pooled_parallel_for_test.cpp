@@ -1,5 +1,5 @@
 // The threads of a simulation help with entities, each of which is done once.
-#include "murosimf/runtime/home_helpers.h"
+#include "murosimf/runtime/pooled_parallel_for.h"
 
 #include <deque>
 #include <thread>
@@ -12,14 +12,14 @@
 namespace murosimf {
 namespace {
 
-TEST(HomeHelpers, EveryEntityIsDoneOnce) {
+TEST(PooledParallelFor, EveryEntityIsDoneOnce) {
   const ModelPtr model = std::make_shared<const Model>(fixtures::two_legged());
   std::deque<Entity> entities;
   std::vector<const Entity*> all;
   for (int i = 0; i < 9; ++i) all.push_back(&entities.emplace_back("robot", model));
   for (const int threads : {1, 2, 4}) {
     ThreadPool pool(threads, Sharing::always);
-    HomeHelpers parallel_for(pool);
+    PooledParallelFor parallel_for(pool);
     for (const bool at_home : {false, true}) {
       if (at_home) {
         ThreadAffinity thread_affinity(static_cast<std::size_t>(threads));
@@ -36,12 +36,12 @@ TEST(HomeHelpers, EveryEntityIsDoneOnce) {
 }
 
 // Two that wait for each other must be done at the same time.
-TEST(HomeHelpers, EntitiesAreDoneWhereTheyAreAtHome) {
+TEST(PooledParallelFor, EntitiesAreDoneWhereTheyAreAtHome) {
   const ModelPtr model = std::make_shared<const Model>(fixtures::two_legged());
   const Entity first("first", model), second("second", model);
   const std::vector<const Entity*> all{&first, &second};
   ThreadPool pool(2, Sharing::always);
-  HomeHelpers parallel_for(pool);
+  PooledParallelFor parallel_for(pool);
   ThreadAffinity thread_affinity(2);
   thread_affinity.share_out(all);
   parallel_for.use(thread_affinity);
