@@ -8,7 +8,7 @@
 
 #include "murosimf/collision/ground_finder.h"
 #include "murosimf/collision/pair_finder.h"
-#include "murosimf/model/algorithm.h"
+#include "murosimf/world/algorithm.h"
 
 namespace murosimf::app {
 

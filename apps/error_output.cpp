@@ -12,8 +12,8 @@
 #include <string>
 #include <system_error>
 
-#include "murosimf/connect/crash_note.h"
-#include "murosimf/connect/guard/guarded_call.h"
+#include "murosimf/control_software/crash_note.h"
+#include "murosimf/control_software/guard/guarded_call.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::app {
@@ -83,8 +83,8 @@ int exit_code_of_exception() noexcept {
   } catch (const SetupError& error) {
     say_error(error.what());
     return user_error;
-  } catch (const connect::SoftwareCrash&) {
-    // said when it happened (connect/guard/guarded_call.h)
+  } catch (const control_software::SoftwareCrash&) {
+    // said when it happened (control_software/guard/guarded_call.h)
   } catch (const std::bad_alloc&) {
     say_error(no_memory);
   } catch (const std::length_error&) {
@@ -98,7 +98,7 @@ int exit_code_of_exception() noexcept {
 }
 
 int end_of_program(int code) noexcept {
-  if (!connect::software_has_crashed()) return code;
+  if (!control_software::software_has_crashed()) return code;
   (void)std::fflush(nullptr);
   _exit(unexpected);
 }

@@ -13,7 +13,7 @@
 #include "apps/results.h"
 #include "apps/servo_logs.h"
 #include "apps/standard_output.h"
-#include "murosimf/components/servo_table.h"
+#include "murosimf/component_files/servo_table.h"
 #include "murosimf/files/file_roles.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/identification/bench_servo.h"
@@ -94,7 +94,7 @@ struct Task {
 
 Task task_of(const FitServoOptions& options, const Logs& logs) {
   const std::string type = options.servo.empty() ? motor_of(logs) : options.servo;
-  const Servo base = components::read_servo(type);
+  const Servo base = component_files::read_servo(type);
   const std::string prior = options.prior.empty() ? identification::prior_of_type(base.type) : options.prior;
   return {options, identification::friction_model(options.model), type, prior, base, identification::read_prior(prior)};
 }

@@ -4,7 +4,7 @@
 #include "apps/command_line.h"
 #include "apps/results.h"
 #include "apps/standard_output.h"
-#include "murosimf/components/camera_info.h"
+#include "murosimf/component_files/camera_info.h"
 #include "murosimf/files/file_roles.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/imaging/lens_fit.h"
@@ -62,8 +62,8 @@ std::string text_of(const imaging::LensFit& fit) {
 
 int lens(const LensOptions& options) {
   if (!options.out.empty()) files::claim_output("--out", options.out);
-  const auto file = components::find_lens_file(options.file);
-  components::CameraCalibration info = components::read_calibration(file);
+  const auto file = component_files::find_lens_file(options.file);
+  component_files::CameraCalibration info = component_files::read_calibration(file);
   const imaging::Lens read(info.lens);
   std::string text = line("calibration", info.name.empty() ? file.string() : info.name) + text_of(read);
   if (!options.model.empty()) {
@@ -72,7 +72,8 @@ int lens(const LensOptions& options) {
     info.lens = fit.spec;
   }
   Results results;
-  if (!options.out.empty()) results.write([&] { files::write_file(options.out, components::camera_info_yaml(info)); });
+  if (!options.out.empty())
+    results.write([&] { files::write_file(options.out, component_files::camera_info_yaml(info)); });
   write_standard_output(text);
   return results.exit_code(0);
 }

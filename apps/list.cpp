@@ -11,15 +11,15 @@
 #include "apps/standard_output.h"
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/catalog/property_catalog.h"
-#include "murosimf/components/camera_info.h"
-#include "murosimf/components/sensor_table.h"
-#include "murosimf/components/sensor_types.h"
+#include "murosimf/component_files/camera_info.h"
+#include "murosimf/component_files/sensor_table.h"
+#include "murosimf/component_files/sensor_types.h"
+#include "murosimf/dynamics/integrator.h"
+#include "murosimf/dynamics/servo/servo_law.h"
 #include "murosimf/files/data_path.h"
 #include "murosimf/geometry/any_tree.h"
 #include "murosimf/model/material.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/motion/integrator.h"
-#include "murosimf/motion/servo_law.h"
 #include "murosimf/scene/scene.h"
 #include "murosimf/scene_file/key_list.h"
 #include "murosimf/viewer/actions.h"
@@ -37,7 +37,7 @@ std::string names_and_meanings(const auto& entries) {
 /// With the keys that only some types have.
 std::string sensors_text() {
   std::string text;
-  for (const components::SensorType& type : components::sensor_types()) {
+  for (const component_files::SensorType& type : component_files::sensor_types()) {
     std::vector<std::string_view> keys = option_names(type.options);
     if (!type.objects.empty()) keys.push_back(type.objects);
     text += fmt::format("{:<22} {}{}\n", type.name, type.meaning,
@@ -183,16 +183,16 @@ int list(const ListOptions& options, const CommandLine& line) {
   if (what == "volumes") {
     for (const auto& name : geometry::volume_names()) text += fmt::format("{}\n", name);
   }
-  if (what == "integrators") text = names_and_meanings(motion::integrators());
-  if (what == "joint_references") text = names_and_meanings(motion::joint_references());
-  if (what == "servo_laws") text = names_and_meanings(motion::servo_laws());
+  if (what == "integrators") text = names_and_meanings(dynamics::integrators());
+  if (what == "joint_references") text = names_and_meanings(dynamics::joint_references());
+  if (what == "servo_laws") text = names_and_meanings(dynamics::servo_laws());
   if (what == "controllers") text = names_and_meanings(catalog::controllers());
   if (what == "sensors") text = sensors_text();
   if (what == "parts") {
-    for (const auto& name : components::sensor_parts()) text += fmt::format("{}\n", name);
+    for (const auto& name : component_files::sensor_parts()) text += fmt::format("{}\n", name);
   }
   if (what == "lenses") {
-    for (const auto& name : components::lens_names()) text += fmt::format("{}\n", name);
+    for (const auto& name : component_files::lens_names()) text += fmt::format("{}\n", name);
   }
   if (what == "scenes") text = file_names("scenes", ".toml");
   if (what == "models") text = file_names("models", ".xml");

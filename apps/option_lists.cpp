@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/catalog/algorithm_catalog.h"
-#include "murosimf/components/sensor_keys.h"
+#include "murosimf/component_files/sensor_keys.h"
 #include "murosimf/model/option.h"
 
 namespace murosimf::app {
@@ -69,9 +69,9 @@ std::string option_lists() {
          OptionList("contact").add_all(catalog::contacts()).text() + "\n" +
          OptionList("body_contact").add_all(catalog::body_contacts()).text() + "\n" +
          OptionList("sensor")
-             .add_all(components::sensor_types())
-             .add("(every sensor)", components::sensor_keys().infos())
-             .add("(every output)", components::signal_keys())
+             .add_all(component_files::sensor_types())
+             .add("(every sensor)", component_files::sensor_keys().infos())
+             .add("(every output)", component_files::signal_keys())
              .text();
 }
 

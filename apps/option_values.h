@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "murosimf/model/time.h"
+#include "murosimf/world/time.h"
 
 namespace murosimf::app {
 

@@ -10,9 +10,9 @@
 #include "apps/standard_output.h"
 #include "apps/web_arguments.h"
 #include "murosimf/drawing/debug_draw_source.h"
-#include "murosimf/model/time.h"
 #include "murosimf/recording/mcap/growing_file.h"
 #include "murosimf/recording/recorded_source.h"
+#include "murosimf/world/time.h"
 
 namespace murosimf::app {
 namespace {

@@ -17,10 +17,10 @@ void add_roboviz(const Command& command, std::string& where) {
 std::unique_ptr<drawing::RobovizServer> roboviz_server(const std::string& where) {
   if (where.empty()) return nullptr;
   try {
-    auto door = std::make_unique<drawing::RobovizServer>(wire::parse_address(where));
+    auto door = std::make_unique<drawing::RobovizServer>(network::parse_address(where));
     say_note(fmt::format("drawings for RoboViz on {} (UDP)", to_text(door->address())));
     return door;
-  } catch (const wire::WireError& error) {
+  } catch (const network::NetworkError& error) {
     throw SetupError(fmt::format("--roboviz: {}", error.what()));
   }
 }

@@ -6,7 +6,7 @@
 
 #include "apps/error_output.h"
 #include "apps/interruption.h"
-#include "murosimf/connect/crash_note.h"
+#include "murosimf/control_software/crash_note.h"
 #include "murosimf/model/error.h"
 #include "murosimf/scene/scene_report.h"
 #include "murosimf/session/session.h"
@@ -26,7 +26,7 @@ RunAdvance::RunAdvance(scene::Scene& scene, const RunOptions& options, RunOutput
 void RunAdvance::run(Steering& steering) {
   try {
     is_steered(options_) ? run_steered(steering) : run_alone();
-  } catch (const connect::SoftwareCrash&) {
+  } catch (const control_software::SoftwareCrash&) {
     crashed_ = true;  // reports of the run are written all the same
   }
   line_.hide();

@@ -9,22 +9,23 @@
 #include "apps/interruption.h"
 #include "apps/option_values.h"
 #include "apps/roboviz_arguments.h"
-#include "murosimf/connect/tcp/tcp_server.h"
+#include "murosimf/control_software/tcp/tcp_server.h"
 #include "murosimf/model/error.h"
 #include "murosimf/recording/state_file.h"
 
 namespace murosimf::app {
 namespace {
 
-std::shared_ptr<connect::TcpServer> server_at(const std::string& where) {
+std::shared_ptr<control_software::TcpServer> server_at(const std::string& where) {
   if (where.empty()) return nullptr;
-  connect::TcpServerOptions options{.say = [](const std::string& line) { say_warning(line); }, .stop = interrupted};
+  control_software::TcpServerOptions options{.say = [](const std::string& line) { say_warning(line); },
+                                             .stop = interrupted};
   try {
-    options.address = wire::parse_address(where);
-  } catch (const wire::WireError& error) {
+    options.address = network::parse_address(where);
+  } catch (const network::NetworkError& error) {
     throw SetupError(fmt::format("--listen: {}", error.what()));
   }
-  auto server = connect::listen_for_software(std::move(options));
+  auto server = control_software::listen_for_software(std::move(options));
   say_note(fmt::format("listening on {}", to_text(server->address())));
   return server;
 }

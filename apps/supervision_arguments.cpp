@@ -58,8 +58,8 @@ std::unique_ptr<supervise::Supervision> supervision_of(session::Session& session
   const char* token = std::getenv(token_variable);
   if (token) options.token = token;
   try {
-    options.address = wire::parse_address(arguments.where);
-  } catch (const wire::WireError& error) {
+    options.address = network::parse_address(arguments.where);
+  } catch (const network::NetworkError& error) {
     throw SetupError(fmt::format("--supervise: {}", error.what()));
   }
   auto supervision = with_context("--supervise", [&] { return supervise::supervise(session, options); });

@@ -9,10 +9,10 @@ namespace {
 
 constexpr auto usual_port = "8080";
 
-wire::Address address_of(const std::string& where) {
+network::Address address_of(const std::string& where) {
   try {
-    return wire::parse_address(where);
-  } catch (const wire::WireError& error) {
+    return network::parse_address(where);
+  } catch (const network::NetworkError& error) {
     throw SetupError(error.what());
   }
 }

@@ -1,8 +1,8 @@
 // What the door for control software in shared libraries costs per step: signals shown, call, commands taken over and counted.
 #include <benchmark/benchmark.h>
 
-#include "murosimf/connect/controller_task.h"
-#include "murosimf/connect/library_software.h"
+#include "murosimf/control_software/controller_task.h"
+#include "murosimf/control_software/library_software.h"
 #include "murosimf/scene/scene.h"
 
 namespace {
@@ -14,7 +14,8 @@ void control_software_step(benchmark::State& state, const char* library) {
   scene::Scene scene("walk", {.overrides = {"walker.controller=library", std::string("walker.library=") + library},
                               .cameras = false});
   scene.simulation().run(std::chrono::seconds(1));
-  const connect::SoftwareReport* report = connect::software_report(scene.simulation().world().entity("walker"));
+  const control_software::SoftwareReport* report =
+      control_software::software_report(scene.simulation().world().entity("walker"));
   const auto share_of = [&](std::string_view name) {
     for (const AlgorithmStatistics& one : scene.simulation().statistics()) {
       if (one.name == name) return one.us_per_call;
@@ -31,7 +32,7 @@ BENCHMARK_CAPTURE(control_software_step, wave, MUROSIMF_WAVE)->Unit(benchmark::k
 
 /// A guarded call of a function that does nothing.
 void guarded_call(benchmark::State& state) {
-  const connect::GuardedCall call{"a benchmark", "its step", std::chrono::seconds(10)};
+  const control_software::GuardedCall call{"a benchmark", "its step", std::chrono::seconds(10)};
   int calls = 0;
   for (auto _ : state) benchmark::DoNotOptimize(call([&] { benchmark::DoNotOptimize(++calls); }));
 }

@@ -2,7 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "murosimf/collision/contact.h"
-#include "murosimf/motion/motion_properties.h"
+#include "murosimf/dynamics/motion_properties.h"
 #include "murosimf/scene/scene.h"
 
 namespace murosimf::benchmarks {

@@ -3,7 +3,7 @@
 
 #include "murosimf/collision/queries.h"
 #include "murosimf/collision/scan.h"
-#include "murosimf/components/sensor_types.h"
+#include "murosimf/component_files/sensor_types.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/scene/scene.h"
 
@@ -23,7 +23,7 @@ struct Match {
     spec.name = "measured";  // no sensor of the robot's own is called so
     spec.type = type;
     spec.orientation = rotation_y(tilt);
-    return components::attach_sensor(simulation, robot, spec, {1, moving_entities}, 1000);
+    return component_files::attach_sensor(simulation, robot, spec, {1, moving_entities}, 1000);
   }
 
   scene::Scene scene;

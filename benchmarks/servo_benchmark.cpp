@@ -4,8 +4,8 @@
 #include <array>
 
 #include "murosimf/math/pack.h"
-#include "murosimf/multibody/gear_friction.h"
-#include "murosimf/multibody/servo_pendulum.h"
+#include "murosimf/multibody/servo/gear_friction.h"
+#include "murosimf/multibody/servo/servo_pendulum.h"
 
 namespace murosimf::benchmarks {
 namespace {

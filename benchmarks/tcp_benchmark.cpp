@@ -8,12 +8,12 @@
 #include <thread>
 #include <vector>
 
-#include "murosimf/connect/controller_task.h"
-#include "murosimf/connect/tcp/tcp_server.h"
+#include "murosimf/control_software/controller_task.h"
+#include "murosimf/control_software/tcp/tcp_server.h"
 #include "murosimf/locomotion/gait_properties.h"
+#include "murosimf/network/robot_client.h"
 #include "murosimf/runtime/clock.h"
 #include "murosimf/scene/scene.h"
-#include "murosimf/wire/robot_client.h"
 
 namespace {
 
@@ -27,7 +27,7 @@ class Match {
  public:
   /// `set` is called for each cycle of each software.
   template <class Set>
-  Match(const std::string& mode, int threads, const Set& set) : server_(connect::listen_for_software({})) {
+  Match(const std::string& mode, int threads, const Set& set) : server_(control_software::listen_for_software({})) {
     scene::SceneOptions options{.threads = threads, .cameras = false, .software = server_};
     for (const std::string& robot : robots) {
       options.overrides.push_back(robot + ".controller=tcp");
@@ -48,7 +48,7 @@ class Match {
   [[nodiscard]] double cycles() const {
     double sum = 0;
     for (const std::string& robot : robots) {
-      sum += static_cast<double>(connect::software_report(scene_->simulation().world().entity(robot))->calls);
+      sum += static_cast<double>(control_software::software_report(scene_->simulation().world().entity(robot))->calls);
     }
     return sum;
   }
@@ -66,7 +66,7 @@ class Match {
     }
   }
 
-  std::shared_ptr<connect::TcpServer> server_;
+  std::shared_ptr<control_software::TcpServer> server_;
   std::vector<std::thread> clients_;
   std::unique_ptr<scene::Scene> scene_;
 };

@@ -45,7 +45,7 @@ elseif(CMAKE_CXX_FLAGS MATCHES "fsanitize=thread")
   target_compile_definitions(murosimf_options INTERFACE MUROSIMF_THREAD_SANITIZER)
 endif()
 if(CMAKE_CXX_COMPILER_ID MATCHES "Clang" AND CMAKE_CXX_FLAGS MATCHES "fsanitize=address" AND NOT MUROSIMF_FUZZ)
-  # the sanitizer in a library of its own, as with g++: in the program it would stand before functions that connect/guard watches
+  # the sanitizer in a library of its own, as with g++: in the program it would stand before functions that control_software/guard watches
   execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=libclang_rt.asan-${CMAKE_SYSTEM_PROCESSOR}.so
     OUTPUT_VARIABLE sanitizer_library OUTPUT_STRIP_TRAILING_WHITESPACE)
   cmake_path(GET sanitizer_library PARENT_PATH sanitizer_folder)

@@ -2,17 +2,17 @@
 # Left alone are sources whose names in anonymous namespaces others of their folder have, too, or that define macros.
 # MUROSIMF_FOLDERS_ALONE has more of them.
 set(murosimf_folders_alone geometry ${MUROSIMF_FOLDERS_ALONE})
-set_source_files_properties(soccer/localize.cpp robot_formats/mjcf/mjcf_tendons.cpp robot/conversion_additions.cpp robot/robot_builder.cpp components/sensor_keys.cpp components/sensor_toml.cpp
-  components/servo_description.cpp files/data_path.cpp robot_formats/mesh/obj_file.cpp robot_formats/urdf/urdf_joint.cpp
-  serial/line_rate.cpp locomotion/gait_clock.cpp motion/joint_stop.cpp robot/role_inference.cpp render/image_png.cpp render/opengl/gl_drawing.cpp web/server.cpp
+set_source_files_properties(soccer/localize.cpp robot_formats/mjcf/mjcf_tendons.cpp robot/conversion_additions.cpp robot/robot_builder.cpp component_files/sensor_keys.cpp component_files/sensor_toml.cpp
+  component_files/servo_description.cpp files/data_path.cpp robot_formats/mesh/obj_file.cpp robot_formats/urdf/urdf_joint.cpp
+  serial/line_rate.cpp locomotion/gait_clock.cpp dynamics/joint_stop.cpp robot/role_inference.cpp render/image_png.cpp render/opengl/gl_drawing.cpp web/server.cpp
   PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 
 # They read, check and write, and no step of a simulation runs through them: optimizing them fully is a fifth of their time.
-set(murosimf_cold_folders files robot_formats components robot catalog scene_file scene logging web)
+set(murosimf_cold_folders files robot_formats component_files robot catalog scene_file scene logging web)
 
 # Where the time of a step goes. Nine of their sources are compiled as one, so that what is inlined, and the counted instructions
 # (tests/instruction_counts.txt), do not change with the other folders. Of others eighteen are: an eighth to three tenths less to compile.
-set(murosimf_hot_folders math model geometry multibody collision motion air runtime imaging sensors locomotion
+set(murosimf_hot_folders math model world geometry multibody collision dynamics air runtime imaging sensors locomotion
   soccer)
 # The thread sanitizer sees the same accesses in code that is not optimized, and that compiles in three fifths of the time.
 set(murosimf_optimize_hot_only OFF)

@@ -43,14 +43,14 @@ foreach(header IN LISTS headers)
 endforeach()
 
 # For control software: in shared libraries (murosimf::controller), and in programs of its own (murosimf::client).
-install(FILES ${PROJECT_SOURCE_DIR}/murosimf/connect/murosimf_controller.h
-  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/murosimf/connect)
+install(FILES ${PROJECT_SOURCE_DIR}/murosimf/control_software/murosimf_controller.h
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/murosimf/control_software)
 install(TARGETS murosimf_plugin murosimf_controller EXPORT murosimf)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/murosimf/wire DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/murosimf
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/murosimf/network DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/murosimf
   FILES_MATCHING PATTERN "*.proto")
 if(TARGET murosimf::client)
-  install(FILES ${PROJECT_SOURCE_DIR}/murosimf/wire/robot_client.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/murosimf/wire)
-  install(TARGETS murosimf_wire EXPORT murosimf_client ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(FILES ${PROJECT_SOURCE_DIR}/murosimf/network/robot_client.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/murosimf/network)
+  install(TARGETS murosimf_network EXPORT murosimf_client ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   install(EXPORT murosimf_client NAMESPACE murosimf:: FILE murosimfClientTargets.cmake DESTINATION ${murosimf_package_dir})
 endif()
 

@@ -1,10 +1,10 @@
 // A robot from the seven basic objects, without any file: a slide with two arms, moved by hand.
 #include <cstdio>
 
+#include <murosimf/collision/contact_laws/implicit_stick_law.h>
 #include <murosimf/collision/contact_properties.h>
 #include <murosimf/collision/ground_contact.h>
-#include <murosimf/collision/implicit_stick_law.h>
-#include <murosimf/motion/simplified_dynamics.h>
+#include <murosimf/dynamics/simplified_dynamics.h>
 #include <murosimf/runtime/simulation.h>
 
 using namespace murosimf;
@@ -49,7 +49,7 @@ int main() {
   Entity& robot = simulation.world().add("robot", model);
   simulation.attach<collision::GroundContact>("ground_contact", robot, 1000, &floor,
                                               std::make_shared<collision::ImplicitStick>(), MaterialTable::standard());
-  simulation.attach<motion::SimplifiedDynamics>("simplified_dynamics", robot, 1000);
+  simulation.attach<dynamics::SimplifiedDynamics>("simplified_dynamics", robot, 1000);
   simulation.initialize();
 
   robot.object("left_shoulder").set(properties::joint_target, -1.0);       // lift an arm

@@ -13,11 +13,10 @@
 
 #include <murosimf/collision/queries.h>
 #include <murosimf/collision/touches.h>
-#include <murosimf/connect/tcp/tcp_server.h>
+#include <murosimf/control_software/tcp/tcp_server.h>
+#include <murosimf/dynamics/full_dynamics.h>
 #include <murosimf/logging/run_log.h>
-#include <murosimf/model/column_view.h>
 #include <murosimf/model/properties.h>
-#include <murosimf/motion/full_dynamics.h>
 #include <murosimf/runtime/pose_feed.h>
 #include <murosimf/runtime/thread_pool.h>
 #include <murosimf/scene/assets.h>
@@ -26,6 +25,7 @@
 #include <murosimf/sensors/reading.h>
 #include <murosimf/session/session.h>
 #include <murosimf/supervise/supervision.h>
+#include <murosimf/world/column_view.h>
 
 using namespace murosimf;
 using namespace std::chrono_literals;
@@ -135,7 +135,7 @@ void steer() {
 
   // docs/levels.md
   scene.exchange_level("blue1", "articulated_dynamics");
-  simulation.exchange<motion::FullDynamics>("full_dynamics", robot);
+  simulation.exchange<dynamics::FullDynamics>("full_dynamics", robot);
   expect(simulation.level_of(robot)->traits().dynamic, "levels.md, in a program");
 
   scene.reset();
@@ -208,7 +208,7 @@ void log_of() {
 }
 
 [[maybe_unused]] void software_from_outside() {
-  const auto server = connect::listen_for_software({.address = {"127.0.0.1", 5000}});
+  const auto server = control_software::listen_for_software({.address = {"127.0.0.1", 5000}});
   scene::Scene scene("ball.toml", {.software = server});
 }
 

@@ -7,10 +7,10 @@
 #include <functional>
 #include <string>
 
-#include <murosimf/components/servo_table.h>
+#include <murosimf/component_files/servo_table.h>
 #include <murosimf/identification/bench_servo.h>
 #include <murosimf/model/error.h>
-#include <murosimf/multibody/servo_pendulum.h>
+#include <murosimf/multibody/servo/servo_pendulum.h>
 
 using namespace murosimf;
 
@@ -69,7 +69,7 @@ const Course courses[] = {{"lift_and_drop", 400, [](double t) { return t < 2.5 ?
 
 int main(int argc, char** argv) {
   try {
-    const Servo type = components::read_servo("xl330_m4");
+    const Servo type = component_files::read_servo("xl330_m4");
     const multibody::BenchServo servo = identification::bench_servo(type, offset);
     for (const Course& course : courses) {
       const std::string text = recording(servo, identification::duty_per_gain(type), course);

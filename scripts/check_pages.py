@@ -36,7 +36,7 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-DATA = ["docs", "examples", "lenses", "models", "motions", "murosimf/connect", "parts", "python", "scenes", "servos",
+DATA = ["docs", "examples", "lenses", "models", "motions", "murosimf/control_software", "parts", "python", "scenes", "servos",
         "tests/data", "tests/fuzz/seeds"]
 COMMAND = re.compile(r"(murosimf\w*|example_\w+|build/release/\S+|scripts/\S+|"
                      r"cmake|ctest|python3|pip|pre-commit|export|xacro)(?= |$)")

@@ -53,7 +53,7 @@ if(LEFT_OUT)
 endif()
 # A suite costs as many seconds as it has tests; those that simulate for long start before the others.
 set(ahead 0)
-if(PREFIX MATCHES "^(physics|behavior|scene|motion)$")
+if(PREFIX MATCHES "^(physics|soccer|scene|dynamics)$")
   set(ahead 60)
 endif()
 set(text "")

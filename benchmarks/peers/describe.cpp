@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 
 #include "benchmarks/peers/description.h"
+#include "murosimf/dynamics/motion_properties.h"
 #include "murosimf/math/quaternion.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/motion/motion_properties.h"
 #include "murosimf/scene/scene.h"
 
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "benchmarks/peers/description.h"
-#include "murosimf/model/entity.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/world/entity.h"
 
 namespace peers {
 

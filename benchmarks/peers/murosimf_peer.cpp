@@ -3,8 +3,8 @@
 #include "benchmarks/peers/peer.h"
 #include "murosimf/collision/body_pairs.h"
 #include "murosimf/collision/contact.h"
+#include "murosimf/dynamics/motion_properties.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/motion/motion_properties.h"
 #include "murosimf/scene/scene.h"
 
 namespace {

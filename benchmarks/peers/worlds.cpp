@@ -8,10 +8,10 @@
 
 #include "benchmarks/peers/options.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/model/time.h"
 #include "murosimf/runtime/thread_pool.h"
 #include "murosimf/scene/assets.h"
 #include "murosimf/scene/scene.h"
+#include "murosimf/world/time.h"
 
 namespace {
 

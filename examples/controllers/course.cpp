@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include <murosimf/connect/murosimf_controller.h>
+#include <murosimf/control_software/murosimf_controller.h>
 
 #include "course.h"
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include <murosimf/wire/robot_client.h>
+#include <murosimf/network/robot_client.h>
 
 #include "course.h"
 

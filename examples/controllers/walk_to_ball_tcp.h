@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include <murosimf/wire/robot_client.h>
+#include <murosimf/network/robot_client.h>
 
 #include "walk_to_ball.h"
 

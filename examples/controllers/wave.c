@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <murosimf/connect/murosimf_controller.h>
+#include <murosimf/control_software/murosimf_controller.h>
 
 typedef struct wave {
   murosimf_command* target;

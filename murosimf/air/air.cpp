@@ -7,10 +7,10 @@
 
 #include "murosimf/air/air_properties.h"
 #include "murosimf/collision/contact_properties.h"
+#include "murosimf/dynamics/motion_properties.h"
 #include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/motion/motion_properties.h"
 
 namespace murosimf::air {
 namespace {

@@ -27,8 +27,8 @@
 
 #include "murosimf/air/air_options.h"
 #include "murosimf/collision/contact.h"
-#include "murosimf/model/algorithm.h"
-#include "murosimf/model/setup.h"
+#include "murosimf/world/algorithm.h"
+#include "murosimf/world/setup.h"
 
 namespace murosimf::air {
 

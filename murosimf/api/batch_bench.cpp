@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "murosimf/api/told.h"
+#include "murosimf/dynamics/motion_properties.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/motion/motion_properties.h"
 
 namespace murosimf::api {
 namespace {

@@ -7,7 +7,7 @@
 #include "murosimf/api/scene_inside.h"
 #include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/model/state_archive.h"
+#include "murosimf/world/state_archive.h"
 
 namespace murosimf {
 inline namespace v0 {

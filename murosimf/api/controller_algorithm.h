@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "murosimf/control.h"
-#include "murosimf/model/algorithm.h"
-#include "murosimf/model/setup.h"
+#include "murosimf/world/algorithm.h"
+#include "murosimf/world/setup.h"
 
 namespace murosimf::api {
 

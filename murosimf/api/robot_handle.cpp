@@ -7,12 +7,12 @@
 #include "murosimf/api/controller_algorithm.h"
 #include "murosimf/api/scene_inside.h"
 #include "murosimf/api/told.h"
+#include "murosimf/dynamics/motion_properties.h"
+#include "murosimf/dynamics/odometer.h"
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/locomotion/named_motions.h"
 #include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/motion/motion_properties.h"
-#include "murosimf/motion/odometer.h"
 #include "murosimf/robot.h"
 
 namespace murosimf {
@@ -125,7 +125,7 @@ void Robot::play(const std::string& motion) {
 
 int Robot::falls() const {
   scene_->begin();
-  return motion::way_and_falls(scene_->entity(number_)).falls;
+  return dynamics::way_and_falls(scene_->entity(number_)).falls;
 }
 
 bool Robot::fallen() const {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "murosimf/connect/crash_note.h"
+#include "murosimf/control_software/crash_note.h"
 #include "murosimf/error.h"
 #include "murosimf/math/quaternion.h"
 #include "murosimf/model/error.h"
@@ -23,7 +23,7 @@ decltype(auto) told(const F& f) {
     return f();
   } catch (const SetupError& error) {
     throw InputError(error.what());
-  } catch (const connect::SoftwareCrash& error) {
+  } catch (const control_software::SoftwareCrash& error) {
     throw SimulationError(error.what());
   } catch (const std::filesystem::filesystem_error& error) {
     throw InputError(error.what());

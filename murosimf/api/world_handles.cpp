@@ -3,9 +3,9 @@
 
 #include "murosimf/api/scene_inside.h"
 #include "murosimf/api/told.h"
-#include "murosimf/model/column_view.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/world.h"
+#include "murosimf/world/column_view.h"
 
 namespace murosimf {
 

@@ -4,16 +4,16 @@
 
 #include "murosimf/catalog/built_in_controllers.h"
 #include "murosimf/catalog/physics_options.h"
-#include "murosimf/collision/body_explicit_laws.h"
-#include "murosimf/collision/body_island_law.h"
-#include "murosimf/collision/deferred_impulse_law.h"
-#include "murosimf/collision/implicit_stick_law.h"
-#include "murosimf/collision/kelvin_voigt_law.h"
-#include "murosimf/collision/paper_law.h"
+#include "murosimf/collision/contact_laws/body_explicit_laws.h"
+#include "murosimf/collision/contact_laws/body_island_law.h"
+#include "murosimf/collision/contact_laws/deferred_impulse_law.h"
+#include "murosimf/collision/contact_laws/implicit_stick_law.h"
+#include "murosimf/collision/contact_laws/kelvin_voigt_law.h"
+#include "murosimf/collision/contact_laws/paper_law.h"
+#include "murosimf/dynamics/articulated_dynamics.h"
+#include "murosimf/dynamics/full_dynamics.h"
+#include "murosimf/dynamics/kinematic_walking.h"
 #include "murosimf/math/assert.h"
-#include "murosimf/motion/articulated_dynamics.h"
-#include "murosimf/motion/full_dynamics.h"
-#include "murosimf/motion/kinematic_walking.h"
 
 namespace murosimf::catalog {
 namespace {
@@ -25,28 +25,28 @@ LevelOptions with_own(const OptionTable<LevelOptions>& table, LevelOptions optio
 }
 
 std::unique_ptr<MotionLevel> make_kinematic_walking(Setup& setup, const LevelOptions& given) {
-  return std::make_unique<motion::KinematicWalking>(setup, with_own(reference_options(), given).reference,
-                                                    given.environment);
+  return std::make_unique<dynamics::KinematicWalking>(setup, with_own(reference_options(), given).reference,
+                                                      given.environment);
 }
 
 /// The level has its own set of options; those of the robot are added where they fit.
 std::unique_ptr<MotionLevel> make_simplified_dynamics(Setup& setup, const LevelOptions& given) {
   const LevelOptions options = with_own(reference_options(), given);
-  return std::make_unique<motion::SimplifiedDynamics>(
-      setup, motion::SimplifiedDynamicsOptions{.integrator = options.tree.integrator,
-                                               .base_rigid = options.base_rigid,
-                                               .reference = options.reference});
+  return std::make_unique<dynamics::SimplifiedDynamics>(
+      setup, dynamics::SimplifiedDynamicsOptions{.integrator = options.tree.integrator,
+                                                 .base_rigid = options.base_rigid,
+                                                 .reference = options.reference});
 }
 
 std::unique_ptr<MotionLevel> make_full_dynamics(Setup& setup, const LevelOptions& given) {
   const LevelOptions options = with_own(reference_and_tree_options(), given);
-  return std::make_unique<motion::FullDynamics>(setup, motion::FullDynamicsOptions{.reference = options.reference,
-                                                                                   .tree = options.tree});
+  return std::make_unique<dynamics::FullDynamics>(setup, dynamics::FullDynamicsOptions{.reference = options.reference,
+                                                                                       .tree = options.tree});
 }
 
 std::unique_ptr<MotionLevel> make_articulated_dynamics(Setup& setup, const LevelOptions& given) {
   const LevelOptions options = with_own(tree_options(), given);
-  return std::make_unique<motion::ArticulatedDynamics>(setup, options.tree, options.servo_law);
+  return std::make_unique<dynamics::ArticulatedDynamics>(setup, options.tree, options.servo_law);
 }
 
 template <class Law>
@@ -79,21 +79,21 @@ LongestSteps paper_steps(const OptionValues& given) {
 std::vector<LevelType> built_in_levels() {
   return {
       LevelType{"kinematic_walking", "the standing foot is fixed on the plane; cannot fall, ignores forces (paper 4.1)",
-                motion::KinematicWalking::has, "joint_reference",
+                dynamics::KinematicWalking::has, "joint_reference",
                 "stance_pose stance_foot remaining_shift remaining_turn", make_kinematic_walking,
                 reference_options().infos()},
       LevelType{"simplified_dynamics", "the robot as one rigid body under gravity and contact (paper 4.2)",
-                motion::SimplifiedDynamics::has,
+                dynamics::SimplifiedDynamics::has,
                 "joint_reference base_rigid integrator contact position.z roll_deg pitch_deg",
                 "applied_force linear_velocity angular_velocity base_quaternion", make_simplified_dynamics,
                 reference_options().infos()},
       LevelType{"full_dynamics", "every link has its mass; joints move exactly as told (paper 4.3)",
-                motion::FullDynamics::has,
+                dynamics::FullDynamics::has,
                 "joint_reference fixed_base integrator contact position.z roll_deg pitch_deg",
                 "applied_force linear_velocity angular_velocity base_quaternion", make_full_dynamics,
                 reference_and_tree_options().infos()},
       LevelType{"articulated_dynamics", "servos make torque, the whole tree moves as it must",
-                motion::ArticulatedDynamics::has,
+                dynamics::ArticulatedDynamics::has,
                 "fixed_base integrator servo_law contact position.z roll_deg pitch_deg self_collision",
                 "applied_force linear_velocity angular_velocity base_quaternion "
                 "supply_voltage torque_enabled servo_temperature backlash_play backlash_side "
@@ -202,7 +202,7 @@ Registries& registries() {
   static Registry<ControllerType> controllers("controller", built_in_controllers());
   static Registry<CommandType> commands("command");
   static Registries all{
-      levels,  contacts, body_contacts, controllers, components::sensor_registry(), robot::robot_format_registry(),
+      levels,  contacts, body_contacts, controllers, component_files::sensor_registry(), robot::robot_format_registry(),
       commands};
   return all;
 }

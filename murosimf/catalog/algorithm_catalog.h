@@ -13,22 +13,22 @@
 #include <vector>
 
 #include "murosimf/catalog/command_type.h"
-#include "murosimf/collision/body_contact_law.h"
-#include "murosimf/collision/contact_law.h"
-#include "murosimf/components/sensor_types.h"
-#include "murosimf/connect/control_link_options.h"
-#include "murosimf/connect/crash_note.h"
+#include "murosimf/collision/contact_laws/body_contact_law.h"
+#include "murosimf/collision/contact_laws/contact_law.h"
+#include "murosimf/component_files/sensor_types.h"
+#include "murosimf/control_software/control_link_options.h"
+#include "murosimf/control_software/crash_note.h"
+#include "murosimf/dynamics/moving_tree.h"
+#include "murosimf/dynamics/simplified_dynamics.h"
 #include "murosimf/locomotion/keyframe_motion.h"
 #include "murosimf/model/find_entry.h"
 #include "murosimf/model/option.h"
 #include "murosimf/model/registry.h"
-#include "murosimf/motion/moving_tree.h"
-#include "murosimf/motion/simplified_dynamics.h"
 #include "murosimf/robot/robot_formats.h"
 #include "murosimf/runtime/external_input_log.h"
 #include "murosimf/runtime/simulation.h"
 
-namespace murosimf::connect {
+namespace murosimf::control_software {
 class TcpServer;  // tcp_server.h
 }
 
@@ -36,10 +36,10 @@ namespace murosimf::catalog {
 
 /// Options of a level; all levels receive the same struct and use the members that apply to them.
 struct LevelOptions {
-  motion::JointReferenceOptions reference;
-  bool base_rigid = false;         ///< simplified_dynamics: the paper's literal reading
-  std::string servo_law;           ///< articulated_dynamics: overrides the law of all servos; empty: their own
-  motion::MovingTreeOptions tree;  ///< full_dynamics, articulated_dynamics; its integrator: simplified_dynamics too
+  dynamics::JointReferenceOptions reference;
+  bool base_rigid = false;           ///< simplified_dynamics: the paper's literal reading
+  std::string servo_law;             ///< articulated_dynamics: overrides the law of all servos; empty: their own
+  dynamics::MovingTreeOptions tree;  ///< full_dynamics, articulated_dynamics; its integrator: simplified_dynamics too
   const Entity* environment = nullptr;  ///< kinematic_walking: the ground that it walks on; null: the plane z = 0
   OptionValues own;                     ///< [robots.level_options] of the robot; those in LevelType::options apply
 };
@@ -99,12 +99,12 @@ struct ControllerOptions {
   std::string library;     ///< file, of the controller "library"
   double call_budget = 0;  ///< [s] of wall time for each of its calls; 0: any
   bool reload = false;     ///< reloads the library when its file changes
-  connect::ControlLinkOptions link{};            ///< between the robot and software outside of the program
-  std::shared_ptr<connect::CrashNote> crashes;   ///< null: crashes are not recorded
-  std::shared_ptr<connect::TcpServer> software;  ///< accepts the software of the controller "tcp"; null: none
-  std::filesystem::path folder;                  ///< folder of the scene's file, searched for files that it names
-  std::filesystem::path terminals;               ///< folder for links to serial lines; empty: there are none
-  ExternalInputOptions outside;                  ///< recording and repetition of external input
+  control_software::ControlLinkOptions link{};            ///< between the robot and software outside of the program
+  std::shared_ptr<control_software::CrashNote> crashes;   ///< null: crashes are not recorded
+  std::shared_ptr<control_software::TcpServer> software;  ///< accepts the software of the controller "tcp"; null: none
+  std::filesystem::path folder;     ///< folder of the scene's file, searched for files that it names
+  std::filesystem::path terminals;  ///< folder for links to serial lines; empty: there are none
+  ExternalInputOptions outside;     ///< recording and repetition of external input
 };
 
 struct ControllerType {
@@ -123,7 +123,7 @@ struct Registries {
   Registry<ContactLawType>& contacts;
   Registry<BodyContactLawType>& body_contacts;
   Registry<ControllerType>& controllers;
-  Registry<components::SensorType>& sensors;
+  Registry<component_files::SensorType>& sensors;
   Registry<robot::RobotFormat>& formats;
   Registry<CommandType>& commands;  ///< in addition to the program's own (apps/main.cpp)
 };

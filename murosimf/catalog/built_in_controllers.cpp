@@ -8,12 +8,12 @@
 #include <fmt/format.h>
 
 #include "murosimf/catalog/controller_options.h"
-#include "murosimf/connect/command_arrival.h"
-#include "murosimf/connect/controller_task.h"
-#include "murosimf/connect/library_software.h"
-#include "murosimf/connect/tcp/tcp_server.h"
-#include "murosimf/connect/trajectory_file.h"
-#include "murosimf/connect/trajectory_player.h"
+#include "murosimf/control_software/command_arrival.h"
+#include "murosimf/control_software/controller_task.h"
+#include "murosimf/control_software/library_software.h"
+#include "murosimf/control_software/tcp/tcp_server.h"
+#include "murosimf/control_software/trajectory_file.h"
+#include "murosimf/control_software/trajectory_player.h"
 #include "murosimf/files/data_path.h"
 #include "murosimf/locomotion/gait_seed.h"
 #include "murosimf/locomotion/keyframe_player.h"
@@ -111,20 +111,20 @@ void attach_keyframes(Simulation& simulation, Entity& robot, const ControllerOpt
 }
 
 void attach_trajectory(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
-  connect::TrajectoryOptions played;
+  control_software::TrajectoryOptions played;
   trajectory_options().apply(options.own, played);
   if (played.file.empty()) {
     throw SetupError("controller 'trajectory' needs the name of a file: options = {file = \"gait.csv\"}");
   }
-  const connect::LogColumns columns{.property = played.property,
-                                    .entity = played.entity.empty() ? robot.name() : played.entity,
-                                    .no_other = !played.entity.empty()};
+  const control_software::LogColumns columns{.property = played.property,
+                                             .entity = played.entity.empty() ? robot.name() : played.entity,
+                                             .no_other = !played.entity.empty()};
   // a log has columns of many entities; a table of a team has only joints
-  const connect::JointTrajectory trajectory =
-      connect::read_trajectory(files::find_data_file(played.file, "motions", ".csv", options.folder), robot.model(),
-                               columns);
-  const double rate = options.rate > 0 ? options.rate : connect::own_rate(trajectory);
-  simulation.attach<connect::TrajectoryPlayer>("trajectory_player", robot, rate, trajectory, played);
+  const control_software::JointTrajectory trajectory =
+      control_software::read_trajectory(files::find_data_file(played.file, "motions", ".csv", options.folder),
+                                        robot.model(), columns);
+  const double rate = options.rate > 0 ? options.rate : control_software::own_rate(trajectory);
+  simulation.attach<control_software::TrajectoryPlayer>("trajectory_player", robot, rate, trajectory, played);
 }
 
 double usual_rate(double of_scene, double wanted) {
@@ -134,16 +134,16 @@ double usual_rate(double of_scene, double wanted) {
 }
 
 /// Also attaches the walk engine, which moves the legs, or the motion engine, which moves all joints, if the software has requested it.
-void attach_software(Simulation& simulation, Entity& robot, double rate, const connect::SoftwareMaker& make,
-                     connect::ControllerTaskOptions options, const ControllerOptions& given) {
+void attach_software(Simulation& simulation, Entity& robot, double rate, const control_software::SoftwareMaker& make,
+                     control_software::ControllerTaskOptions options, const ControllerOptions& given) {
   options.link = given.link;
   options.seed = given.seed;
   options.memory = given.outside.memory;
-  auto& task = simulation.attach<connect::ControllerTask>("control_software", robot, rate, make, options);
+  auto& task = simulation.attach<control_software::ControllerTask>("control_software", robot, rate, make, options);
   if (task.port().command_link()) {
     // the link delivers between cycles of the software, hence at every tick
     const double every_tick = 1 / seconds(simulation.tick());  // [Hz]
-    simulation.attach<connect::CommandArrival>("control_link", robot, every_tick, task.port());
+    simulation.attach<control_software::CommandArrival>("control_link", robot, every_tick, task.port());
   }
   if (task.port().uses_motions()) {
     attach_motion_engine(simulation, robot, locomotion::MotionEngine::rate_hz, {},
@@ -154,14 +154,14 @@ void attach_software(Simulation& simulation, Entity& robot, double rate, const c
 }
 
 /// Software that disconnects before it is ready makes room for other software, until the wall time for connecting has passed.
-void attach_first_ready(connect::TcpServer& server, connect::TcpOptions options,
-                        const std::function<void(const connect::TcpOptions&)>& attach) {
+void attach_first_ready(control_software::TcpServer& server, control_software::TcpOptions options,
+                        const std::function<void(const control_software::TcpOptions&)>& attach) {
   const double limit = options.wait;
   const auto end = std::chrono::steady_clock::now() + from_seconds(limit);
   for (;;) {
     try {
       return attach(options);
-    } catch (const connect::SoftwareWent& went) {
+    } catch (const control_software::SoftwareWent& went) {
       options.wait = seconds(end - std::chrono::steady_clock::now());
       if (options.wait <= 0) throw;
       server.tell(fmt::format("{}; waiting for other software", went.what()));
@@ -174,17 +174,17 @@ void attach_tcp(Simulation& simulation, Entity& robot, const ControllerOptions& 
   if (!options.software && !outside.repeated) {
     throw SetupError("controller 'tcp': no software can come; say where: murosimf run --listen PORT");
   }
-  connect::TcpOptions given;
+  control_software::TcpOptions given;
   tcp_options().apply(options.own, given);
   ExternalInputLog::Channel* const channel = outside.channel("tcp:" + robot.name());
   const ExternalInputRecorder pen(channel);
-  const auto attach = [&](const connect::ArrivedSoftware& arrived) {
+  const auto attach = [&](const control_software::ArrivedSoftware& arrived) {
     attach_software(simulation, robot, usual_rate(options.rate, arrived.rate), arrived.make,
                     {.software = arrived.name, .budget = from_seconds(options.call_budget)}, options);
   };
   if (outside.repeated)
-    return attach(connect::repeat_software(outside.repeated, robot.name(), given, options.seed, pen));
-  attach_first_ready(*options.software, given, [&](const connect::TcpOptions& left) {
+    return attach(control_software::repeat_software(outside.repeated, robot.name(), given, options.seed, pen));
+  attach_first_ready(*options.software, given, [&](const control_software::TcpOptions& left) {
     if (channel) channel->clear();  // input of software that was not ready is not part of the run
     attach(options.software->wait_for(robot.name(), left, options.seed, pen));
   });
@@ -196,16 +196,17 @@ void attach_library(Simulation& simulation, Entity& robot, const ControllerOptio
     throw SetupError("controller 'library' needs the name of a file: library = \"build/libwalk.so\"");
   }
   const std::filesystem::path file = files::find_data_file(options.library, "libraries", ".so", options.folder);
-  const auto library = connect::ControllerLibrary::load(file);
-  const connect::LibraryOptions given{.file = file,
-                                      .options = options.own,
-                                      .seed = options.seed,
-                                      .budget = from_seconds(options.call_budget),
-                                      .reload = options.reload};
+  const auto library = control_software::ControllerLibrary::load(file);
+  const control_software::LibraryOptions given{.file = file,
+                                               .options = options.own,
+                                               .seed = options.seed,
+                                               .budget = from_seconds(options.call_budget),
+                                               .reload = options.reload};
   Entity& common = simulation.world().common();
-  const connect::SoftwareMaker make = [&](Setup& setup, connect::RobotPort& port, const connect::SayLine& say) {
-    connect::one_after_the_other(setup, common, *library);
-    return std::make_unique<connect::LibrarySoftware>(setup, port, say, library, given);
+  const control_software::SoftwareMaker make = [&](Setup& setup, control_software::RobotPort& port,
+                                                   const control_software::SayLine& say) {
+    control_software::one_after_the_other(setup, common, *library);
+    return std::make_unique<control_software::LibrarySoftware>(setup, port, say, library, given);
   };
   attach_software(simulation, robot, usual_rate(options.rate, library->functions().rate), make,
                   {.software = file.string(), .budget = given.budget, .crashes = options.crashes}, options);
@@ -222,7 +223,8 @@ void attach_serial(Simulation& simulation, Entity& robot, const ControllerOption
       given.bus.empty()
           ? serial::usual_layout(model, protocol)
           : serial::read_layout(files::find_data_file(given.bus, "buses", ".csv", options.folder), model, protocol);
-  const connect::SoftwareMaker make = [&](Setup& setup, connect::RobotPort& port, const connect::SayLine& say) {
+  const control_software::SoftwareMaker make = [&](Setup& setup, control_software::RobotPort& port,
+                                                   const control_software::SayLine& say) {
     return std::make_unique<serial::SerialSoftware>(setup, port, say, layout, given, options.terminals,
                                                     options.outside);
   };

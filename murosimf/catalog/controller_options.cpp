@@ -26,8 +26,8 @@ const OptionTable<locomotion::AnkleStrategyOptions>& balance_options() {
   return table;
 }
 
-const OptionTable<connect::TrajectoryOptions>& trajectory_options() {
-  using Options = connect::TrajectoryOptions;
+const OptionTable<control_software::TrajectoryOptions>& trajectory_options() {
+  using Options = control_software::TrajectoryOptions;
   static const OptionTable<Options> table{
       {"file", &Options::file, "", "table of angles (CSV): here, beside the scene, or in a folder 'motions'"},
       {"loop", &Options::loop, "", "begins again at its end"},
@@ -42,8 +42,8 @@ const OptionTable<connect::TrajectoryOptions>& trajectory_options() {
 }
 
 /// Longest waits are bounded, so that a wrong number in a file does not stop a run for hours.
-const OptionTable<connect::TcpOptions>& tcp_options() {
-  using Options = connect::TcpOptions;
+const OptionTable<control_software::TcpOptions>& tcp_options() {
+  using Options = control_software::TcpOptions;
   static const OptionTable<Options> table{
       {"mode",
        &Options::mode,

@@ -3,8 +3,8 @@
 /// Other inputs of a controller (its start, the goal) follow from its robot's place in the scene.
 #pragma once
 
-#include "murosimf/connect/tcp/tcp_server.h"
-#include "murosimf/connect/trajectory_player.h"
+#include "murosimf/control_software/tcp/tcp_server.h"
+#include "murosimf/control_software/trajectory_player.h"
 #include "murosimf/locomotion/ankle_strategy.h"
 #include "murosimf/locomotion/drive.h"
 #include "murosimf/model/option.h"
@@ -16,8 +16,8 @@
 namespace murosimf::catalog {
 
 [[nodiscard]] const OptionTable<locomotion::AnkleStrategyOptions>& balance_options();
-[[nodiscard]] const OptionTable<connect::TrajectoryOptions>& trajectory_options();
-[[nodiscard]] const OptionTable<connect::TcpOptions>& tcp_options();
+[[nodiscard]] const OptionTable<control_software::TrajectoryOptions>& trajectory_options();
+[[nodiscard]] const OptionTable<control_software::TcpOptions>& tcp_options();
 [[nodiscard]] const OptionTable<serial::SerialOptions>& serial_options();
 [[nodiscard]] const OptionTable<locomotion::DriveOptions>& drive_options();
 [[nodiscard]] const OptionTable<soccer::BallChaserOptions>& ball_chaser_options();

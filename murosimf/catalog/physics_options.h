@@ -5,8 +5,8 @@
 #pragma once
 
 #include "murosimf/catalog/algorithm_catalog.h"
-#include "murosimf/collision/body_island_law.h"
-#include "murosimf/collision/paper_law.h"
+#include "murosimf/collision/contact_laws/body_island_law.h"
+#include "murosimf/collision/contact_laws/paper_law.h"
 #include "murosimf/model/option.h"
 
 namespace murosimf::catalog {

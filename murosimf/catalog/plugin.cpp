@@ -12,11 +12,11 @@
 #include <fmt/format.h>
 
 #include "murosimf/catalog/plugin_interface.h"
-#include "murosimf/connect/crash_note.h"
-#include "murosimf/connect/guard/guarded_call.h"
+#include "murosimf/control_software/crash_note.h"
+#include "murosimf/control_software/guard/guarded_call.h"
 #include "murosimf/files/shared_library.h"
 #include "murosimf/model/error.h"
-#include "murosimf/model/foreign_code.h"
+#include "murosimf/world/foreign_code.h"
 
 namespace murosimf::catalog {
 namespace {
@@ -56,22 +56,22 @@ void enter_what_is_in(const files::SharedLibrary& library, const std::filesystem
   }
 }
 
-/// Guards calls like those of control software (connect/guard/guarded_call.h).
+/// Guards calls like those of control software (control_software/guard/guarded_call.h).
 void guarded(const std::filesystem::path& file, const char* what, const std::function<void()>& call) {
   constexpr Duration longest_loading = std::chrono::seconds(60);
   std::exception_ptr refused;
-  const connect::GuardedCall guard{.name = fmt::format("plug-in '{}'", file.string()),
-                                   .what = what,
-                                   .limit = longest_loading,
-                                   .keeps_process = true};
-  const connect::CallOutcome outcome = guard([&] {
+  const control_software::GuardedCall guard{.name = fmt::format("plug-in '{}'", file.string()),
+                                            .what = what,
+                                            .limit = longest_loading,
+                                            .keeps_process = true};
+  const control_software::CallOutcome outcome = guard([&] {
     try {
       call();
     } catch (const SetupError&) {
       refused = std::current_exception();
     }
   });
-  if (outcome.kind == connect::CallOutcome::crashed) throw connect::SoftwareCrash(outcome.text);
+  if (outcome.kind == control_software::CallOutcome::crashed) throw control_software::SoftwareCrash(outcome.text);
   if (!outcome) throw SetupError(outcome.text);
   if (refused) std::rethrow_exception(refused);
 }
@@ -79,8 +79,9 @@ void guarded(const std::filesystem::path& file, const char* what, const std::fun
 /// Calls a step of a plug-in's algorithm. After a crash the run ends before the next step of the simulation.
 void call_algorithm(const ForeignCode& code, const std::string& what, const std::function<void()>& call) {
   constexpr Duration longest_step = std::chrono::seconds(10);
-  const connect::GuardedCall guard{.name = code.name, .what = what, .limit = longest_step};
-  if (const connect::CallOutcome outcome = guard(call); !outcome) connect::crashes_of_plugins().write(outcome.text);
+  const control_software::GuardedCall guard{.name = code.name, .what = what, .limit = longest_step};
+  if (const control_software::CallOutcome outcome = guard(call); !outcome)
+    control_software::crashes_of_plugins().write(outcome.text);
 }
 
 void load(const std::filesystem::path& file, const std::string& path) {

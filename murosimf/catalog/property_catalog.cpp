@@ -4,9 +4,9 @@
 
 #include "murosimf/air/air_properties.h"
 #include "murosimf/collision/contact_properties.h"
+#include "murosimf/dynamics/motion_properties.h"
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/motion/motion_properties.h"
 #include "murosimf/soccer/behavior_properties.h"
 
 namespace murosimf::properties {

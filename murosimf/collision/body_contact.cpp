@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "murosimf/collision/contact_laws/depenetration.h"
 #include "murosimf/collision/continuous_collision.h"
-#include "murosimf/collision/depenetration.h"
 #include "murosimf/collision/kinematic_separation.h"
 #include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"

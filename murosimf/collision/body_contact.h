@@ -12,10 +12,10 @@
 #include <memory>
 #include <vector>
 
-#include "murosimf/collision/body_contact_law.h"
+#include "murosimf/collision/contact_laws/body_contact_law.h"
 #include "murosimf/collision/pair_finder.h"
 #include "murosimf/collision/static_compound.h"
-#include "murosimf/model/algorithm.h"
+#include "murosimf/world/algorithm.h"
 
 namespace murosimf::collision {
 

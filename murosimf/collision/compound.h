@@ -10,7 +10,7 @@
 #include "murosimf/collision/inner_pairs.h"
 #include "murosimf/geometry/any_tree.h"
 #include "murosimf/geometry/traversal.h"
-#include "murosimf/model/entity.h"
+#include "murosimf/world/entity.h"
 
 namespace murosimf::collision {
 

@@ -16,8 +16,8 @@
 #include "murosimf/collision/interpenetration.h"
 #include "murosimf/math/spatial.h"
 #include "murosimf/model/property.h"
-#include "murosimf/model/state_archive.h"
 #include "murosimf/model/value.h"
+#include "murosimf/world/state_archive.h"
 
 namespace murosimf::collision {
 

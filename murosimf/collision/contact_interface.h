@@ -6,7 +6,7 @@
 
 #include "murosimf/collision/contact_point.h"
 #include "murosimf/model/property.h"
-#include "murosimf/model/state_archive.h"
+#include "murosimf/world/state_archive.h"
 
 namespace murosimf::collision {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "murosimf/collision/bounce.h"
+#include "murosimf/collision/contact_laws/bounce.h"
 #include "murosimf/collision/moving_entity.h"
 #include "murosimf/collision/static_compound.h"
 #include "murosimf/geometry/distance.h"

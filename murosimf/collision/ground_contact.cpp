@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "murosimf/collision/contact_parameters.h"
+#include "murosimf/collision/contact_laws/contact_parameters.h"
+#include "murosimf/collision/contact_laws/depenetration.h"
+#include "murosimf/collision/contact_laws/impulse_response.h"
 #include "murosimf/collision/contact_properties.h"
-#include "murosimf/collision/depenetration.h"
 #include "murosimf/collision/ground_lanes.h"
-#include "murosimf/collision/impulse_response.h"
 #include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
 

@@ -20,11 +20,11 @@
 
 #include "murosimf/collision/contact.h"
 #include "murosimf/collision/contact_interface.h"
-#include "murosimf/collision/contact_law.h"
+#include "murosimf/collision/contact_laws/contact_law.h"
 #include "murosimf/collision/ground_finder.h"
-#include "murosimf/model/algorithm.h"
 #include "murosimf/model/material.h"
-#include "murosimf/model/setup.h"
+#include "murosimf/world/algorithm.h"
+#include "murosimf/world/setup.h"
 
 namespace murosimf::collision {
 

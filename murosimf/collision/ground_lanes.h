@@ -10,7 +10,7 @@
 
 #include "murosimf/collision/ground_contact.h"
 #include "murosimf/math/assert.h"
-#include "murosimf/model/lane_group.h"
+#include "murosimf/world/lane_group.h"
 
 namespace murosimf::collision {
 

@@ -5,10 +5,10 @@
 #include <type_traits>
 
 #include "murosimf/collision/body_pairs.h"
-#include "murosimf/collision/bounce.h"
+#include "murosimf/collision/contact_laws/bounce.h"
 #include "murosimf/collision/moving_entity.h"
 #include "murosimf/math/assert.h"
-#include "murosimf/model/state_archive.h"
+#include "murosimf/world/state_archive.h"
 
 namespace murosimf::collision {
 namespace {

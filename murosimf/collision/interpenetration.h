@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "murosimf/model/shape.h"
-#include "murosimf/model/time.h"
+#include "murosimf/world/time.h"
 
 namespace murosimf {
 class StateArchive;

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "murosimf/collision/contact_laws/impulse_response.h"
 #include "murosimf/collision/contact_properties.h"
-#include "murosimf/collision/impulse_response.h"
 #include "murosimf/math/assert.h"
 #include "murosimf/model/feet.h"
 #include "murosimf/model/properties.h"

@@ -8,7 +8,7 @@
 #include "murosimf/collision/compound.h"
 #include "murosimf/collision/contact_interface.h"
 #include "murosimf/collision/static_compound.h"
-#include "murosimf/model/setup.h"
+#include "murosimf/world/setup.h"
 
 namespace murosimf::collision {
 

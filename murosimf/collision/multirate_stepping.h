@@ -17,8 +17,8 @@
 #include <vector>
 
 #include "murosimf/geometry/sweep_and_prune.h"
-#include "murosimf/model/algorithm.h"
-#include "murosimf/model/setup.h"
+#include "murosimf/world/algorithm.h"
+#include "murosimf/world/setup.h"
 
 namespace murosimf::collision {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "murosimf/collision/depenetration.h"
+#include "murosimf/collision/contact_laws/depenetration.h"
 #include "murosimf/collision/surface_kinds.h"
 #include "murosimf/geometry/four_points.h"
 #include "murosimf/math/assert.h"

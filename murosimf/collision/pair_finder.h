@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "murosimf/collision/contact_parameters.h"
+#include "murosimf/collision/contact_laws/contact_parameters.h"
 #include "murosimf/collision/moving_entity.h"
 #include "murosimf/geometry/collide.h"
 #include "murosimf/geometry/sweep_and_prune.h"

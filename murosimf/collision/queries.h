@@ -20,7 +20,7 @@
 #include "murosimf/collision/compound.h"
 #include "murosimf/collision/entity_tree.h"
 #include "murosimf/geometry/distance.h"
-#include "murosimf/model/world.h"
+#include "murosimf/world/world.h"
 
 namespace murosimf::collision {
 

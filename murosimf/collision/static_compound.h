@@ -9,7 +9,7 @@
 
 #include "murosimf/collision/compound.h"
 #include "murosimf/collision/relief/relief.h"
-#include "murosimf/model/entity.h"
+#include "murosimf/world/entity.h"
 
 namespace murosimf::collision {
 

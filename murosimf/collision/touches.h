@@ -12,7 +12,7 @@
 
 #include <vector>
 
-#include "murosimf/model/world.h"
+#include "murosimf/world/world.h"
 
 namespace murosimf::collision {
 

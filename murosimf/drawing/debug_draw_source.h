@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "murosimf/model/drawing.h"
+#include "murosimf/world/drawing.h"
 
 namespace murosimf::drawing {
 

@@ -1,4 +1,4 @@
-/// drawn.h - all drawings for observers: by the software of robots (model/drawing.h), and by other programs
+/// drawn.h - all drawings for observers: by the software of robots (world/drawing.h), and by other programs
 /// (debug_draw_source.h).
 #pragma once
 
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "murosimf/drawing/debug_draw_source.h"
-#include "murosimf/model/world.h"
+#include "murosimf/world/world.h"
 
 namespace murosimf::drawing {
 

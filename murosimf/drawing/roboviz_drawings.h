@@ -1,4 +1,4 @@
-/// roboviz_drawings.h - packets of programs that draw by the protocol of RoboViz, as groups of shapes (model/drawing.h).
+/// roboviz_drawings.h - packets of programs that draw by the protocol of RoboViz, as groups of shapes (world/drawing.h).
 ///
 /// A packet has one command after another:
 ///
@@ -24,7 +24,7 @@
 #include <vector>
 
 #include "murosimf/drawing/debug_draw_source.h"
-#include "murosimf/model/drawing.h"
+#include "murosimf/world/drawing.h"
 
 namespace murosimf::drawing {
 

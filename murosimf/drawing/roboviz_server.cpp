@@ -21,14 +21,14 @@ namespace {
 constexpr std::size_t longest_packet = 65536;
 
 /// A socket for datagrams at that address.
-int bound_socket(const wire::Address& address) {
+int bound_socket(const network::Address& address) {
   addrinfo hints{};
   hints.ai_family = AF_UNSPEC;
   hints.ai_socktype = SOCK_DGRAM;
   hints.ai_flags = AI_PASSIVE | AI_NUMERICSERV;
   addrinfo* found = nullptr;
   if (getaddrinfo(address.host.c_str(), std::to_string(address.port).c_str(), &hints, &found) != 0) {
-    throw wire::WireError(fmt::format("nobody knows the host '{}'", address.host));
+    throw network::NetworkError(fmt::format("nobody knows the host '{}'", address.host));
   }
   const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> places(found, &freeaddrinfo);
   int trouble = EADDRNOTAVAIL;
@@ -40,7 +40,7 @@ int bound_socket(const wire::Address& address) {
     trouble = errno;
     ::close(number);
   }
-  throw wire::WireError(
+  throw network::NetworkError(
       fmt::format("{}: {}", to_text(address),
                   trouble == EADDRINUSE ? std::string("the port is in use") : std::system_category().message(trouble)));
 }
@@ -55,11 +55,11 @@ std::uint16_t port_of(int socket) {
 
 }  // namespace
 
-RobovizServer::RobovizServer(const wire::Address& address)
+RobovizServer::RobovizServer(const network::Address& address)
     : socket_(bound_socket(address)), wake_(::eventfd(0, EFD_CLOEXEC)), address_{address.host, port_of(socket_)} {
   if (wake_ < 0) {
     ::close(socket_);
-    throw wire::WireError("the system has no more files to give");
+    throw network::NetworkError("the system has no more files to give");
   }
   thread_ = std::thread([this] { listen(); });
 }

@@ -13,7 +13,7 @@
 #include <thread>
 
 #include "murosimf/drawing/roboviz_drawings.h"
-#include "murosimf/wire/socket.h"
+#include "murosimf/network/socket.h"
 
 namespace murosimf::drawing {
 
@@ -21,11 +21,11 @@ class RobovizServer final : public DebugDrawSource {
  public:
   static constexpr std::uint16_t usual_port = 32769;
 
-  /// Port 0: one that is free. Throws WireError if the address cannot be listened at.
-  explicit RobovizServer(const wire::Address& address);
+  /// Port 0: one that is free. Throws NetworkError if the address cannot be listened at.
+  explicit RobovizServer(const network::Address& address);
   ~RobovizServer() override;
 
-  [[nodiscard]] const wire::Address& address() const { return address_; }
+  [[nodiscard]] const network::Address& address() const { return address_; }
   /// A copy, made if something is new.
   [[nodiscard]] std::shared_ptr<const ExternalDrawings> shown() const override;
   [[nodiscard]] std::uint64_t packets() const { return packets_; }
@@ -35,7 +35,7 @@ class RobovizServer final : public DebugDrawSource {
   void listen();
 
   int socket_ = -1, wake_ = -1;
-  wire::Address address_;
+  network::Address address_;
   mutable std::mutex mutex_;  // of what follows
   RobovizDrawings drawings_;
   mutable std::shared_ptr<const ExternalDrawings> shown_ = std::make_shared<const ExternalDrawings>();

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/model/setup.h"
+#include "murosimf/world/setup.h"
 
 namespace murosimf::drawing {
 namespace {

@@ -1,10 +1,10 @@
-/// sketch_pad.h - drawings of control software for observers (model/drawing.h), within limits.
+/// sketch_pad.h - drawings of control software for observers (world/drawing.h), within limits.
 #pragma once
 
 #include <string>
 #include <string_view>
 
-#include "murosimf/model/drawing.h"
+#include "murosimf/world/drawing.h"
 
 namespace murosimf {
 class Setup;

@@ -10,7 +10,7 @@
 
 #include "murosimf/identification/servo_log.h"
 #include "murosimf/math/pack.h"
-#include "murosimf/multibody/servo_pendulum.h"
+#include "murosimf/multibody/servo/servo_pendulum.h"
 
 namespace murosimf::identification {
 

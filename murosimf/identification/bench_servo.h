@@ -2,7 +2,7 @@
 #pragma once
 
 #include "murosimf/model/servo.h"
-#include "murosimf/multibody/servo_pendulum.h"
+#include "murosimf/multibody/servo/servo_pendulum.h"
 
 namespace murosimf::identification {
 

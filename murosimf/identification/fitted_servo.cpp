@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/components/servo_table.h"
+#include "murosimf/component_files/servo_table.h"
 #include "murosimf/files/data_path.h"
 #include "murosimf/files/toml_reader.h"
 #include "murosimf/identification/fit_report.h"
@@ -77,7 +77,7 @@ std::string fit(const FittedServo& fitted) {
 }  // namespace
 
 FittedServo read_fitted_servo(std::string_view type) {
-  FittedServo fitted{.servo = components::read_servo(type)};
+  FittedServo fitted{.servo = component_files::read_servo(type)};
   const toml::table content = files::parse_toml_file(files::find_data_file(type, "servos", ".toml"));
   if (const toml::table* table = content["fit"].as_table()) read_fit(*table, fitted);
   return fitted;

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "murosimf/multibody/servo_pendulum.h"
+#include "murosimf/multibody/servo/servo_pendulum.h"
 
 namespace murosimf::identification {
 
@@ -19,7 +19,7 @@ struct Parameter {
   double (*get)(const multibody::BenchServo&);
 };
 
-/// Friction model M1 to M6 (multibody/gear_friction.h) and its parameters, those of the motor first.
+/// Friction model M1 to M6 (multibody/servo/gear_friction.h) and its parameters, those of the motor first.
 struct FrictionModel {
   std::string_view name, meaning;
   std::vector<const Parameter*> parameters;

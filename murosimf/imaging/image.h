@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "murosimf/math/assert.h"
-#include "murosimf/model/state_archive.h"
+#include "murosimf/world/state_archive.h"
 
 namespace murosimf::imaging {
 

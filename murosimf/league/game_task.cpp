@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/connect/software_report.h"
+#include "murosimf/control_software/software_report.h"
 #include "murosimf/league/robot_status.h"
 #include "murosimf/league/rule_names.h"
 #include "murosimf/league/soccer_packet.h"
@@ -56,10 +56,10 @@ GameTask::GameTask(Setup& setup, const std::vector<Player>& players, Referee& re
 GameTask::Member GameTask::member(Setup setup, const Player& player) const {
   Member member{.player = player, .r = setup.read(properties::position), .R = setup.read(properties::orientation)};
   const Entity& robot = setup.entity();
-  if (robot.find(connect::game_view)) member.view = &setup.write(connect::game_view)[0];
-  if (robot.find(connect::game_answer)) member.answer = &setup.read(connect::game_answer)[0];
+  if (robot.find(control_software::game_view)) member.view = &setup.write(control_software::game_view)[0];
+  if (robot.find(control_software::game_answer)) member.answer = &setup.read(control_software::game_answer)[0];
   if (robot.find(properties::pose_estimate)) member.estimate = &setup.read(properties::pose_estimate)[0];
-  if (robot.find(properties::halted) && !robot.find(connect::software_interface)) {
+  if (robot.find(properties::halted) && !robot.find(control_software::software_interface)) {
     member.halted = &setup.write(properties::halted)[0];
   }
   return member;
@@ -156,7 +156,7 @@ void GameTask::show(Member& member, Duration now) const {
   const TeamState& own = game_.teams[place_of_team_[member.player.team]];
   const TeamState& other = game_.teams[1 - place_of_team_[member.player.team]];
   const PlayerState& player = state_of(member.player);
-  connect::GameView& view = *member.view;
+  control_software::GameView& view = *member.view;
   view.time = now.count();
   view.samples = words_;
   view.state = game_.state;
@@ -214,7 +214,7 @@ void GameTask::publish_changes(const GameState& before) {
 void GameTask::answer() const {
   for (const Member& member : members_) {
     if (member.player.robot->idle()) continue;
-    const int message = static_cast<int>(std::lround(member.answer ? *member.answer : connect::answer_alive));
+    const int message = static_cast<int>(std::lround(member.answer ? *member.answer : control_software::answer_alive));
     referee_->answer({game_.teams[place_of_team_[member.player.team]].number, member.player.number, message});
   }
 }

@@ -1,6 +1,6 @@
 /// game_task.h - algorithm: passes messages of a referee to the robots, at the beginning of a tick, and executes penalties.
 ///
-/// Each message of the referee goes to all robots at once (connect/game_view.h), relative to their teams; each is answered for every present
+/// Each message of the referee goes to all robots at once (control_software/game_view.h), relative to their teams; each is answered for every present
 /// robot (version 12), or each robot sends its status once per second (version 18 to 20). A penalized robot is placed at the side line
 /// before the next tick, and again if it walks off; it may leave when the penalty ends. Robots of built-in controllers stand while no robot may
 /// move (`halted`); control software decides by itself. All of that is state; the messages themselves are external input (game_log.h).
@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/connect/game_view.h"
+#include "murosimf/control_software/game_view.h"
 #include "murosimf/league/referee.h"
-#include "murosimf/model/algorithm.h"
-#include "murosimf/model/setup.h"
 #include "murosimf/scene/robot_placement.h"
+#include "murosimf/world/algorithm.h"
+#include "murosimf/world/setup.h"
 
 namespace murosimf::league {
 
@@ -73,10 +73,10 @@ class GameTask final : public Algorithm {
     Player player;
     std::span<const Vec3d> r;
     std::span<const Mat3d> R;
-    connect::GameView* view = nullptr;  // null: its software does not read it
-    const double* answer = nullptr;     // null: the default, alive
-    const Vec3d* estimate = nullptr;    // null: it has no estimate of its pose
-    double* halted = nullptr;           // null: it does not walk, or its software decides
+    control_software::GameView* view = nullptr;  // null: its software does not read it
+    const double* answer = nullptr;              // null: the default, alive
+    const Vec3d* estimate = nullptr;             // null: it has no estimate of its pose
+    double* halted = nullptr;                    // null: it does not walk, or its software decides
   };
 
   [[nodiscard]] Member member(Setup setup, const Player& player) const;

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/appearance/entity_appearance.h"
-#include "murosimf/connect/message_exchange.h"
+#include "murosimf/control_software/message_exchange.h"
 #include "murosimf/league/game_controller.h"
 #include "murosimf/league/side_line.h"
 #include "murosimf/math/assert.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "murosimf/league/game_state.h"
-#include "murosimf/model/time.h"
+#include "murosimf/world/time.h"
 
 namespace murosimf::league {
 

@@ -1,23 +1,23 @@
-/// team_forwarder.h - connects messages of one or more teams to real sockets (connect/team_gateway.h).
+/// team_forwarder.h - connects messages of one or more teams to real sockets (control_software/team_gateway.h).
 #pragma once
 
 #include <map>
 #include <string>
 #include <vector>
 
-#include "murosimf/connect/team_gateway.h"
+#include "murosimf/control_software/team_gateway.h"
 #include "murosimf/league/datagrams.h"
 
 namespace murosimf::league {
 
-class TeamForwarder final : public connect::TeamGateway {
+class TeamForwarder final : public control_software::TeamGateway {
  public:
   /// Messages of `team` are datagrams there; these must outlive it.
   void add(const std::string& team, Datagrams& datagrams) { teams_.emplace(team, &datagrams); }
   [[nodiscard]] bool empty() const { return teams_.empty(); }
 
-  [[nodiscard]] std::vector<connect::ExternalMessage> take(Duration now) override;
-  void give(const std::string& team, const connect::TeamMessage& message) override;
+  [[nodiscard]] std::vector<control_software::ExternalMessage> take(Duration now) override;
+  void give(const std::string& team, const control_software::TeamMessage& message) override;
 
  private:
   std::map<std::string, Datagrams*> teams_;

@@ -27,9 +27,9 @@
 #include <vector>
 
 #include "murosimf/locomotion/gait_seed.h"
-#include "murosimf/model/algorithm.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/model/setup.h"
+#include "murosimf/world/algorithm.h"
+#include "murosimf/world/setup.h"
 
 namespace murosimf::locomotion {
 

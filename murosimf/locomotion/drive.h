@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "murosimf/locomotion/vehicle.h"
-#include "murosimf/model/algorithm.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/model/setup.h"
+#include "murosimf/world/algorithm.h"
+#include "murosimf/world/setup.h"
 
 namespace murosimf::locomotion {
 

@@ -8,7 +8,7 @@
 
 #include "murosimf/math/scalar.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/model/setup.h"
+#include "murosimf/world/setup.h"
 
 namespace murosimf::locomotion {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "murosimf/dynamics/rate_limit.h"
 #include "murosimf/math/assert.h"
-#include "murosimf/motion/rate_limit.h"
 
 namespace murosimf::locomotion {
 namespace {
@@ -46,7 +46,7 @@ Rates largest_rates(const Model& model, const std::array<Leg, 2>& legs) {
   Rates rates;
   for (std::size_t side = 0; side < 2; ++side) {
     for (const int joint : legs[side].joints) {
-      rates[side].push_back(motion::joint_rate_limit(model, joint));
+      rates[side].push_back(dynamics::joint_rate_limit(model, joint));
       MUROSIMF_ASSERT(rates[side].back() > 0);
     }
   }

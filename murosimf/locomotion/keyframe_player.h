@@ -8,9 +8,9 @@
 
 #include "murosimf/locomotion/keyframe_motion.h"
 #include "murosimf/locomotion/keyframe_targets.h"
-#include "murosimf/model/algorithm.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/model/setup.h"
+#include "murosimf/world/algorithm.h"
+#include "murosimf/world/setup.h"
 
 namespace murosimf::locomotion {
 

@@ -7,13 +7,13 @@
 #include <fmt/format.h>
 
 #include "murosimf/collision/contact_properties.h"
+#include "murosimf/dynamics/rate_limit.h"
 #include "murosimf/locomotion/gait_seed.h"
 #include "murosimf/locomotion/motion_report.h"
 #include "murosimf/locomotion/rest_positions.h"
 #include "murosimf/locomotion/wide_step.h"
 #include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
-#include "murosimf/motion/rate_limit.h"
 
 namespace murosimf::locomotion {
 namespace {
@@ -64,7 +64,7 @@ MotionEngine::MotionEngine(Setup& setup, const Vec3d& command, const MotionEngin
   for (const int joint : setup.model().joints()) {
     joints_.push_back(joint);
     MUROSIMF_ASSERT(static_cast<std::size_t>(joint) < rates_.size());
-    rates_[joint] = motion::fastest_rate(setup.model(), joint);
+    rates_[joint] = dynamics::fastest_rate(setup.model(), joint);
     MUROSIMF_ASSERT(rates_[joint] > 0);
   }
   if (options.motions.size() > most_motions)

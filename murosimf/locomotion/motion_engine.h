@@ -10,7 +10,7 @@
 ///     lie       it has fallen (60 degrees): waits until it lies still
 ///     get_up    plays get_up_front, _back, _left or _right by the side that it lies on, and again if it does not stand then
 /// A motion begins with a blend from the present joint targets, in the time that the slowest joint needs; targets never change by more than
-/// a joint's largest rate (motion/rate_limit.h).
+/// a joint's largest rate (dynamics/rate_limit.h).
 /// At `kinematic_walking`, where robots cannot fall, a dive is a wide step to its side (wide_step.h), and motions for robots that fall or
 /// lie are not played.
 #pragma once
@@ -24,9 +24,9 @@
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/locomotion/keyframe_targets.h"
 #include "murosimf/locomotion/kick_plan.h"
-#include "murosimf/model/algorithm.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/model/setup.h"
+#include "murosimf/world/algorithm.h"
+#include "murosimf/world/setup.h"
 
 namespace murosimf::locomotion {
 

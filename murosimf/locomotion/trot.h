@@ -18,7 +18,7 @@
 
 #include "murosimf/locomotion/gait_clock.h"
 #include "murosimf/locomotion/leg.h"
-#include "murosimf/model/algorithm.h"
+#include "murosimf/world/algorithm.h"
 
 namespace murosimf::locomotion {
 

@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/dynamics/servo/servo_law.h"
 #include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/motion/servo_law.h"
 #include "murosimf/multibody/kinematics.h"
 
 namespace murosimf::locomotion {
@@ -55,7 +55,7 @@ std::optional<Wheel> wheel_of(const RestPose& rest, int object, const PlacedShap
   wheel.x = center.x;
   wheel.y = center.y;
   const Servo* servo = rest.model.find(properties::servo, link.object);
-  wheel.driven = servo && motion::follows_rate(*servo);
+  wheel.driven = servo && dynamics::follows_rate(*servo);
   return wheel;
 }
 

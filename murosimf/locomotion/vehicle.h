@@ -2,7 +2,7 @@
 ///
 /// Found by their geometry, not by name, with all joints at zero:
 ///   * a wheel is a hinge across the car (y) without ends that carries a cylinder about its axis;
-///   * it is driven if its servo follows a rate (motion/servo_law.h);
+///   * it is driven if its servo follows a rate (dynamics/servo/servo_law.h);
 ///   * it is steered if the last hinge about z between the base and the wheel has ends; this is its pivot.
 /// The car turns about a point on the line of the axle that does not steer: the middle of the wheels without pivot, or of
 /// all wheels if every one has a pivot.

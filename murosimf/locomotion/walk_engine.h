@@ -10,9 +10,9 @@
 #include "murosimf/locomotion/gait.h"
 #include "murosimf/locomotion/gait_clock.h"
 #include "murosimf/locomotion/gait_seed.h"
-#include "murosimf/model/algorithm.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/model/setup.h"
+#include "murosimf/world/algorithm.h"
+#include "murosimf/world/setup.h"
 
 namespace murosimf::locomotion {
 

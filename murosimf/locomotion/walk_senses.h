@@ -16,7 +16,7 @@
 
 #include "murosimf/locomotion/gait_state.h"
 #include "murosimf/locomotion/leg.h"
-#include "murosimf/model/setup.h"
+#include "murosimf/world/setup.h"
 
 namespace murosimf::locomotion {
 

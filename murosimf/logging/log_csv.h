@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/model/time.h"
+#include "murosimf/world/time.h"
 
 namespace murosimf::logging {
 

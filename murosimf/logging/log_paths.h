@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/model/world.h"
+#include "murosimf/world/world.h"
 
 namespace murosimf::logging {
 

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "murosimf/logging/log_csv.h"
-#include "murosimf/model/algorithm.h"
-#include "murosimf/model/setup.h"
 #include "murosimf/sensors/reading.h"
+#include "murosimf/world/algorithm.h"
+#include "murosimf/world/setup.h"
 
 namespace murosimf::logging {
 

@@ -2,7 +2,7 @@
 /// bodies, the state of its joints and servos.
 ///
 /// Every other folder declares its own beside what uses them: collision/contact_properties.h,
-/// motion/motion_properties.h, locomotion/gait_properties.h, soccer/behavior_properties.h. All of them are in the namespace
+/// dynamics/motion_properties.h, locomotion/gait_properties.h, soccer/behavior_properties.h. All of them are in the namespace
 /// `properties`, and catalog/property_catalog.h has the list of all.
 ///
 /// "world" in the column `frame` means world axes; a moment or a linear velocity without further words is taken at

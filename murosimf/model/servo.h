@@ -1,6 +1,6 @@
 /// servo.h - data of a servo motor, on the output side of its gear. motion/ computes its torque.
 ///
-/// Stall torque, no-load rate and gain hold at `voltage`; a servo law (motion/servo_law.h) makes torque of them. The
+/// Stall torque, no-load rate and gain hold at `voltage`; a servo law (dynamics/servo/servo_law.h) makes torque of them. The
 /// textbook's constants of the motor, seen at the output, follow: k_t = voltage / no_load_speed [N m/A = V s/rad] and
 /// R = k_t voltage / stall_torque [ohm].
 #pragma once
@@ -10,7 +10,7 @@
 namespace murosimf {
 
 /// The largest torque of a gear's friction: a budget. The equation and its source are in
-/// multibody/gear_friction.h. The numbers without unit are shares of a load. All zero: none.
+/// multibody/servo/gear_friction.h. The numbers without unit are shares of a load. All zero: none.
 struct GearFriction {
   double coulomb = 0;                  ///< [N m] K_c
   double viscous = 0;                  ///< [N m s/rad] K_v

@@ -3,7 +3,7 @@
 #include "murosimf/math/assert.h"
 #include "murosimf/math/pack.h"
 #include "murosimf/multibody/articulated_parts.h"
-#include "murosimf/multibody/gear_friction.h"
+#include "murosimf/multibody/servo/gear_friction.h"
 #include "murosimf/multibody/span_sizes.h"
 
 namespace murosimf::multibody {

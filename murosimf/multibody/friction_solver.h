@@ -16,7 +16,7 @@
 /// torque -b (rate after the step), b = F over its predicted final rate: if the number of passes is exhausted before all
 /// joints agree, friction has not driven any joint.
 ///
-/// Inside an island of touching robots (collision/impulse_response.h) there is one pass, and contact forces are added
+/// Inside an island of touching robots (collision/contact_laws/impulse_response.h) there is one pass, and contact forces are added
 /// afterwards: tau_e is that of the preceding step, and sliding joints have the same damper.
 ///
 /// A sticking joint has the inertia 1e30 kg m^2: loads are transmitted to its parent as through a rigid link.
@@ -28,7 +28,7 @@
 
 #include "murosimf/model/servo.h"
 #include "murosimf/multibody/articulated_body.h"
-#include "murosimf/multibody/torque_line.h"
+#include "murosimf/multibody/servo/torque_line.h"
 
 namespace murosimf::multibody {
 

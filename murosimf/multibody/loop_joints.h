@@ -6,7 +6,7 @@
 ///     p -= (J^T J + m 1)^-1 J^T e,   J = de/dp;       p' = -(J^T J + m 1)^-1 J^T (de/da a')
 ///
 /// m is close to zero while the gap shrinks (Levenberg, Marquardt). Where joints are not determined, as the turn of a rod about
-/// itself, they move least; where loops cannot close, the gap is smallest. motion/mimic_joints.h selects the joints that follow.
+/// itself, they move least; where loops cannot close, the gap is smallest. dynamics/mimic_joints.h selects the joints that follow.
 /// Source: Nocedal, Wright, Numerical Optimization, sec. 10.3; loops: Featherstone 2008, sec. 8.
 #pragma once
 

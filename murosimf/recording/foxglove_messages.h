@@ -8,8 +8,8 @@
 #include "murosimf/math/quaternion.h"
 #include "murosimf/math/transform.h"
 #include "murosimf/model/shape.h"
-#include "murosimf/model/time.h"
 #include "murosimf/recording/mcap/protobuf.h"
+#include "murosimf/world/time.h"
 
 namespace murosimf::recording {
 

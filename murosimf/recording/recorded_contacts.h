@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "murosimf/collision/contact.h"
-#include "murosimf/model/world.h"
 #include "murosimf/runtime/pose_frame.h"
+#include "murosimf/world/world.h"
 
 namespace murosimf::recording {
 

@@ -1,4 +1,4 @@
-/// recorded_drawings.h - debug drawings of control software and other programs (model/drawing.h), as shown by Foxglove, and read back.
+/// recorded_drawings.h - debug drawings of control software and other programs (world/drawing.h), as shown by Foxglove, and read back.
 ///
 /// The topic `/drawings/ROBOT` has a foxglove.SceneUpdate after every change, and every 5 s: everything on the topic is deleted,
 /// and all present groups are drawn, each as an entity of its name in the frame of the robot's base or the world. The entity's
@@ -15,10 +15,10 @@
 #include <string_view>
 #include <vector>
 
-#include "murosimf/model/drawing.h"
 #include "murosimf/recording/mcap/mcap_reader.h"
 #include "murosimf/recording/mcap/message_sink.h"
 #include "murosimf/recording/recorded_frame.h"
+#include "murosimf/world/drawing.h"
 
 namespace murosimf::recording {
 

@@ -12,8 +12,8 @@
 
 #include "murosimf/drawing/debug_draw_source.h"
 #include "murosimf/drawing/drawn.h"
-#include "murosimf/model/world.h"
 #include "murosimf/recording/recorded_frame.h"
+#include "murosimf/world/world.h"
 
 namespace murosimf::recording {
 

@@ -9,16 +9,16 @@
 #include <vector>
 
 #include "murosimf/imaging/image.h"
-#include "murosimf/model/drawing.h"
-#include "murosimf/model/world.h"
 #include "murosimf/runtime/external_input_log.h"
 #include "murosimf/runtime/pose_frame.h"
 #include "murosimf/sensors/reading.h"
+#include "murosimf/world/drawing.h"
+#include "murosimf/world/world.h"
 
 namespace murosimf::recording {
 
 /// The recorded columns of an entity, looked up only after a change of its level: nothing else adds or removes columns.
-/// They are kept alive, so that a column that is dropped and created again is the same (model/column_store.h).
+/// They are kept alive, so that a column that is dropped and created again is the same (world/column_store.h).
 class RecordedColumns {
  public:
   void follow(const Entity& entity);

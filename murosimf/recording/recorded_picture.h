@@ -14,10 +14,10 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/model/world.h"
 #include "murosimf/recording/mcap/message_sink.h"
 #include "murosimf/recording/recorded_frame.h"
 #include "murosimf/sensors/camera_frame.h"
+#include "murosimf/world/world.h"
 
 namespace murosimf::recording {
 

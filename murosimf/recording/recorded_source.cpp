@@ -13,10 +13,10 @@
 #include <fmt/format.h>
 
 #include "murosimf/math/assert.h"
-#include "murosimf/model/drawing.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/recording/topics.h"
+#include "murosimf/world/drawing.h"
 
 namespace murosimf::recording {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "murosimf/files/moved_files.h"
-#include "murosimf/model/time.h"
+#include "murosimf/world/time.h"
 
 namespace murosimf::recording {
 

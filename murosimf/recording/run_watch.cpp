@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/dynamics/motion_properties.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/motion/motion_properties.h"
 #include "murosimf/scene_file/field.h"
 
 namespace murosimf::recording {

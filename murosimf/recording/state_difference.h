@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "murosimf/model/world.h"
+#include "murosimf/world/world.h"
 
 namespace murosimf::recording {
 

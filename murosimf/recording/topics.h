@@ -9,8 +9,8 @@
 #include <string>
 #include <string_view>
 
-#include "murosimf/model/time.h"
 #include "murosimf/recording/mcap/mcap_reader.h"
+#include "murosimf/world/time.h"
 
 namespace murosimf::recording {
 

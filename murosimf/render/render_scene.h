@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "murosimf/geometry/manifold.h"
-#include "murosimf/model/world.h"
 #include "murosimf/render/render_mesh.h"
 #include "murosimf/runtime/pose_frame.h"
+#include "murosimf/world/world.h"
 
 namespace murosimf::render {
 

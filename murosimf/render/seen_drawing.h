@@ -1,4 +1,4 @@
-/// seen_drawing.h - drawings for observers (model/drawing.h) projected into a picture: lines, areas and words in its pixels.
+/// seen_drawing.h - drawings for observers (world/drawing.h) projected into a picture: lines, areas and words in its pixels.
 ///
 /// Over the picture, not in it: they are not hidden by objects.
 #pragma once
@@ -8,8 +8,8 @@
 
 #include "murosimf/imaging/image.h"
 #include "murosimf/math/transform.h"
-#include "murosimf/model/drawing.h"
 #include "murosimf/sensors/view_source.h"
+#include "murosimf/world/drawing.h"
 
 namespace murosimf::render {
 

@@ -1,8 +1,8 @@
 // Sensors: errors that a simulation would report.
-#include "murosimf/components/sensor_types.h"
+#include "murosimf/component_files/sensor_types.h"
 #include "murosimf/model/error.h"
-#include "murosimf/model/time.h"
 #include "murosimf/robot/robot_checks.h"
+#include "murosimf/world/time.h"
 
 namespace murosimf::robot {
 std::vector<Finding> examine_sensors(const robot::RobotFile& robot) {
@@ -12,7 +12,7 @@ std::vector<Finding> examine_sensors(const robot::RobotFile& robot) {
   const sensors::SensorSurroundings surroundings{.moving_entities = {&entity}};
   for (const sensors::SensorSpec& spec : robot.sensors) {
     try {
-      components::attach_sensor(simulation, entity, spec, surroundings, usual_step_rate);
+      component_files::attach_sensor(simulation, entity, spec, surroundings, usual_step_rate);
     } catch (const SetupError& error) {
       findings.push_back(make_finding(Severity::error, error.what()));
     }

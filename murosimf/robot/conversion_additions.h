@@ -9,7 +9,7 @@ namespace murosimf::robot {
 
 /// Joints without an actuator in the file get that of the table, or the guessed one, as a position servo: gain, damping (for a DC motor
 /// that of its speed-torque line, stall torque over no-load rate), largest torque, rotor, friction; its targets are limited to the joint's
-/// range. Others get the table's gain. `robot`: the same file as read_robot reads it. Source of the damping: motion/servo_law.h.
+/// range. Others get the table's gain. `robot`: the same file as read_robot reads it. Source of the damping: dynamics/servo/servo_law.h.
 void give_servos(robot_formats::RobotDescription& description, const RobotFile& robot);
 
 /// Masses and inertias that were repaired (repair_solids.h), with those of all parts that are welded to the body, become those of the body;

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include "murosimf/collision/contact_properties.h"
+#include "murosimf/dynamics/motion_properties.h"
+#include "murosimf/dynamics/servo/servo_law.h"
 #include "murosimf/files/xml_element.h"
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/locomotion/mirrored_motion.h"
@@ -14,8 +16,6 @@
 #include "murosimf/model/fixed_base.h"
 #include "murosimf/model/keyframe.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/motion/motion_properties.h"
-#include "murosimf/motion/servo_law.h"
 #include "murosimf/multibody/joint_tendon.h"
 #include "murosimf/robot/robot_soles.h"
 #include "murosimf/robot_formats/robot_visuals.h"
@@ -179,8 +179,8 @@ class Builder {
     add_rest_position(chain, joint);
     const auto found = table_.servos.find(joint.name);
     const bool of_table = found != table_.servos.end();
-    const bool same_kind =
-        !of_table || !joint.servo || motion::follows_rate(*joint.servo) == motion::follows_rate(found->second.servo);
+    const bool same_kind = !of_table || !joint.servo ||
+                           dynamics::follows_rate(*joint.servo) == dynamics::follows_rate(found->second.servo);
     if (joint.target_range && same_kind) chain.with(properties::joint_target_range, *joint.target_range);
     // Ranges of targets are in their unit: those for positions are not valid for rates.
     if (of_table) {

@@ -5,16 +5,16 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/dynamics/servo/servo_law.h"
 #include "murosimf/locomotion/leg.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/motion/servo_law.h"
 
 namespace murosimf::robot {
 namespace {
 
 bool has_wheels(const Model& model) {
   return std::ranges::any_of(model.having(properties::servo),
-                             [&](int joint) { return motion::follows_rate(*model.find(properties::servo, joint)); });
+                             [&](int joint) { return dynamics::follows_rate(*model.find(properties::servo, joint)); });
 }
 
 void append(std::vector<Finding>& all, std::vector<Finding> more) {

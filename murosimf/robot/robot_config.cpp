@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/components/sensor_toml.h"
-#include "murosimf/components/servo_description.h"
+#include "murosimf/component_files/sensor_toml.h"
+#include "murosimf/component_files/servo_description.h"
 #include "murosimf/files/data_path.h"
 #include "murosimf/locomotion/gait_feedback.h"
 #include "murosimf/locomotion/walk_options.h"
@@ -45,7 +45,7 @@ class Reader {
       } else if (key == "servos") {
         for (const auto& [name, servo] : table_of(key, value)) read_servo(name, table_of(name, servo));
       } else if (key == "sensors") {
-        table_.sensors = components::read_sensor_tables(table_of(key, value));
+        table_.sensors = component_files::read_sensor_tables(table_of(key, value));
       } else if (key == "walk") {
         read_numbers("walk", locomotion::walk_options(), table_of(key, value), table_.walk);
       } else if (key == "balance") {
@@ -182,11 +182,11 @@ class Reader {
 
   void read_servo(const toml::key& name, const toml::table& table) {
     // A ready-made servo first; the table's own numbers replace its.
-    components::ServoDescription description{std::string(name.str())};
+    component_files::ServoDescription description{std::string(name.str())};
     if (const toml::node* type = table.get("type")) {
       const TableName ready_made = name_of("type", *type);
-      description =
-          with_context(ready_made.where, [&] { return components::read_servo_description(ready_made.name, folder_); });
+      description = with_context(ready_made.where,
+                                 [&] { return component_files::read_servo_description(ready_made.name, folder_); });
     }
     description.take(table, {"type", "joints"});
     give_to_joints(description.finish(name.str(), name.source()), name, table);

@@ -40,7 +40,7 @@
 ///     step_at = 0.03
 ///     steps = "robot_steps.csv"
 ///
-///     [sensors.imu]                # docs/robots.md, "Sensors"; murosimf/components/sensor_table.h
+///     [sensors.imu]                # docs/robots.md, "Sensors"; murosimf/component_files/sensor_table.h
 ///     part = "mpu6050"
 ///
 ///     [servos.legs]                # SI units, on the output side of the gear (docs/robots.md, "Servos")
@@ -54,7 +54,7 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/components/sensor_table.h"
+#include "murosimf/component_files/sensor_table.h"
 #include "murosimf/locomotion/keyframe_motion.h"
 #include "murosimf/locomotion/step_table.h"
 #include "murosimf/model/option.h"
@@ -102,7 +102,7 @@ struct RobotConfig {
   std::map<std::string, TableName> surfaces;          ///< material by body
   std::map<std::string, TableServo> servos;           ///< by joint
   std::vector<TableName> part_per_group;              ///< meshes of several convex parts
-  std::vector<components::SensorTable> sensors;       ///< that it makes, changes or removes
+  std::vector<component_files::SensorTable> sensors;  ///< that it makes, changes or removes
   OptionValues walk, balance;                  ///< numbers of the walk and of the one with feedback, by their names
   locomotion::StepTablePtr steps;              ///< null: none
   std::map<std::string, TableMotion> motions;  ///< by what they are for

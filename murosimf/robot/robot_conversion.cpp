@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/components/sensor_sections.h"
-#include "murosimf/components/servo_sections.h"
+#include "murosimf/component_files/sensor_sections.h"
+#include "murosimf/component_files/servo_sections.h"
 #include "murosimf/files/input_file.h"
 #include "murosimf/math/assert.h"
 #include "murosimf/robot/conversion_additions.h"
@@ -47,7 +47,7 @@ std::vector<sensors::SensorSpec> sensors_for_table(WrittenFormat format, const R
     const auto spec = std::ranges::find(robot.sensors, name, &sensors::SensorSpec::name);
     if (name.empty() || spec == robot.sensors.end() || has_words_for(format, description.sensors[i], description))
       continue;
-    const auto table = std::ranges::find(robot.table.sensors, name, &components::SensorTable::name);
+    const auto table = std::ranges::find(robot.table.sensors, name, &component_files::SensorTable::name);
     if (table == robot.table.sensors.end()) {
       specs.push_back(*spec);
     } else if (!table->values.contains("type")) {
@@ -64,7 +64,8 @@ std::string rate_limits_toml(const robot_formats::RobotDescription& description)
   std::string text;
   for (const robot_formats::BodyDescription& body : description.bodies) {
     for (const robot_formats::JointDescription& joint : body.joints) {
-      if (joint.rate_limit > 0) text += fmt::format("{} = {}\n", components::toml_quoted(joint.name), joint.rate_limit);
+      if (joint.rate_limit > 0)
+        text += fmt::format("{} = {}\n", component_files::toml_quoted(joint.name), joint.rate_limit);
     }
   }
   return text.empty() ? "" : "\n[rate_limits]  # [rad/s | m/s]\n" + text;
@@ -86,7 +87,7 @@ std::string servos_toml(const RobotFile& robot, robot_formats::RobotDescription 
       if (!has_gain || robot.table.servos.contains(joint.name)) joint.servo.reset();
     }
   }
-  const std::string sections = components::servo_sections(description, "of_file");
+  const std::string sections = component_files::servo_sections(description, "of_file");
   return sections.empty() ? "" : "\n" + sections;
 }
 
@@ -96,7 +97,7 @@ std::string sole_sizes_toml(const RobotFile& robot, const robot_formats::RobotDe
   for (const robot_formats::BodyDescription& body : description.bodies) {
     for (const robot_formats::FrameDescription& frame : body.frames) {
       if (!is_sole(frame, robot.table)) continue;
-      text += fmt::format("{} = [{}, {}]\n", components::toml_quoted(frame.name), 2 * frame.box->half_length,
+      text += fmt::format("{} = [{}, {}]\n", component_files::toml_quoted(frame.name), 2 * frame.box->half_length,
                           2 * frame.box->half_width);
     }
   }
@@ -123,7 +124,7 @@ std::string rates_for_table(const RobotFile& robot, const robot_formats::RobotDe
 std::string removed_sensors_toml(const std::vector<std::string>& names) {
   std::string text =
       names.empty() ? "" : "\n[sensors]  # in the file for other programs; here they are one sensor, below\n";
-  for (const std::string& name : names) text += fmt::format("{} = false\n", components::toml_quoted(name));
+  for (const std::string& name : names) text += fmt::format("{} = false\n", component_files::toml_quoted(name));
   return text;
 }
 
@@ -207,7 +208,8 @@ RobotConversion convert_robot(const fs::path& file, const ConversionOptions& opt
   }
   if (result.own_table) name_table_files(file, robot, options.reader.lenient, result);
   result.toml = (result.own_table ? own : roles_toml(robot.description, robot.table)) + extra;
-  result.toml += components::sensor_sections(sensors_for_table(options.format, robot, description, result.warnings));
+  result.toml +=
+      component_files::sensor_sections(sensors_for_table(options.format, robot, description, result.warnings));
   return result;
 }
 

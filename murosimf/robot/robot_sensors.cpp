@@ -63,7 +63,7 @@ std::string free_name(const robot_formats::SensorDescription& sensor, const std:
   std::ranges::replace_if(
       name,
       [](char c) {
-        return !components::is_sensor_name({&c, 1});
+        return !component_files::is_sensor_name({&c, 1});
       },
       '_');
   const auto taken = [&](const std::string& free) {
@@ -200,7 +200,7 @@ std::vector<SensorSpec> sensors_of_file(robot_formats::RobotDescription& descrip
 std::vector<SensorSpec> sensors_of(robot_formats::RobotDescription& description, const RobotConfig& table,
                                    const Model& model, const std::filesystem::path& folder, bool lenient) {
   std::vector<SensorSpec> specs = sensors_of_file(description, model, lenient);
-  components::change_sensors(specs, table.sensors, folder);
+  component_files::change_sensors(specs, table.sensors, folder);
   for (const SensorSpec& spec : specs) check_frame(spec, model);
   return specs;
 }

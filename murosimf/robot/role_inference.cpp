@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/components/servo_sections.h"
+#include "murosimf/component_files/servo_sections.h"
 #include "murosimf/files/lower_case.h"
 #include "murosimf/files/xml_element.h"
 #include "murosimf/math/assert.h"
@@ -198,7 +198,7 @@ std::string soles_toml(const RobotConfig& table) {
   const auto& feet = table.soles.size() == 4 ? four : two;
   std::string text = "[soles]  # box sites at the bottoms of the feet, or the feet themselves\n";
   for (std::size_t i = 0; i < std::min(feet.size(), table.soles.size()); ++i) {
-    text += fmt::format("{} = {}\n", feet[i], components::toml_quoted(table.soles[i].name));
+    text += fmt::format("{} = {}\n", feet[i], component_files::toml_quoted(table.soles[i].name));
   }
   return table.soles.empty() ? "" : text + "\n";
 }
@@ -207,7 +207,7 @@ std::string frames_toml(const RobotConfig& table) {
   if (table.frames.empty()) return {};
   std::string text = "[frames]  # other names for frames, bodies and joints\n";
   for (const auto& [role, frame] : table.frames)
-    text += fmt::format("{} = {}\n", components::toml_quoted(role), components::toml_quoted(frame.name));
+    text += fmt::format("{} = {}\n", component_files::toml_quoted(role), component_files::toml_quoted(frame.name));
   return text + "\n";
 }
 
@@ -238,7 +238,7 @@ std::string roles_toml(const robot_formats::RobotDescription& description, const
       "of\n"
       "# the gear, SI units; instead of numbers, the type of a ready-made one will do: type = \"mx64\".\n\n",
       files::one_line(description.name));
-  return head + soles_toml(table) + frames_toml(table) + components::servo_sections(description);
+  return head + soles_toml(table) + frames_toml(table) + component_files::servo_sections(description);
 }
 
 }  // namespace murosimf::robot

@@ -23,7 +23,7 @@ const robot_formats::BodyDescription* body_with(const robot_formats::RobotDescri
 }
 
 /// The value of a key that is a name; empty: none.
-std::string word(const components::SensorTable& table, const std::string& key) {
+std::string word(const component_files::SensorTable& table, const std::string& key) {
   const auto found = table.values.find(key);
   const auto* text = found == table.values.end() ? nullptr : std::get_if<std::string>(&found->second.is);
   return text ? *text : "";
@@ -38,7 +38,7 @@ std::set<std::string> find_cuts(robot_formats::RobotDescription& description, co
     const robot_formats::BodyDescription* body = body_with(description, sensor.frame);
     if (body) bodies.insert(sensor.behind = body->name);
   }
-  for (const components::SensorTable& sensor : table.sensors) {
+  for (const component_files::SensorTable& sensor : table.sensors) {
     const std::string behind = word(sensor, "behind");
     if (behind.empty() && word(sensor, "type") != "joint_wrench") continue;
     const robot_formats::BodyDescription* body =

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/components/servo_sections.h"
+#include "murosimf/component_files/servo_sections.h"
 #include "murosimf/math/assert.h"
 #include "murosimf/robot/robot_soles.h"
 #include "murosimf/robot_formats/joint_inertia.h"
@@ -71,7 +71,7 @@ bool has_gain(const Servo& servo) { return servo.position_gain > 0 || servo.velo
 /// With the file's torque and rate, without gains.
 Servo servo_without_gains(const JointDescription& joint) {
   Servo servo;
-  servo.type = components::guessed_servo;
+  servo.type = component_files::guessed_servo;
   servo.law = "ideal_pd";
   servo.stall_torque = largest_torque(joint);
   if (joint.servo) {

@@ -10,8 +10,8 @@
 #include "murosimf/math/floating_point.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/model/state_archive.h"
 #include "murosimf/runtime/start_state.h"
+#include "murosimf/world/state_archive.h"
 
 namespace murosimf {
 

@@ -11,12 +11,12 @@
 #include <memory>
 #include <string>
 
-#include "murosimf/model/motion_level.h"
-#include "murosimf/model/rate.h"
-#include "murosimf/model/world.h"
 #include "murosimf/runtime/event_log.h"
 #include "murosimf/runtime/scheduler.h"
 #include "murosimf/runtime/task_list.h"
+#include "murosimf/world/motion_level.h"
+#include "murosimf/world/rate.h"
+#include "murosimf/world/world.h"
 
 namespace murosimf {
 

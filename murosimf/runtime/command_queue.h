@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "murosimf/math/assert.h"
-#include "murosimf/model/time.h"
+#include "murosimf/world/time.h"
 
 namespace murosimf {
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "murosimf/math/assert.h"
-#include "murosimf/model/state_archive.h"
+#include "murosimf/world/state_archive.h"
 
 namespace murosimf {
 

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "murosimf/model/time.h"
+#include "murosimf/world/time.h"
 
 namespace murosimf {
 

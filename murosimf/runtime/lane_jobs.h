@@ -10,8 +10,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "murosimf/model/lane_group.h"
 #include "murosimf/runtime/plan.h"
+#include "murosimf/world/lane_group.h"
 
 namespace murosimf {
 

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "murosimf/model/time.h"
+#include "murosimf/world/time.h"
 
 namespace murosimf {
 

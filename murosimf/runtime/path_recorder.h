@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "murosimf/model/algorithm.h"
-#include "murosimf/model/setup.h"
+#include "murosimf/world/algorithm.h"
+#include "murosimf/world/setup.h"
 
 namespace murosimf {
 

@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/model/access.h"
-#include "murosimf/model/rate.h"
+#include "murosimf/world/access.h"
+#include "murosimf/world/rate.h"
 
 namespace murosimf {
 

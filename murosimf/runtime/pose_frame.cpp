@@ -4,8 +4,8 @@
 
 #include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/model/structural_objects.h"
-#include "murosimf/model/world.h"
+#include "murosimf/world/structural_objects.h"
+#include "murosimf/world/world.h"
 
 namespace murosimf {
 namespace {

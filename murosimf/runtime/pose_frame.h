@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "murosimf/math/mat3.h"
-#include "murosimf/model/time.h"
+#include "murosimf/world/time.h"
 
 namespace murosimf {
 
@@ -29,7 +29,7 @@ struct PoseFrame {
   std::vector<Vec3d> position;         ///< [m] of each object's origin, world
   std::vector<Mat3d> orientation;      ///< of each object, to world
   std::vector<double> joint_position;  ///< [rad | m] of each object, 0 of those that are no joints
-  std::vector<bool> frozen, present;   ///< by entity (model/entity.h)
+  std::vector<bool> frozen, present;   ///< by entity (world/entity.h)
   std::vector<ContactMark> contacts;   ///< empty if the reader has not asked for them
 };
 

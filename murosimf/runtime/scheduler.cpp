@@ -9,8 +9,8 @@
 
 #include "murosimf/math/assert.h"
 #include "murosimf/math/floating_point.h"
-#include "murosimf/model/access_guard.h"
-#include "murosimf/model/foreign_code.h"
+#include "murosimf/world/access_guard.h"
+#include "murosimf/world/foreign_code.h"
 
 namespace murosimf {
 namespace {

@@ -9,13 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/model/world.h"
 #include "murosimf/runtime/lane_jobs.h"
 #include "murosimf/runtime/plan.h"
 #include "murosimf/runtime/pooled_parallel_for.h"
 #include "murosimf/runtime/step_checks.h"
 #include "murosimf/runtime/task_list.h"
 #include "murosimf/runtime/thread_pool.h"
+#include "murosimf/world/world.h"
 
 namespace murosimf {
 

@@ -27,11 +27,6 @@
 #include <string_view>
 #include <vector>
 
-#include "murosimf/model/algorithm.h"
-#include "murosimf/model/motion_level.h"
-#include "murosimf/model/rate.h"
-#include "murosimf/model/setup.h"
-#include "murosimf/model/world.h"
 #include "murosimf/runtime/algorithm_registry.h"
 #include "murosimf/runtime/command_queue.h"
 #include "murosimf/runtime/event_log.h"
@@ -40,6 +35,11 @@
 #include "murosimf/runtime/scheduler.h"
 #include "murosimf/runtime/task_list.h"
 #include "murosimf/runtime/timed_calls.h"
+#include "murosimf/world/algorithm.h"
+#include "murosimf/world/motion_level.h"
+#include "murosimf/world/rate.h"
+#include "murosimf/world/setup.h"
+#include "murosimf/world/world.h"
 
 namespace murosimf {
 
@@ -89,7 +89,7 @@ class Simulation {
   void detach(const Algorithm& algorithm) { registry_.detach(algorithm); }
 
   /// Has another level move `entity` from now on, at the same rate and in the same place of the order: constructs an L
-  /// with (Setup&, arguments...), which takes over the motion as it is (model/motion_level.h). Unused
+  /// with (Setup&, arguments...), which takes over the motion as it is (world/motion_level.h). Unused
   /// columns are removed. Throws SetupError, and leaves everything as it was, if the level refuses, or if an
   /// algorithm reads what it does not write. To be called between steps only.
   template <std::derived_from<MotionLevel> L, class... Arguments>

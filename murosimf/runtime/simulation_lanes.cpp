@@ -4,7 +4,7 @@
 
 #include "murosimf/math/floating_point.h"
 #include "murosimf/model/error.h"
-#include "murosimf/model/foreign_code.h"
+#include "murosimf/world/foreign_code.h"
 
 namespace murosimf {
 

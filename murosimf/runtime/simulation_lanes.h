@@ -11,8 +11,8 @@
 #include <memory>
 #include <vector>
 
-#include "murosimf/model/lane_group.h"
 #include "murosimf/runtime/simulation.h"
+#include "murosimf/world/lane_group.h"
 
 namespace murosimf {
 

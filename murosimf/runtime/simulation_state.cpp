@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include "murosimf/model/error.h"
-#include "murosimf/model/state_archive.h"
 #include "murosimf/runtime/simulation.h"
 #include "murosimf/runtime/state_sections.h"
+#include "murosimf/world/state_archive.h"
 
 namespace murosimf {
 namespace {

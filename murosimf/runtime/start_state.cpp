@@ -1,6 +1,6 @@
 #include "murosimf/runtime/start_state.h"
 
-#include "murosimf/model/entity.h"
+#include "murosimf/world/entity.h"
 
 namespace murosimf {
 

@@ -8,8 +8,8 @@
 
 #include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
-#include "murosimf/model/state_archive.h"
 #include "murosimf/runtime/bytes_hash.h"
+#include "murosimf/world/state_archive.h"
 
 namespace murosimf {
 namespace {

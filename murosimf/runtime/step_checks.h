@@ -10,8 +10,8 @@
 #include <span>
 #include <vector>
 
-#include "murosimf/model/access.h"
-#include "murosimf/model/world.h"
+#include "murosimf/world/access.h"
+#include "murosimf/world/world.h"
 
 namespace murosimf {
 

@@ -8,7 +8,7 @@
 #include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/model/state_archive.h"
+#include "murosimf/world/state_archive.h"
 
 namespace murosimf {
 

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/model/access.h"
-#include "murosimf/model/algorithm.h"
-#include "murosimf/model/motion_level.h"
-#include "murosimf/model/rate.h"
-#include "murosimf/model/setup.h"
+#include "murosimf/world/access.h"
+#include "murosimf/world/algorithm.h"
+#include "murosimf/world/motion_level.h"
+#include "murosimf/world/rate.h"
+#include "murosimf/world/setup.h"
 
 namespace murosimf {
 

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/model/error.h"
-#include "murosimf/model/state_archive.h"
+#include "murosimf/world/state_archive.h"
 
 namespace murosimf {
 

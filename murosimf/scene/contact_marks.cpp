@@ -2,7 +2,7 @@
 
 #include "murosimf/collision/body_pairs.h"
 #include "murosimf/collision/contact.h"
-#include "murosimf/model/world.h"
+#include "murosimf/world/world.h"
 
 namespace murosimf::scene {
 

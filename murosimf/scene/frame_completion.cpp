@@ -2,10 +2,10 @@
 
 #include <span>
 
+#include "murosimf/dynamics/motion_properties.h"
 #include "murosimf/math/assert.h"
-#include "murosimf/model/world.h"
-#include "murosimf/motion/motion_properties.h"
 #include "murosimf/multibody/kinematics.h"
+#include "murosimf/world/world.h"
 
 namespace murosimf::scene {
 

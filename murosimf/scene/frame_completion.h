@@ -1,7 +1,7 @@
 /// frame_completion.h - poses of robots between two steps, after a change of their pose or posture.
 ///
 /// Columns have the poses of links of the last step; a level applies a change of its base or joints in its next step
-/// (model/column_view.h). Observers of a paused simulation must see it at once.
+/// (world/column_view.h). Observers of a paused simulation must see it at once.
 #pragma once
 
 #include "murosimf/runtime/pose_frame.h"

@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/components/servo_description.h"
+#include "murosimf/component_files/servo_description.h"
+#include "murosimf/dynamics/motion_properties.h"
 #include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/motion/motion_properties.h"
 #include "murosimf/scene_file/setting_targets.h"
 
 namespace murosimf::scene {
@@ -144,7 +144,7 @@ class Changes {
   }
 
   static Servo changed_servo(const Servo& servo, const scene_file::PropertySetting& setting, const std::string& joint) {
-    components::ServoDescription description(servo);
+    component_files::ServoDescription description(servo);
     toml::table table;
     table.insert(setting.property, setting.numbers[0]);
     try {

@@ -10,11 +10,11 @@
 
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/catalog/property_catalog.h"
+#include "murosimf/dynamics/motion_properties.h"
+#include "murosimf/dynamics/servo/servo_law.h"
 #include "murosimf/math/assert.h"
 #include "murosimf/model/fixed_base.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/motion/motion_properties.h"
-#include "murosimf/motion/servo_law.h"
 #include "murosimf/multibody/joint_tendon.h"
 #include "murosimf/scene_file/setting_targets.h"
 #include "murosimf/scene_file/unused_settings.h"
@@ -165,7 +165,7 @@ void check_writers(const Simulation& simulation, const Entity& entity, int index
 
 /// Reason why a servo does not use its supply; empty if it does.
 std::string why_no_motor(const Servo& servo, const scene_file::RobotSpec& robot, std::string_view property) {
-  if (motion::with_law(servo, robot.servo_law).law != "dc_motor") return "the law of this servo has no motor";
+  if (dynamics::with_law(servo, robot.servo_law).law != "dc_motor") return "the law of this servo has no motor";
   if (property == "supply_voltage" && servo.voltage <= 0)
     return "this servo has no 'voltage' that it could differ from";
   if (property == "servo_temperature" && servo.heat.heat_capacity <= 0) return "this servo has no 'heat_capacity'";
@@ -176,7 +176,7 @@ std::string why_no_motor(const Servo& servo, const scene_file::RobotSpec& robot,
 std::string why_no_target(const Model& model, int joint, const std::vector<const catalog::LevelType*>& levels,
                           std::string_view property) {
   const Servo* servo = model.find(properties::servo, joint);
-  const bool of_rate = servo && motion::follows_rate(*servo);
+  const bool of_rate = servo && dynamics::follows_rate(*servo);
   if (of_rate != (property == "joint_velocity_target")) {
     return fmt::format("this joint follows '{}'", of_rate ? "joint_velocity_target" : "joint_target");
   }

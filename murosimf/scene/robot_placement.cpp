@@ -8,11 +8,11 @@
 
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/collision/ground_points.h"
+#include "murosimf/dynamics/motion_properties.h"
 #include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/fixed_base.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/motion/motion_properties.h"
 #include "murosimf/scene/scene_algorithms.h"
 
 namespace murosimf::scene {

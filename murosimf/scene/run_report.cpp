@@ -45,33 +45,33 @@ json sensor_object(const sensors::Reading& reading) {
 
 double us(Duration duration) { return static_cast<double>(duration.count()) / 1e3; }
 
-double us_per_call(const connect::SoftwareReport& software) {
+double us_per_call(const control_software::SoftwareReport& software) {
   return software.calls == 0 ? 0 : us(software.spent) / static_cast<double>(software.calls);
 }
 
 /// Null for software without messages.
-json messages_object(const connect::SoftwareReport& software) {
+json messages_object(const control_software::SoftwareReport& software) {
   if (!software.messages) return nullptr;
-  const connect::MessageCounts& counts = *software.messages;
+  const control_software::MessageCounts& counts = *software.messages;
   return {{"sent", counts.sent},         {"refused", counts.refused},
           {"lost", counts.lost},         {"arrived", counts.arrived},
           {"not_read", counts.not_read}, {"first_refused", software.first_refused_message}};
 }
 
-json way_object(const connect::LinkCounts& counts) {
+json way_object(const control_software::LinkCounts& counts) {
   return {{"sent", counts.sent},
           {"lost", counts.lost},
           {"overtaken", counts.overtaken},
           {"longest_ms", 1e3 * seconds(counts.longest)}};
 }
 
-json link_object(const connect::SoftwareReport& software) {
+json link_object(const control_software::SoftwareReport& software) {
   if (!software.link) return nullptr;
   return {{"signals", way_object(software.link->signals)}, {"commands", way_object(software.link->commands)}};
 }
 
 json control_object(const ControlReport& report) {
-  const connect::SoftwareReport& software = report.software;
+  const control_software::SoftwareReport& software = report.software;
   json said = json::array();
   for (const auto& message : software.said) said.push_back({{"time_s", seconds(message.time)}, {"text", message.text}});
   json changed = json::array();
@@ -106,7 +106,7 @@ std::string message_text(const std::vector<ControlReport>& control) {
       text = fmt::format("\n{:<12} {:>8} {:>8} {:>8} {:>8} {:>8}\n", "messages of", "sent", "refused", "lost",
                          "arrived", "not read");
     }
-    const connect::MessageCounts& counts = *software.messages;
+    const control_software::MessageCounts& counts = *software.messages;
     text += fmt::format("{:<12} {:>8} {:>8} {:>8} {:>8} {:>8}\n", robot, counts.sent, counts.refused, counts.lost,
                         counts.arrived, counts.not_read);
   }
@@ -121,7 +121,7 @@ std::string link_text(const std::vector<ControlReport>& control) {
       text = fmt::format("\n{:<12} {:<9} {:>8} {:>8} {:>9} {:>13}\n", "link of", "", "sent", "lost", "overtaken",
                          "the longest");
     }
-    const auto way = [&](std::string_view what, const connect::LinkCounts& counts) {
+    const auto way = [&](std::string_view what, const control_software::LinkCounts& counts) {
       text += fmt::format("{:<12} {:<9} {:>8} {:>8} {:>9} {:>10.1f} ms\n", robot, what, counts.sent, counts.lost,
                           counts.overtaken, 1e3 * seconds(counts.longest));
     };

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/connect/software_report.h"
+#include "murosimf/control_software/software_report.h"
 #include "murosimf/math/vec3.h"
 #include "murosimf/runtime/simulation.h"
 #include "murosimf/sensors/reading.h"
@@ -31,7 +31,7 @@ struct SensorReport {
 /// Control software of a robot.
 struct ControlReport {
   std::string robot;
-  connect::SoftwareReport software;
+  control_software::SoftwareReport software;
 };
 
 /// Early end of a run.

@@ -51,7 +51,7 @@ class Lengths {
   std::size_t moving_bodies_ = parts_.bodies.size(), moving_ = parts_.moving_entities.size();
   sensors::WorldQueries* queries_ = parts_.queries;                      // may have been attached with its sensors
   collision::MultirateStepping* multirate_ = parts_.multirate_stepping;  // may have been attached with it
-  connect::MessageExchange* messages_ = parts_.messages;                 // the same
+  control_software::MessageExchange* messages_ = parts_.messages;        // the same
   bool done_ = false;
 };
 

@@ -6,10 +6,10 @@
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/collision/ground_contact.h"
 #include "murosimf/collision/multirate_stepping.h"
-#include "murosimf/connect/message_exchange.h"
+#include "murosimf/control_software/message_exchange.h"
+#include "murosimf/dynamics/accelerations.h"
+#include "murosimf/dynamics/odometer.h"
 #include "murosimf/math/assert.h"
-#include "murosimf/motion/accelerations.h"
-#include "murosimf/motion/odometer.h"
 #include "murosimf/robot/motion_file.h"
 #include "murosimf/scene/scene_checks.h"
 #include "murosimf/scene_file/field.h"
@@ -75,10 +75,10 @@ void attach_controller(SceneParts& parts, const scene_file::RobotSpec& robot, En
 }
 
 void attach_messages(SceneParts& parts, const Entity& entity) {
-  if (parts.messages || !entity.find(connect::message_box)) return;
+  if (parts.messages || !entity.find(control_software::message_box)) return;
   parts.messages =
-      &parts.simulation->attach<connect::MessageExchange>("message_exchange", parts.spec.rate, parts.robots,
-                                                          parts.spec.communication, parts.spec.seed);
+      &parts.simulation->attach<control_software::MessageExchange>("message_exchange", parts.spec.rate, parts.robots,
+                                                                   parts.spec.communication, parts.spec.seed);
 }
 
 void attach_ground_contact(SceneParts& parts, Entity& entity, const std::string& level, const std::string& law,
@@ -119,12 +119,12 @@ void attach_multirate_stepping(SceneParts& parts, const Entity& entity) {
 }
 
 void attach_odometer(SceneParts& parts, Entity& entity) {
-  parts.simulation->attach<motion::Odometer>("odometer", entity, motion::Odometer::rate_hz);
+  parts.simulation->attach<dynamics::Odometer>("odometer", entity, dynamics::Odometer::rate_hz);
 }
 
 void attach_accelerations(SceneParts& parts, const scene_file::RobotSpec& robot, Entity& entity) {
   if (!robot.accelerations) return;
-  parts.simulation->attach<motion::Accelerations>("accelerations", entity, step_rate(parts.spec, robot));
+  parts.simulation->attach<dynamics::Accelerations>("accelerations", entity, step_rate(parts.spec, robot));
 }
 
 }  // namespace murosimf::scene

@@ -4,7 +4,7 @@
 
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/collision/body_contact.h"
-#include "murosimf/connect/tcp/tcp_server.h"
+#include "murosimf/control_software/tcp/tcp_server.h"
 #include "murosimf/math/assert.h"
 #include "murosimf/runtime/external_input_history.h"
 #include "murosimf/scene/assets.h"
@@ -95,7 +95,7 @@ void build(SceneParts& parts, const SceneOptions& options) {
   simulation.world().gravity = parts.spec.gravity;
   simulation.stop_if([crashes = parts.crashes, stop = options.stop] {
     crashes->check();
-    connect::crashes_of_plugins().check();
+    control_software::crashes_of_plugins().check();
     return stop && stop();
   });
   parts.libraries = options.libraries;

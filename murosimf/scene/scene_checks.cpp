@@ -10,10 +10,10 @@
 #include <fmt/format.h>
 
 #include "murosimf/catalog/algorithm_catalog.h"
+#include "murosimf/dynamics/mimic_joints.h"
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/motion/mimic_joints.h"
 #include "murosimf/multibody/loops.h"
 #include "murosimf/scene/model_constants.h"
 #include "murosimf/scene/property_checks.h"
@@ -113,7 +113,7 @@ void warn_about_things(SceneParts& parts) {
 std::vector<bool> driven_joints(const Model& model) {
   std::vector<int> leader(static_cast<std::size_t>(model.size()));
   std::iota(leader.begin(), leader.end(), 0);
-  const motion::MimicJoints coupled(model);
+  const dynamics::MimicJoints coupled(model);
   for (const auto& pair : coupled.pairs()) leader[pair.follower] = pair.leader;
   std::set<int> driven;
   for (const int i : model.having(properties::servo)) driven.insert(leader[i]);

@@ -7,12 +7,12 @@
 
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/collision/ground_contact.h"
+#include "murosimf/dynamics/servo/saturation_watch.h"
+#include "murosimf/dynamics/servo/servo_law.h"
+#include "murosimf/dynamics/servo/torque_watch.h"
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
-#include "murosimf/motion/saturation_watch.h"
-#include "murosimf/motion/servo_law.h"
-#include "murosimf/motion/torque_watch.h"
 #include "murosimf/scene/model_constants.h"
 #include "murosimf/scene/robot_placement.h"
 #include "murosimf/scene/scene_algorithms.h"
@@ -32,8 +32,8 @@ void renew_level(SceneParts& parts, const scene_file::RobotSpec& robot) {
   Entity& entity = parts.simulation->world().entity(robot.name);
   const catalog::LevelType& level = find_entry(catalog::levels(), "level", robot.level);
   const catalog::LevelOptions options = level_options(parts, robot);
-  std::string overload = motion::overload_message(entity);  // both counts end with the present level
-  std::string saturation = motion::saturation_message(entity);
+  std::string overload = dynamics::overload_message(entity);  // both counts end with the present level
+  std::string saturation = dynamics::saturation_message(entity);
   parts.simulation->exchange(robot.level, entity,
                              [&](Setup& setup) { return catalog::make_level(robot.level, setup, options); });
   if (!overload.empty()) parts.diagnostics.warn(std::move(overload));
@@ -161,7 +161,7 @@ void exchange_level(SceneParts& parts, std::string_view robot, std::string_view 
 void exchange_servo_law(SceneParts& parts, std::string_view robot, std::string_view law) {
   scene_file::RobotSpec& spec = robot_spec(parts.spec, robot);
   scene_file::RobotSpec changed = spec;
-  changed.servo_law = find_entry(motion::servo_laws(), "servo law", law).name;
+  changed.servo_law = find_entry(dynamics::servo_laws(), "servo law", law).name;
   if (find_entry(catalog::levels(), "level", spec.level).traits.servos) renew_level(parts, changed);
   parts.simulation->record(fmt::format("{}: servo law {}", robot, law));
   spec = std::move(changed);

@@ -11,7 +11,7 @@
 #include "murosimf/runtime/external_input_log.h"
 #include "murosimf/runtime/simulation.h"
 
-namespace murosimf::connect {
+namespace murosimf::control_software {
 class TcpServer;  // tcp_server.h
 }
 
@@ -33,7 +33,7 @@ struct SceneOptions {
   bool only_shown = false;             ///< it makes no steps: control software and its connections are left out
   bool pushable = false;               ///< moving entities can be pushed while it runs, also without a push in the file
   bool paths = false;                  ///< record the paths of all entities, for write_picture
-  std::shared_ptr<connect::TcpServer>
+  std::shared_ptr<control_software::TcpServer>
       software{};                    ///< where control software of the controller "tcp" comes in; null: nowhere
   ExternalInputOptions outside{};    ///< what is done with all that comes from outside
   std::shared_ptr<Assets> assets{};  ///< that it shares with other scenes; null: its own

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "murosimf/connect/crash_note.h"
+#include "murosimf/control_software/crash_note.h"
 #include "murosimf/files/file_access.h"
 #include "murosimf/runtime/external_input_log.h"
 #include "murosimf/runtime/path_recorder.h"
@@ -22,11 +22,11 @@ namespace murosimf::collision {
 class GroundContact;
 class MultirateStepping;
 }  // namespace murosimf::collision
-namespace murosimf::connect {
+namespace murosimf::control_software {
 class MessageExchange;
 class TcpServer;
-}  // namespace murosimf::connect
-namespace murosimf::motion {
+}  // namespace murosimf::control_software
+namespace murosimf::dynamics {
 class Push;
 }
 namespace murosimf::sensors {
@@ -78,19 +78,20 @@ struct SceneParts {
   std::vector<Entity*> bodies;                                 ///< moving ones of [[bodies]]
   std::vector<Entity*> moving_entities;                        ///< robots, ball and bodies
   std::vector<collision::GroundContact*> ground_contacts;      ///< by moving entity
-  std::map<const Entity*, motion::Push*> pushes;               ///< of entities that can be pushed
+  std::map<const Entity*, dynamics::Push*> pushes;             ///< of entities that can be pushed
   collision::MultirateStepping* multirate_stepping = nullptr;  ///< null: all use the scene's step
   sensors::WorldQueries* queries = nullptr;                    ///< null: no sensor uses them
-  connect::MessageExchange* messages = nullptr;                ///< null: no software uses them
+  control_software::MessageExchange* messages = nullptr;       ///< null: no software uses them
   const PathRecorder* recorder = nullptr;                      ///< null: paths are not recorded
-  std::shared_ptr<connect::CrashNote> crashes = std::make_shared<connect::CrashNote>();  ///< of control software
-  std::shared_ptr<connect::TcpServer> software;  ///< accepts that of the controller "tcp"; null: none
-  std::string terminals;                         ///< folder for links to serial lines; empty: there are none
-  ExternalInputOptions outside;                  ///< recording and repetition of external input
-  bool libraries = false;                        ///< whether libraries named by files are loaded
-  bool only_shown = false;                       ///< SceneOptions::only_shown
-  std::shared_ptr<Assets> assets;                ///< for robots added later
-  bool lenient = false;                          ///< of their files: unknown elements are warnings
+  std::shared_ptr<control_software::CrashNote> crashes =
+      std::make_shared<control_software::CrashNote>();    ///< of control software
+  std::shared_ptr<control_software::TcpServer> software;  ///< accepts that of the controller "tcp"; null: none
+  std::string terminals;                                  ///< folder for links to serial lines; empty: there are none
+  ExternalInputOptions outside;                           ///< recording and repetition of external input
+  bool libraries = false;                                 ///< whether libraries named by files are loaded
+  bool only_shown = false;                                ///< SceneOptions::only_shown
+  std::shared_ptr<Assets> assets;                         ///< for robots added later
+  bool lenient = false;                                   ///< of their files: unknown elements are warnings
   StartOfScene at_start;
   files::FileAccess files{};                ///< SceneOptions::files, for robots that come later, which are not noted
   std::unique_ptr<CameraRenderer> cameras;  ///< null: nothing is drawn for them

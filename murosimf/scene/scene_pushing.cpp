@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/catalog/algorithm_catalog.h"
-#include "murosimf/motion/push.h"
+#include "murosimf/dynamics/push.h"
 #include "murosimf/scene_file/setting_targets.h"
 
 namespace murosimf::scene {
@@ -52,7 +52,7 @@ std::string name_of_pushed(const Entity& entity, int object, const scene_file::P
   return entity.name() + "." + (named ? push.object : entity.model().objects()[object].name);
 }
 
-using PushesOf = std::map<const Entity*, std::vector<motion::TimedPush>>;
+using PushesOf = std::map<const Entity*, std::vector<dynamics::TimedPush>>;
 
 /// Schedules a push of the spec.
 void plan(SceneParts& parts, const scene_file::PushSpec& push, const std::string& name, PushesOf& all) {
@@ -85,7 +85,7 @@ void attach_pushes(SceneParts& parts, bool all_entities) {
   expect_events(parts, all);
   for (Entity* entity : parts.moving_entities) {  // the order of attaching must not depend on addresses
     if (all_entities || all.contains(entity)) {
-      parts.pushes[entity] = &parts.simulation->attach<motion::Push>("push", *entity, parts.spec.rate, all[entity]);
+      parts.pushes[entity] = &parts.simulation->attach<dynamics::Push>("push", *entity, parts.spec.rate, all[entity]);
     }
   }
 }

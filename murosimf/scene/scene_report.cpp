@@ -6,11 +6,11 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/connect/controller_task.h"
+#include "murosimf/control_software/controller_task.h"
+#include "murosimf/dynamics/odometer.h"
+#include "murosimf/dynamics/servo/saturation_watch.h"
+#include "murosimf/dynamics/servo/torque_watch.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/motion/odometer.h"
-#include "murosimf/motion/saturation_watch.h"
-#include "murosimf/motion/torque_watch.h"
 #include "murosimf/scene/interpenetration_warnings.h"
 #include "murosimf/scene/unsettled_warning.h"
 
@@ -19,7 +19,7 @@ namespace {
 
 EntityReport report_of(Entity& entity) {
   const auto base = entity.base();
-  const motion::WayAndFalls counted = motion::way_and_falls(entity);
+  const dynamics::WayAndFalls counted = dynamics::way_and_falls(entity);
   return {entity.name(),         entity.model().name(),          entity.level,   entity.contact, entity.controller,
           entity.options().team, base.get(properties::position), counted.walked, counted.falls,  entity.frozen(),
           entity.present()};
@@ -27,7 +27,7 @@ EntityReport report_of(Entity& entity) {
 
 void add_control_warnings(const Scene& scene, std::vector<std::string>& lines) {
   for (const Entity* entity : scene.moving_entities()) {
-    const connect::SoftwareReport* software = connect::software_report(*entity);
+    const control_software::SoftwareReport* software = control_software::software_report(*entity);
     if (!software) continue;
     if (!software->ended.empty()) {
       lines.push_back(fmt::format("{}: its control software has ended {}", entity->name(), software->ended));
@@ -51,7 +51,7 @@ void add_control_warnings(const Scene& scene, std::vector<std::string>& lines) {
 std::vector<std::string> notes_of(const Scene& scene) {
   std::vector<std::string> all = scene.parts().diagnostics.notes();
   for (const Entity* entity : scene.moving_entities()) {
-    if (auto line = motion::saturation_message(*entity); !line.empty()) all.push_back(std::move(line));
+    if (auto line = dynamics::saturation_message(*entity); !line.empty()) all.push_back(std::move(line));
   }
   return all;
 }
@@ -63,7 +63,7 @@ std::vector<std::string> warnings_of(const Scene& scene, const Lateness& latenes
   all.insert(all.end(), frozen.begin(), frozen.end());
   if (auto line = events_to_come(scene); !line.empty()) all.push_back(std::move(line));
   for (const Entity* entity : scene.moving_entities()) {
-    if (auto line = motion::overload_message(*entity); !line.empty()) all.push_back(std::move(line));
+    if (auto line = dynamics::overload_message(*entity); !line.empty()) all.push_back(std::move(line));
   }
   for (auto& line : interpenetration_warnings(scene.simulation().world())) all.push_back(std::move(line));
   if (auto line = unsettled_warning(scene.simulation().world()); !line.empty()) all.push_back(std::move(line));
@@ -91,7 +91,8 @@ RunReport make_report(const Scene& scene, Duration wall, const Lateness& latenes
   report.state_hash = simulation.state_hash();
   for (Entity* entity : scene.moving_entities()) {
     report.entities.push_back(report_of(*entity));
-    if (const auto* software = connect::software_report(*entity)) report.control.push_back({entity->name(), *software});
+    if (const auto* software = control_software::software_report(*entity))
+      report.control.push_back({entity->name(), *software});
     for (const sensors::Reading* reading : sensors::readings_of(*entity)) {
       report.sensors.push_back({entity->name(), *reading});
     }

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/components/sensor_types.h"
+#include "murosimf/component_files/sensor_types.h"
 #include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/sensors/world_queries.h"
@@ -50,7 +50,7 @@ std::vector<sensors::SensorSpec> sensors_of(SceneParts& parts, ModelSource& mode
   for (sensors::SensorSpec& spec : specs)
     add_diagnostic(fit_to_steps(spec, step_rate(parts.spec, robot)), spec.name, diagnostics);
   for (const SharedDiagnostic& diagnostic : diagnostics) parts.diagnostics.note(robot.name, to_text(diagnostic));
-  components::change_sensors(specs, robot.sensors.tables, parts.spec.file.parent_path());
+  component_files::change_sensors(specs, robot.sensors.tables, parts.spec.file.parent_path());
   return specs;
 }
 
@@ -88,8 +88,8 @@ void attach_sensors(SceneParts& parts, ModelSource& models, std::size_t robot) {
   std::vector<const sensors::Sensor*>& attached = parts.sensors.emplace_back();
   about(parts.spec.robots[robot].name, [&] {
     for (const sensors::SensorSpec& spec : sensors_of(parts, models, parts.spec.robots[robot])) {
-      attached.push_back(&components::attach_sensor(*parts.simulation, *parts.robots[robot], spec, surroundings,
-                                                    step_rate(parts.spec, parts.spec.robots[robot])));
+      attached.push_back(&component_files::attach_sensor(*parts.simulation, *parts.robots[robot], spec, surroundings,
+                                                         step_rate(parts.spec, parts.spec.robots[robot])));
     }
   });
 }

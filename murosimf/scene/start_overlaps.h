@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/model/entity.h"
+#include "murosimf/world/entity.h"
 
 namespace murosimf::scene {
 

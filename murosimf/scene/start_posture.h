@@ -5,8 +5,8 @@
 
 #include <string_view>
 
-#include "murosimf/model/entity.h"
 #include "murosimf/model/keyframe.h"
+#include "murosimf/world/entity.h"
 
 namespace murosimf::scene {
 

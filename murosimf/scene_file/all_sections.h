@@ -27,12 +27,12 @@ struct EventTable {
 [[nodiscard]] const Section<BallSpec>& ball_section();
 [[nodiscard]] const Section<TeamSpec>& team_section();
 [[nodiscard]] const Section<RobotSpec>& robot_section();
-[[nodiscard]] const Section<connect::ControlLinkOptions>& link_section();  ///< the key `link` of a robot
+[[nodiscard]] const Section<control_software::ControlLinkOptions>& link_section();  ///< the key `link` of a robot
 [[nodiscard]] const Section<BodySpec>& body_section();
 [[nodiscard]] const Section<PushSpec>& push_section();
 [[nodiscard]] const Section<EventTable>& event_section();
 [[nodiscard]] const Section<PairSurface>& material_section();
-[[nodiscard]] const Section<connect::RadioOptions>& communication_section();
+[[nodiscard]] const Section<control_software::RadioOptions>& communication_section();
 [[nodiscard]] const Section<LeagueSpec>& league_section();
 
 }  // namespace murosimf::scene_file

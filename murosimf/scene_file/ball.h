@@ -5,7 +5,7 @@
 
 #include "murosimf/air/air_options.h"
 #include "murosimf/model/model.h"
-#include "murosimf/model/state_archive.h"
+#include "murosimf/world/state_archive.h"
 
 namespace murosimf::scene_file {
 

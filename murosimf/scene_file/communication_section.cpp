@@ -9,12 +9,13 @@ constexpr double longest_delay = 60;                  // [s]
 constexpr std::uint64_t most_message_bytes = 65'507;  // of a UDP datagram
 constexpr std::uint64_t most_messages = 1'000;        // [1/s]
 
-void read_message_bytes(const files::TomlTable& table, std::string_view key, connect::RadioOptions& radio) {
+void read_message_bytes(const files::TomlTable& table, std::string_view key, control_software::RadioOptions& radio) {
   table.read(key, radio.message_bytes);
   require(radio.message_bytes <= most_message_bytes, table, key, "must be up to 65507");
 }
 
-void read_messages_per_second(const files::TomlTable& table, std::string_view key, connect::RadioOptions& radio) {
+void read_messages_per_second(const files::TomlTable& table, std::string_view key,
+                              control_software::RadioOptions& radio) {
   table.read(key, radio.messages_per_second);
   require(radio.messages_per_second <= most_messages, table, key, "must be up to 1000");
 }
@@ -28,8 +29,8 @@ void read_bandwidth(const files::TomlTable& table, std::string_view key, Options
 
 }  // namespace
 
-const Section<connect::RadioOptions>& communication_section() {
-  using Options = connect::RadioOptions;
+const Section<control_software::RadioOptions>& communication_section() {
+  using Options = control_software::RadioOptions;
   static const Section<Options> section(
       "[communication]",
       {{"range", &Options::range, "m", "between two robots of a team that hear each other; 0: any",
@@ -43,8 +44,8 @@ const Section<connect::RadioOptions>& communication_section() {
   return section;
 }
 
-const Section<connect::ControlLinkOptions>& link_section() {
-  using Options = connect::ControlLinkOptions;
+const Section<control_software::ControlLinkOptions>& link_section() {
+  using Options = control_software::ControlLinkOptions;
   static const Section<Options> section(
       "[robots.link]",
       {{"delay", &Options::delay, "s", "on the way", between(0, longest_delay)},

@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 
 #include "murosimf/catalog/algorithm_catalog.h"
+#include "murosimf/dynamics/servo/servo_law.h"
 #include "murosimf/files/toml_reader.h"
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/math/assert.h"
-#include "murosimf/motion/servo_law.h"
 #include "murosimf/scene_file/all_sections.h"
 #include "murosimf/scene_file/assignment.h"
 #include "murosimf/scene_file/overrides.h"
@@ -33,7 +33,7 @@ void check_value(const SceneEvent& event) {
   with_context(event.where, [&] {
     if (event.key == "level") (void)find_entry(catalog::levels(), "level", event.value);
     if (event.key == "contact") (void)find_entry(catalog::contacts(), "contact law", event.value);
-    if (event.key == "servo_law") (void)find_entry(motion::servo_laws(), "servo law", event.value);
+    if (event.key == "servo_law") (void)find_entry(dynamics::servo_laws(), "servo law", event.value);
     if (event.key == "present" && event.value != "true" && event.value != "false") {
       throw SetupError(fmt::format("present is true or false, not '{}'", event.value));
     }

@@ -8,7 +8,7 @@ catalog::LevelOptions level_options(const RobotSpec& robot) {
   options.servo_law = robot.servo_law;
   options.tree.integrator = robot.integrator;
   options.tree.fixed_base = robot.fixed_base;
-  options.reference.kind = find_entry(motion::joint_references(), "joint reference", robot.joint_reference).kind;
+  options.reference.kind = find_entry(dynamics::joint_references(), "joint reference", robot.joint_reference).kind;
   options.own = robot.level_options;
   return options;
 }

@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 
 #include "murosimf/catalog/algorithm_catalog.h"
-#include "murosimf/components/sensor_toml.h"
+#include "murosimf/component_files/sensor_toml.h"
+#include "murosimf/dynamics/servo/servo_law.h"
 #include "murosimf/files/toml_color.h"
-#include "murosimf/motion/servo_law.h"
 #include "murosimf/scene_file/all_sections.h"
 #include "murosimf/scene_file/robot_options.h"
 #include "murosimf/scene_file/section_readers.h"
@@ -20,8 +20,8 @@ using files::TomlTable;
 void read_integrator(const TomlTable& table, std::string_view key, RobotSpec& robot) {
   std::string name;
   table.read(key, name);
-  robot.integrator =
-      with_context(table.where(key), [&] { return find_entry(motion::integrators(), "integrator", name).integrator; });
+  robot.integrator = with_context(table.where(key),
+                                  [&] { return find_entry(dynamics::integrators(), "integrator", name).integrator; });
 }
 
 void read_link(const TomlTable& table, std::string_view key, RobotSpec& robot) {
@@ -110,7 +110,7 @@ const Section<RobotSpec>& robot_section() {
        {"level_options", {}, "", "of its level: murosimf list options", {}, "the level's"},
        {"contact_options", {}, "", "of its contact law: murosimf list options", {}, "the law's"},
        {"servo_law",
-        Name{&RobotSpec::servo_law, "servo law", [] { return entry_names(motion::servo_laws()); }},
+        Name{&RobotSpec::servo_law, "servo law", [] { return entry_names(dynamics::servo_laws()); }},
         "",
         "of all servos: murosimf list servo_laws",
         {},
@@ -131,7 +131,7 @@ const Section<RobotSpec>& robot_section() {
        {"keyframe", &RobotSpec::keyframe, "", "posture at the start: a key of its MJCF file", {}, "its pose there"},
        {"present", &RobotSpec::present, "", "at the start; an event 'NAME.present = true' brings it"},
        {"joint_reference",
-        Name{&RobotSpec::joint_reference, "joint reference", [] { return entry_names(motion::joint_references()); }},
+        Name{&RobotSpec::joint_reference, "joint reference", [] { return entry_names(dynamics::joint_references()); }},
         "", "murosimf list joint_references: how joints follow their targets without servos"},
        {"integrator",
         read_integrator,
@@ -164,7 +164,7 @@ const Section<RobotSpec>& robot_section() {
        {"accelerations", &RobotSpec::accelerations, "", "whether they are worked out, for logs and programs"},
        {"sensors",
         [](const TomlTable& table, std::string_view key, RobotSpec& robot) {
-          components::read_sensor_changes(table.find(key), robot.sensors);
+          component_files::read_sensor_changes(table.find(key), robot.sensors);
         },
         "",
         "false: none; [robots.sensors.NAME]: changes and additions",

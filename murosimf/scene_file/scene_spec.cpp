@@ -4,7 +4,6 @@
 
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/model/find_entry.h"
-#include "murosimf/model/time.h"
 #include "murosimf/scene_file/all_sections.h"
 #include "murosimf/scene_file/automatic_rate.h"
 #include "murosimf/scene_file/event_section.h"
@@ -13,6 +12,7 @@
 #include "murosimf/scene_file/push_section.h"
 #include "murosimf/scene_file/robot_options.h"
 #include "murosimf/scene_file/section_readers.h"
+#include "murosimf/world/time.h"
 
 namespace murosimf::scene_file {
 namespace {

@@ -8,20 +8,20 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/components/sensor_table.h"
-#include "murosimf/connect/control_link_options.h"
-#include "murosimf/connect/radio_options.h"
+#include "murosimf/component_files/sensor_table.h"
+#include "murosimf/control_software/control_link_options.h"
+#include "murosimf/control_software/radio_options.h"
+#include "murosimf/dynamics/integrator.h"
 #include "murosimf/locomotion/motion_state.h"
 #include "murosimf/math/scalar.h"
 #include "murosimf/math/vec3.h"
-#include "murosimf/model/entity.h"
 #include "murosimf/model/material.h"
 #include "murosimf/model/option.h"
-#include "murosimf/model/state_archive.h"
-#include "murosimf/model/time.h"
-#include "murosimf/motion/integrator.h"
 #include "murosimf/scene_file/ball.h"
 #include "murosimf/scene_file/body_spec.h"
+#include "murosimf/world/entity.h"
+#include "murosimf/world/state_archive.h"
+#include "murosimf/world/time.h"
 
 namespace murosimf::scene_file {
 
@@ -104,9 +104,9 @@ struct RobotSpec {
   std::string library;                          ///< file of the controller "library"; empty for none
   double call_budget = 0;                       ///< [s] of wall time for each of its calls; 0: any
   bool reload = false;                          ///< reloads the library when its file changes
-  connect::ControlLinkOptions link;             ///< between it and its control software
+  control_software::ControlLinkOptions link;    ///< between it and its control software
   std::string joint_reference = "filter";
-  motion::Integrator integrator = motion::Integrator::semi_implicit_euler;
+  dynamics::Integrator integrator = dynamics::Integrator::semi_implicit_euler;
   bool base_rigid = false;
   bool fixed_base = false;
   Vec3d position;              ///< [m]
@@ -117,9 +117,9 @@ struct RobotSpec {
   std::string keyframe;                      ///< of its file, at which it starts; empty: the pose of the file
   Vec3d command;                             ///< [m/s, m/s, rad/s]
   bool present = true;                       ///< at the start
-  bool accelerations = false;                ///< are computed (motion/accelerations.h)
+  bool accelerations = false;                ///< are computed (dynamics/accelerations.h)
   CollisionOptions collision;
-  components::SensorChanges sensors;
+  component_files::SensorChanges sensors;
   std::map<std::string, GivenKey> given;  ///< its keys that were set
 };
 
@@ -202,7 +202,7 @@ struct SceneSpec {
   std::vector<PropertySetting> settings;
   std::vector<SceneEvent> events;  ///< in the order of time
   std::vector<PushSpec> pushes;
-  connect::RadioOptions communication;
+  control_software::RadioOptions communication;
   LeagueSpec league;
 };
 

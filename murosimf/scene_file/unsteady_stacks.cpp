@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/catalog/algorithm_catalog.h"
-#include "murosimf/collision/contact_parameters.h"
+#include "murosimf/collision/contact_laws/contact_parameters.h"
 #include "murosimf/geometry/volume.h"
 #include "murosimf/math/assert.h"
 

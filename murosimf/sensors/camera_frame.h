@@ -14,7 +14,7 @@
 
 #include "murosimf/imaging/image.h"
 #include "murosimf/imaging/lens.h"
-#include "murosimf/model/setup.h"
+#include "murosimf/world/setup.h"
 
 namespace murosimf::sensors {
 

@@ -3,8 +3,8 @@
 
 #include <span>
 
-#include "murosimf/model/setup.h"
 #include "murosimf/sensors/sensor_spec.h"
+#include "murosimf/world/setup.h"
 
 namespace murosimf::sensors {
 

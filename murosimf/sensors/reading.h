@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "murosimf/math/mat3.h"
-#include "murosimf/model/setup.h"
+#include "murosimf/world/setup.h"
 
 namespace murosimf::sensors {
 

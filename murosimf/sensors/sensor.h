@@ -12,12 +12,12 @@
 
 #include <string>
 
-#include "murosimf/model/motion_level.h"
-#include "murosimf/model/rate.h"
-#include "murosimf/model/state_archive.h"
 #include "murosimf/sensors/reading.h"
 #include "murosimf/sensors/sensor_spec.h"
 #include "murosimf/sensors/signal.h"
+#include "murosimf/world/motion_level.h"
+#include "murosimf/world/rate.h"
+#include "murosimf/world/state_archive.h"
 
 namespace murosimf::sensors {
 

@@ -3,7 +3,7 @@
 ///     const OptionTable<SonarOptions>& sonar_options();    // one row each: key, place, unit, meaning, range
 ///     const SonarOptions options = options_of(spec, sonar_options());
 ///
-/// The same tables stand in the list of types (components/sensor_types.cpp), where files are checked against them.
+/// The same tables stand in the list of types (component_files/sensor_types.cpp), where files are checked against them.
 #pragma once
 
 #include <algorithm>

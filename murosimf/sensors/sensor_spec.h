@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/model/entity.h"
 #include "murosimf/sensors/signal_spec.h"
+#include "murosimf/world/entity.h"
 
 namespace murosimf::sensors {
 
@@ -18,7 +18,7 @@ class WorldQueries;  // world_queries.h
 
 struct SensorSpec {
   std::string name{};                       ///< unique on the robot
-  std::string type{};                       ///< name in components/sensor_types.h: "imu"
+  std::string type{};                       ///< name in component_files/sensor_types.h: "imu"
   std::string where{};                      ///< place in the file, for messages
   std::string frame{};                      ///< object of the model that it is mounted on; empty: the base
   Vec3d position{};                         ///< [m] of the sensor in that frame

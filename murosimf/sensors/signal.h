@@ -31,8 +31,8 @@
 #include <vector>
 
 #include "murosimf/math/random.h"
-#include "murosimf/model/state_archive.h"
 #include "murosimf/sensors/signal_spec.h"
+#include "murosimf/world/state_archive.h"
 
 namespace murosimf::sensors {
 

@@ -28,7 +28,7 @@ struct SignalSpec {
   bool operator==(const SignalSpec&) const = default;
 };
 
-/// The members that are keys of files; `range` is another of theirs (components/sensor_keys.h).
+/// The members that are keys of files; `range` is another of theirs (component_files/sensor_keys.h).
 [[nodiscard]] const OptionTable<SignalSpec>& signal_options();
 
 /// Throws SetupError that names the key: a negative or infinite number, bits without a range, an empty range.

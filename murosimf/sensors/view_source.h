@@ -5,7 +5,7 @@
 
 #include "murosimf/imaging/image.h"
 #include "murosimf/math/mat3.h"
-#include "murosimf/model/setup.h"
+#include "murosimf/world/setup.h"
 
 namespace murosimf::sensors {
 

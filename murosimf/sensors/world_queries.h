@@ -10,9 +10,9 @@
 #include <string>
 
 #include "murosimf/collision/queries.h"
-#include "murosimf/model/algorithm.h"
-#include "murosimf/model/setup.h"
 #include "murosimf/sensors/sensor_spec.h"
+#include "murosimf/world/algorithm.h"
+#include "murosimf/world/setup.h"
 
 namespace murosimf::sensors {
 

@@ -8,10 +8,10 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/dynamics/servo/servo_law.h"
 #include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/motion/servo_law.h"
 
 namespace murosimf::serial {
 
@@ -19,7 +19,7 @@ using dynamixel::ImuBoard;
 using dynamixel::Protocol;
 using dynamixel::ServoDevice;
 
-SerialSoftware::SerialSoftware(Setup& setup, connect::RobotPort& port, connect::SayLine say,
+SerialSoftware::SerialSoftware(Setup& setup, control_software::RobotPort& port, control_software::SayLine say,
                                std::vector<ServoPlace> layout, SerialOptions options,
                                const std::filesystem::path& folder, const ExternalInputOptions& outside)
     : say_(std::move(say)),
@@ -73,14 +73,14 @@ void SerialSoftware::add_joint(const Model& model, const ServoPlace& place) {
       joint.options.full_error = servo->stall_torque / servo->position_gain;
     }
     joint.own = servo;
-    joint.turns = motion::follows_rate(*servo);
+    joint.turns = dynamics::follows_rate(*servo);
   }
   joint.options.torque = options_.torque;
   joints_.push_back(joint);
 }
 
 /// Without a name, an IMU is on the bus only if the robot has one of the usual name.
-void SerialSoftware::find_imu(const Setup& setup, connect::RobotPort& port) {
+void SerialSoftware::find_imu(const Setup& setup, control_software::RobotPort& port) {
   const std::string name = options_.imu.empty() ? "imu" : options_.imu;
   const sensors::Reading* reading = sensors::find_reading(setup.entity(), name);
   if (options_.imu.empty() && (!reading || reading->info->type != "imu")) return;
@@ -124,7 +124,7 @@ void SerialSoftware::switch_on() {
   line_->set_rate(rate);
 }
 
-connect::CallOutcome SerialSoftware::start() {
+control_software::CallOutcome SerialSoftware::start() {
   switch_on();
   std::ranges::copy(rest_, target_->values);
   for (const Joint& joint : joints_) enabled_->values[joint.place.joint] = options_.torque ? 1 : 0;
@@ -133,13 +133,13 @@ connect::CallOutcome SerialSoftware::start() {
   return {};
 }
 
-connect::CallOutcome SerialSoftware::step(Duration now) noexcept {
+control_software::CallOutcome SerialSoftware::step(Duration now) noexcept {
   if (terminal_ && !link_ &&
       !remembers()) {  // made at the first step, so that a client that finds the link is answered
     try {
       link_.emplace(link_place_, terminal_->name());
     } catch (const SetupError& error) {
-      return {connect::CallOutcome::threw, error.what()};
+      return {control_software::CallOutcome::threw, error.what()};
     }
   }
   const double time = seconds(now);

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/connect/control_software.h"
+#include "murosimf/control_software/control_software.h"
 #include "murosimf/model/servo.h"
 #include "murosimf/runtime/external_input_history.h"
 #include "murosimf/runtime/external_input_log.h"
@@ -37,15 +37,16 @@ struct SerialOptions {
   [[nodiscard]] double first_rate() const { return baud_rate > 0 ? baud_rate : usual_rate; }
 };
 
-class SerialSoftware final : public connect::ControlSoftware {
+class SerialSoftware final : public control_software::ControlSoftware {
  public:
   /// `folder` contains the link to the terminal, named as the robot, from the first step on; empty, or if input is
   /// repeated: there is no terminal. Throws SetupError.
-  SerialSoftware(Setup& setup, connect::RobotPort& port, connect::SayLine say, std::vector<ServoPlace> layout,
-                 SerialOptions options, const std::filesystem::path& folder, const ExternalInputOptions& outside = {});
+  SerialSoftware(Setup& setup, control_software::RobotPort& port, control_software::SayLine say,
+                 std::vector<ServoPlace> layout, SerialOptions options, const std::filesystem::path& folder,
+                 const ExternalInputOptions& outside = {});
 
-  [[nodiscard]] connect::CallOutcome start() override;
-  [[nodiscard]] connect::CallOutcome step(Duration now) noexcept override;
+  [[nodiscard]] control_software::CallOutcome start() override;
+  [[nodiscard]] control_software::CallOutcome step(Duration now) noexcept override;
   void state(StateArchive& archive) override;
   [[nodiscard]] bool repeats_itself() const override { return true; }
 
@@ -67,7 +68,7 @@ class SerialSoftware final : public connect::ControlSoftware {
     dynamixel::ServoDevice* servo = nullptr;  // on the bus
   };
   void add_joint(const Model& model, const ServoPlace& place);
-  void find_imu(const Setup& setup, connect::RobotPort& port);
+  void find_imu(const Setup& setup, control_software::RobotPort& port);
   void switch_on();
   void sense(double now);
   /// Input of a step.
@@ -91,7 +92,7 @@ class SerialSoftware final : public connect::ControlSoftware {
   void tune(const Joint& joint);
   [[nodiscard]] double angle_of(const Joint& joint, double q) const;
 
-  connect::SayLine say_;
+  control_software::SayLine say_;
   SerialOptions options_;
   double period_;  // [s]
   std::vector<Joint> joints_;

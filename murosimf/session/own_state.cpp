@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/connect/controller_task.h"
+#include "murosimf/control_software/controller_task.h"
 
 namespace murosimf::session {
 
@@ -12,7 +12,7 @@ namespace murosimf::session {
 std::string own_state(const World& world, const ExternalInputHistory* memory) {
   std::vector<std::string> robots, subjects;
   for (const auto& entity : world.entities()) {
-    const connect::SoftwareReport* const software = connect::software_report(*entity);
+    const control_software::SoftwareReport* const software = control_software::software_report(*entity);
     if (software && software->keeps_state && software->ended.empty()) robots.push_back(entity->name());
   }
   if (!robots.empty()) subjects.push_back(fmt::format("software of {}", fmt::join(robots, ", ")));

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "murosimf/model/world.h"
 #include "murosimf/runtime/external_input_history.h"
+#include "murosimf/world/world.h"
 
 namespace murosimf::session {
 

@@ -3,7 +3,7 @@
 
 #include <chrono>
 
-#include "murosimf/model/time.h"
+#include "murosimf/world/time.h"
 
 namespace murosimf::session {
 

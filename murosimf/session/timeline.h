@@ -17,9 +17,9 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/model/time.h"
 #include "murosimf/runtime/command_queue.h"
 #include "murosimf/runtime/external_input_history.h"
+#include "murosimf/world/time.h"
 
 namespace murosimf::session {
 

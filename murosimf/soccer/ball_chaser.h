@@ -7,10 +7,10 @@
 #pragma once
 
 #include "murosimf/locomotion/motion_state.h"
-#include "murosimf/model/algorithm.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/model/setup.h"
 #include "murosimf/sensors/ground_truth.h"
+#include "murosimf/world/algorithm.h"
+#include "murosimf/world/setup.h"
 
 namespace murosimf::soccer {
 

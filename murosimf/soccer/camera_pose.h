@@ -9,11 +9,11 @@
 
 #include <vector>
 
-#include "murosimf/model/setup.h"
 #include "murosimf/model/shape.h"
 #include "murosimf/sensors/camera_frame.h"
 #include "murosimf/sensors/reading.h"
 #include "murosimf/soccer/ground_projection.h"
+#include "murosimf/world/setup.h"
 
 namespace murosimf::soccer {
 

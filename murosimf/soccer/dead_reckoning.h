@@ -6,8 +6,8 @@
 
 #include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/model/setup.h"
 #include "murosimf/soccer/planar.h"
+#include "murosimf/world/setup.h"
 
 namespace murosimf::soccer {
 

@@ -11,11 +11,11 @@
 
 #include <vector>
 
-#include "murosimf/model/algorithm.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/soccer/camera_pose.h"
 #include "murosimf/soccer/line_points.h"
 #include "murosimf/soccer/particle_filter.h"
+#include "murosimf/world/algorithm.h"
 
 namespace murosimf::soccer {
 

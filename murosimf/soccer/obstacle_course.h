@@ -12,11 +12,11 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/model/algorithm.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/soccer/camera_pose.h"
 #include "murosimf/soccer/obstacle_map.h"
 #include "murosimf/soccer/tangent_path.h"
+#include "murosimf/world/algorithm.h"
 
 namespace murosimf::soccer {
 

@@ -9,9 +9,9 @@
 #include <optional>
 #include <span>
 
-#include "murosimf/model/state_archive.h"
 #include "murosimf/soccer/color_blobs.h"
 #include "murosimf/soccer/ground_projection.h"
+#include "murosimf/world/state_archive.h"
 
 namespace murosimf::soccer {
 

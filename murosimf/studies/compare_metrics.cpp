@@ -9,8 +9,8 @@
 namespace murosimf::studies {
 namespace {
 
-using motion::MotionRecord;
-using motion::MotionSample;
+using dynamics::MotionRecord;
+using dynamics::MotionSample;
 
 const double cos_unstable = std::cos(pi / 12);
 

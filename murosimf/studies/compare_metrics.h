@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/motion/motion_recorder.h"
+#include "murosimf/dynamics/motion_recorder.h"
 #include "murosimf/studies/posture_events.h"
 
 namespace murosimf::studies {
@@ -30,14 +30,14 @@ struct Measures {
   std::string peak_joint;  ///< where; empty if the level has no torques
 };
 
-[[nodiscard]] Measures measures_of(const motion::MotionRecord& record);
+[[nodiscard]] Measures measures_of(const dynamics::MotionRecord& record);
 
 /// [s] When the torso, before its first fall, leaned over 15 degrees for good: the center of mass of a humanoid robot passes the
 /// edge of its soles there. Infinity: it does not fall.
-[[nodiscard]] double fall_begins(const motion::MotionRecord& record);
+[[nodiscard]] double fall_begins(const dynamics::MotionRecord& record);
 
 /// What was recorded up to `end` [s].
-[[nodiscard]] motion::MotionRecord part_until(const motion::MotionRecord& record, double end);
+[[nodiscard]] dynamics::MotionRecord part_until(const dynamics::MotionRecord& record, double end);
 
 /// Of all other entities, or of all sensors, the one that is off by most.
 struct OfAnother {
@@ -68,6 +68,6 @@ struct Deviations {
   double torque = 0;  ///< [1] difference of peak torques as a share of the reference's; NaN if one level knows none
 };
 
-[[nodiscard]] Deviations deviations_of(const motion::MotionRecord& record, const motion::MotionRecord& reference);
+[[nodiscard]] Deviations deviations_of(const dynamics::MotionRecord& record, const dynamics::MotionRecord& reference);
 
 }  // namespace murosimf::studies

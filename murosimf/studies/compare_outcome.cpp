@@ -92,7 +92,7 @@ std::vector<std::string> different_falls_of_others(const OutcomeRecord& mine, co
   return differences;
 }
 
-double duty_while_touching(const motion::MotionRecord& robot, const OutcomeRecord& outcome) {
+double duty_while_touching(const dynamics::MotionRecord& robot, const OutcomeRecord& outcome) {
   const std::size_t count = std::min(robot.samples.size(), outcome.touching.size());
   std::size_t near = 0, full = 0;
   for (std::size_t i = 0; i < count; ++i) {

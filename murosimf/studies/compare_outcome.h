@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/motion/motion_recorder.h"
+#include "murosimf/dynamics/motion_recorder.h"
 #include "murosimf/studies/compare_metrics.h"
 #include "murosimf/studies/outcome_recorder.h"
 
@@ -43,7 +43,7 @@ void compare_outcome(const OutcomeRecord& mine, const OutcomeRecord& reference, 
                                                                  const OutcomeRecord& reference, double tolerance);
 
 /// [1] Of the time within 50 ms of a touch, the share in which some servo asked for all that it has; 0 without touches.
-[[nodiscard]] double duty_while_touching(const motion::MotionRecord& robot, const OutcomeRecord& outcome);
+[[nodiscard]] double duty_while_touching(const dynamics::MotionRecord& robot, const OutcomeRecord& outcome);
 
 /// Names of all that the robot has touched.
 [[nodiscard]] std::vector<std::string> touched(const OutcomeRecord& outcome);

@@ -12,8 +12,8 @@
 namespace murosimf::studies {
 namespace {
 
-using motion::MotionRecord;
-using motion::MotionSample;
+using dynamics::MotionRecord;
+using dynamics::MotionSample;
 
 constexpr double degrees = 180 / pi;
 

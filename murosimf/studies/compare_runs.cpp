@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include "murosimf/catalog/algorithm_catalog.h"
+#include "murosimf/dynamics/servo/torque_watch.h"
 #include "murosimf/math/assert.h"
 #include "murosimf/math/random.h"
-#include "murosimf/motion/torque_watch.h"
 #include "murosimf/scene/scene.h"
 #include "murosimf/studies/compare_outcome.h"
 #include "murosimf/studies/compare_sensors.h"
@@ -164,9 +164,9 @@ void observe(const CompareOptions& options, const Comparison& comparison, Compar
   if (servos && !robot.model().joints().empty() && !has_servos(robot.model())) {
     throw SetupError(fmt::format("model '{}' has no servos", robot.model().name()));
   }
-  const auto& recorder = simulation.attach<motion::MotionRecorder>(
+  const auto& recorder = simulation.attach<dynamics::MotionRecorder>(
       "motion_recorder", robot, scene->spec().rate,
-      motion::MotionRecorderOptions{.servos = servos, .longest = longest, .start = comparison.start});
+      dynamics::MotionRecorderOptions{.servos = servos, .longest = longest, .start = comparison.start});
   std::vector<Entity*> others = scene->moving_entities();
   std::erase(others, &robot);
   const auto& outcome =
@@ -183,7 +183,7 @@ void observe(const CompareOptions& options, const Comparison& comparison, Compar
   entry.sensors = sensors.records();
   entry.measures = measures_of(entry.record);
   if (robot.frozen()) entry.frozen = *robot.frozen_reason();
-  entry.overload = motion::overload_message(robot);
+  entry.overload = dynamics::overload_message(robot);
 }
 
 /// A level that cannot run is part of the result, unless none can.

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/model/motion_level.h"
 #include "murosimf/studies/compare_metrics.h"
 #include "murosimf/studies/inertial_recorder.h"
 #include "murosimf/studies/named_outcome.h"
 #include "murosimf/studies/outcome_recorder.h"
+#include "murosimf/world/motion_level.h"
 
 namespace murosimf::scene {
 class Scene;
@@ -50,7 +50,7 @@ struct CompareEntry {
   bool stopped = false;  ///< it did not run to its end because `stop` was true
   std::string frozen;    ///< why the robot was frozen on the way; empty: it was not
   std::string overload;  ///< which servos were too weak for their targets (full_dynamics); empty: none
-  motion::MotionRecord record;
+  dynamics::MotionRecord record;
   OutcomeRecord outcome;
   std::vector<InertialRecord> sensors;  ///< of its accelerometers and gyroscopes
   Measures measures;

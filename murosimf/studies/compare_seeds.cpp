@@ -17,7 +17,7 @@ constexpr double half_of_seeds = 0.5;
 /// Exact: a seed that has no effect gives the same bits.
 bool same_motion(const CompareEntry& a, const CompareEntry& b) {
   const auto equal_place = [](const auto& p, const auto& q) { return norm(p - q) == 0; };
-  const auto robot = [&](const motion::MotionSample& s, const motion::MotionSample& t) {
+  const auto robot = [&](const dynamics::MotionSample& s, const dynamics::MotionSample& t) {
     return equal_place(s.base, t.base) && equal_place(s.center, t.center);
   };
   const auto other = [&](const OtherRecord& s, const OtherRecord& t) {

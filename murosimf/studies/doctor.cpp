@@ -7,10 +7,10 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/dynamics/motion_properties.h"
 #include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/motion/motion_properties.h"
 #include "murosimf/scene/assets.h"
 #include "murosimf/scene/scene_report.h"
 #include "murosimf/studies/doctor_cases.h"

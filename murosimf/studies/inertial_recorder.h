@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/model/algorithm.h"
-#include "murosimf/model/setup.h"
 #include "murosimf/sensors/reading.h"
+#include "murosimf/world/algorithm.h"
+#include "murosimf/world/setup.h"
 
 namespace murosimf::studies {
 

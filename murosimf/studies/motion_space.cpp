@@ -6,11 +6,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "murosimf/dynamics/rate_limit.h"
 #include "murosimf/locomotion/leg.h"
 #include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/motion/rate_limit.h"
 
 namespace murosimf::studies {
 namespace {
@@ -32,7 +32,7 @@ bool is_foot(const Channel& channel) { return channel.name.find("_foot.") != std
 
 /// [rad/s | m/s] 0: the model knows none.
 double largest_rate_of(const Model& model, int joint) {
-  const double rate = motion::fastest_rate(model, joint);
+  const double rate = dynamics::fastest_rate(model, joint);
   return std::isfinite(rate) ? rate : 0;
 }
 

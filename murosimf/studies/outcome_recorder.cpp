@@ -1,17 +1,17 @@
 #include "murosimf/studies/outcome_recorder.h"
 
+#include "murosimf/dynamics/motion_recorder.h"
 #include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/motion/motion_recorder.h"
 
 namespace murosimf::studies {
 
 OutcomeRecorder::OutcomeRecorder(Setup& setup, const Entity& robot, const std::vector<Entity*>& others, double longest)
     : robot_(setup.world().index_of(&robot)),
       pairs_(setup.read(collision::pair_contacts)[0]),
-      stride_(motion::steps_per_sample(setup.period())) {
+      stride_(dynamics::steps_per_sample(setup.period())) {
   MUROSIMF_ASSERT(longest >= 0 && stride_ > 0);
-  const auto samples = static_cast<std::size_t>(longest * motion::MotionRecorder::samples_per_second) + 2;
+  const auto samples = static_cast<std::size_t>(longest * dynamics::MotionRecorder::samples_per_second) + 2;
   // Room for all samples: step() must not allocate.
   record_.touching.reserve(samples);
   for (Entity* entity : others) {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "murosimf/collision/body_pairs.h"
-#include "murosimf/model/algorithm.h"
-#include "murosimf/model/setup.h"
+#include "murosimf/world/algorithm.h"
+#include "murosimf/world/setup.h"
 
 namespace murosimf::studies {
 

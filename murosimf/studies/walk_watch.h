@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "murosimf/model/entity.h"
+#include "murosimf/world/entity.h"
 
 namespace murosimf::studies {
 

@@ -11,11 +11,11 @@
 
 #include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
-#include "murosimf/model/object_access.h"
+#include "murosimf/network/socket.h"
 #include "murosimf/scene_file/scene_spec.h"
 #include "murosimf/sensors/reading.h"
 #include "murosimf/supervise/supervision.h"
-#include "murosimf/wire/socket.h"
+#include "murosimf/world/object_access.h"
 
 namespace murosimf::supervise {
 namespace {
@@ -163,7 +163,7 @@ void Requests::answer_of_session(const FromSupervisor& request, wire::ToSupervis
     case FromSupervisor::kBranches: return publish_branches(answer);
     case FromSupervisor::kSave: return save(answer);
     case FromSupervisor::kFinish: session_->finish(); break;
-    default: throw wire::WireError("sends what is no request of this protocol");
+    default: throw network::NetworkError("sends what is no request of this protocol");
   }
   settle();
   write_status(*answer.mutable_status());

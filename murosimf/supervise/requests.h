@@ -25,7 +25,7 @@ class Requests {
   Requests(SessionSlot& slot, const SupervisionOptions& options, std::function<bool()> given_up)
       : slot_(&slot), options_(&options), given_up_(std::move(given_up)) {}
 
-  /// Waits for completion. Throws SetupError if the request fails, WireError if it is invalid.
+  /// Waits for completion. Throws SetupError if the request fails, NetworkError if it is invalid.
   void answer(const wire::FromSupervisor& request, wire::ToSupervisor& answer);
   /// Scene, seed, step and status.
   void welcome(wire::ToSupervisor& answer) { welcome(answer, 0); }

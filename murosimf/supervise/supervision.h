@@ -15,8 +15,8 @@
 #include <string>
 #include <vector>
 
+#include "murosimf/network/socket.h"
 #include "murosimf/session/session.h"
-#include "murosimf/wire/socket.h"
 
 namespace murosimf::supervise {
 
@@ -29,7 +29,7 @@ struct SceneRequest {
 };
 
 struct SupervisionOptions {
-  wire::Address address;
+  network::Address address;
   std::string token{};  ///< at least shortest_token characters; empty: a random one
   std::function<void(const std::string& line)>
       say{};  ///< clients that were refused or dropped, one line each; called by other threads
@@ -52,7 +52,7 @@ class Supervision {
  public:
   virtual ~Supervision() = default;
   /// Address that it listens at.
-  [[nodiscard]] virtual wire::Address address() const = 0;
+  [[nodiscard]] virtual network::Address address() const = 0;
   [[nodiscard]] virtual const std::string& token() const = 0;
   /// The session has ended, and another one will follow: supervisors stay connected, and wait. Returns when the session is no longer used.
   virtual void leave() = 0;

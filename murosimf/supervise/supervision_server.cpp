@@ -13,14 +13,14 @@
 #include <fmt/format.h>
 #include <supervision.pb.h>
 
-#include "murosimf/connect/tcp/tcp_client.h"
+#include "murosimf/control_software/tcp/tcp_client.h"
 #include "murosimf/files/xml_element.h"
 #include "murosimf/model/error.h"
+#include "murosimf/network/reception.h"
+#include "murosimf/network/token.h"
 #include "murosimf/supervise/requests.h"
 #include "murosimf/supervise/session_slot.h"
 #include "murosimf/supervise/supervision.h"
-#include "murosimf/wire/reception.h"
-#include "murosimf/wire/token.h"
 
 namespace murosimf::supervise {
 namespace {
@@ -33,30 +33,30 @@ constexpr std::size_t most_lines = 100;  // about refused clients
 void parse(std::string_view bytes, wire::FromSupervisor& message) {
   if (!message.ParseFromArray(bytes.data(), static_cast<int>(bytes.size())) ||
       message.kind_case() == wire::FromSupervisor::KIND_NOT_SET) {
-    throw wire::WireError("sends what is no message of this protocol");
+    throw network::NetworkError("sends what is no message of this protocol");
   }
 }
 
-void send(wire::Connection& connection, const wire::ToSupervisor& message) {
+void send(network::Connection& connection, const wire::ToSupervisor& message) {
   connection.send(message.SerializeAsString());
 }
 
-wire::WallTime after(double s) {
-  using WallClock = wire::WallTime::clock;
+network::WallTime after(double s) {
+  using WallClock = network::WallTime::clock;
   return WallClock::now() + std::chrono::duration_cast<WallClock::duration>(std::chrono::duration<double>(s));
 }
 
 /// One supervisor, in its own thread.
 class Supervisor {
  public:
-  Supervisor(wire::Caller caller, std::string name, SessionSlot& slot, const SupervisionOptions& options)
+  Supervisor(network::Caller caller, std::string name, SessionSlot& slot, const SupervisionOptions& options)
       : connection_(std::move(caller.connection)),
         name_(std::move(name)),
         patience_(options.patience),
         say_(options.say),
         wake_(::eventfd(0, EFD_CLOEXEC)),
         requests_(slot, options, [this] { return ends_.load() || has_gone(); }) {
-    if (wake_ < 0) throw wire::WireError("comes when too many files are open");
+    if (wake_ < 0) throw network::NetworkError("comes when too many files are open");
     thread_ = std::thread([this] { serve(); });
   }
   ~Supervisor() {
@@ -78,7 +78,7 @@ class Supervisor {
   [[nodiscard]] bool wait() const;
   [[nodiscard]] bool has_gone() const;
 
-  wire::Connection connection_;
+  network::Connection connection_;
   std::string name_;
   double patience_;
   std::function<void(const std::string&)> say_;
@@ -107,7 +107,7 @@ void Supervisor::serve() noexcept {
   } catch (const std::exception& error) {
     drop(error.what());
   }
-  connection_ = wire::Connection({}, 0);
+  connection_ = network::Connection({}, 0);
   over_ = true;
 }
 
@@ -161,26 +161,26 @@ class Server final : public Supervision {
   Server(session::Session& session, const SupervisionOptions& options);
   ~Server() override;
 
-  [[nodiscard]] wire::Address address() const override { return reception_->address(); }
+  [[nodiscard]] network::Address address() const override { return reception_->address(); }
   [[nodiscard]] const std::string& token() const override { return options_.token; }
   void leave() override { slot_.remove(); }
   void steer(session::Session& session) override { slot_.put(session); }
 
  private:
-  void admit(wire::Caller& caller, std::string_view message);
-  void reject(wire::Caller& caller, const std::string& reason);
+  void admit(network::Caller& caller, std::string_view message);
+  void reject(network::Caller& caller, const std::string& reason);
 
   SupervisionOptions options_;
   SessionSlot slot_;
   std::list<Supervisor> supervisors_;  // accessed by the reception's thread only
   std::size_t told_ = 0;
-  std::unique_ptr<wire::Reception> reception_;
+  std::unique_ptr<network::Reception> reception_;
 };
 
 Server::Server(session::Session& session, const SupervisionOptions& options) : options_(options) {
   slot_.put(session);
   if (options_.token.empty()) {
-    options_.token = wire::new_token();
+    options_.token = network::new_token();
     if (options_.token.empty()) throw SetupError("this system gives no random numbers for a token");
   }
   if (options_.token.size() < shortest_token) {
@@ -188,13 +188,15 @@ Server::Server(session::Session& session, const SupervisionOptions& options) : o
                                  options_.token.size(), shortest_token));
   }
   try {
-    reception_ = std::make_unique<wire::Reception>(
-        wire::ReceptionOptions{.address = options_.address,
-                               .longest = longest_request,
-                               .hello_limit = options_.hello_limit},
-        wire::Reception::Door{[this](wire::Caller& caller, std::string_view message) { admit(caller, message); },
-                              [this](wire::Caller& caller, const std::string& reason) { reject(caller, reason); }});
-  } catch (const wire::WireError& error) {
+    reception_ = std::make_unique<network::Reception>(
+        network::ReceptionOptions{.address = options_.address,
+                                  .longest = longest_request,
+                                  .hello_limit = options_.hello_limit},
+        network::Reception::Door{[this](network::Caller& caller, std::string_view message) { admit(caller, message); },
+                                 [this](network::Caller& caller, const std::string& reason) {
+                                   reject(caller, reason);
+                                 }});
+  } catch (const network::NetworkError& error) {
     throw SetupError(fmt::format("cannot listen on {}: {}", to_text(options_.address), error.what()));
   }
 }
@@ -205,26 +207,26 @@ Server::~Server() {
 }
 
 /// The version is compared before the token: an old client gets a reason that helps.
-void Server::admit(wire::Caller& caller, std::string_view bytes) {
+void Server::admit(network::Caller& caller, std::string_view bytes) {
   wire::FromSupervisor message;
   parse(bytes, message);
-  if (!message.has_hello()) throw wire::WireError("does not begin with a Hello");
+  if (!message.has_hello()) throw network::NetworkError("does not begin with a Hello");
   const wire::SupervisorHello& hello = message.hello();
   if (hello.version() != protocol_version) {
-    throw wire::WireError(
+    throw network::NetworkError(
         fmt::format("speaks version {} of the protocol, this program {}", hello.version(), protocol_version));
   }
-  if (!wire::is_token(hello.token(), options_.token)) throw wire::WireError("does not know the token");
+  if (!network::is_token(hello.token(), options_.token)) throw network::NetworkError("does not know the token");
   supervisors_.remove_if([](const Supervisor& supervisor) { return supervisor.is_over(); });
   if (supervisors_.size() >= most_supervisors) {
-    throw wire::WireError(fmt::format("comes when {} others are there, the most that may be", most_supervisors));
+    throw network::NetworkError(fmt::format("comes when {} others are there, the most that may be", most_supervisors));
   }
   const std::string name =
-      fmt::format("supervisor {} at {}", connect::printable(hello.name(), longest_name), caller.address);
+      fmt::format("supervisor {} at {}", control_software::printable(hello.name(), longest_name), caller.address);
   supervisors_.emplace_back(std::move(caller), name, slot_, options_);
 }
 
-void Server::reject(wire::Caller& caller, const std::string& reason) {
+void Server::reject(network::Caller& caller, const std::string& reason) {
   try {
     wire::ToSupervisor message;
     message.mutable_refused()->set_reason(reason);

@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "murosimf/collision/contact_properties.h"
+#include "murosimf/dynamics/motion_properties.h"
+#include "murosimf/dynamics/odometer.h"
 #include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/motion/motion_properties.h"
-#include "murosimf/motion/odometer.h"
 #include "murosimf/soccer/beliefs.h"
 
 namespace murosimf::viewer {
@@ -33,7 +33,7 @@ EntityState state_of(const scene::SceneParts& parts, const Entity& entity) {
     if (const auto foot = base_value(entity, properties::stance_foot)) state.standing_foot = *foot != 0 ? 1 : 0;
   }
   state.believed_pose = soccer::believed_pose(entity);
-  state.falls = motion::way_and_falls(entity).falls;
+  state.falls = dynamics::way_and_falls(entity).falls;
   return state;
 }
 

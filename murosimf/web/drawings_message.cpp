@@ -4,9 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "murosimf/model/drawing.h"
 #include "murosimf/render/polygon_triangles.h"
 #include "murosimf/web/json_line.h"
+#include "murosimf/world/drawing.h"
 
 namespace murosimf::web {
 namespace {

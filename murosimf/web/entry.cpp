@@ -1,7 +1,7 @@
 #include "murosimf/web/entry.h"
 
 #include "murosimf/model/error.h"
-#include "murosimf/wire/token.h"
+#include "murosimf/network/token.h"
 
 namespace murosimf::web {
 namespace {
@@ -30,12 +30,12 @@ bool is_loopback(std::string_view host) {
 }
 
 bool may_enter(const AccessRules& rules, const Visitor& visitor) {
-  if (!rules.token.empty() && wire::is_token(visitor.token, rules.token)) return true;
+  if (!rules.token.empty() && network::is_token(visitor.token, rules.token)) return true;
   return rules.loopback && is_loopback(visitor.host) && is_own(visitor);
 }
 
 std::string new_token() {
-  std::string token = wire::new_token();
+  std::string token = network::new_token();
   if (token.empty()) throw SetupError("this system gives no random numbers for a token");
   return token;
 }

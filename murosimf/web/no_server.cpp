@@ -9,8 +9,8 @@ Server::Server(Options) {
   throw SetupError("this program was built without a server for browsers (Debian and Ubuntu: libwebsockets-dev)");
 }
 Server::~Server() = default;
-const wire::Address& Server::address() const {
-  static const wire::Address none;
+const network::Address& Server::address() const {
+  static const network::Address none;
   return none;
 }
 int Server::clients() const { return 0; }

@@ -5,8 +5,8 @@
 
 #include "murosimf/math/assert.h"
 #include "murosimf/math/quaternion.h"
-#include "murosimf/model/time.h"
 #include "murosimf/web/little_endian.h"
+#include "murosimf/world/time.h"
 
 namespace murosimf::web {
 namespace {

@@ -82,8 +82,8 @@ struct Server::Inside {
 
   Options options;
   AccessRules rules;
-  wire::Socket listener;
-  wire::Address address;
+  network::Socket listener;
+  network::Address address;
   std::vector<lws_protocols> protocols;
   lws_context* context = nullptr;
   struct Timer {
@@ -99,9 +99,9 @@ struct Server::Inside {
 
 Server::Inside::Inside(Options what) : options(std::move(what)) {
   try {
-    listener = wire::Socket::listen(options.address);
+    listener = network::Socket::listen(options.address);
     address = listener.own_address();
-  } catch (const wire::WireError& error) {
+  } catch (const network::NetworkError& error) {
     throw SetupError(fmt::format("{}: {}", to_text(options.address), error.what()));
   }
   rules = {.loopback =
@@ -149,10 +149,10 @@ void Server::Inside::on_time(lws_sorted_usec_list_t* list) { reinterpret_cast<Ti
 
 void Server::Inside::tick() {
   try {
-    for (wire::Socket socket = listener.accept(); socket.is_open(); socket = listener.accept()) {
+    for (network::Socket socket = listener.accept(); socket.is_open(); socket = listener.accept()) {
       if (lws_adopt_socket(context, socket.release()) == nullptr) break;  // it closes the socket
     }
-  } catch (const wire::WireError&) {  // the client has disconnected, or there are too many
+  } catch (const network::NetworkError&) {  // the client has disconnected, or there are too many
   }
   if (options.look) options.look();
   for (const auto& [wsi, client] : open_clients) {
@@ -290,7 +290,7 @@ void Server::Inside::close(lws* wsi, Client& client) {
 
 Server::Server(Options options) : inside_(std::make_unique<Inside>(std::move(options))) {}
 Server::~Server() = default;
-const wire::Address& Server::address() const { return inside_->address; }
+const network::Address& Server::address() const { return inside_->address; }
 int Server::clients() const { return inside_->count; }
 
 }  // namespace murosimf::web

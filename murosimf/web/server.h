@@ -14,9 +14,9 @@
 #include <utility>
 #include <vector>
 
+#include "murosimf/network/socket.h"
 #include "murosimf/web/entry.h"
 #include "murosimf/web/outbox.h"
-#include "murosimf/wire/socket.h"
 
 namespace murosimf::web {
 
@@ -48,7 +48,7 @@ struct Answer {
 class Server {
  public:
   struct Options {
-    wire::Address address;
+    network::Address address;
     std::string token;  ///< for clients on other computers, and for pages of other servers
     /// By name, as in Sec-WebSocket-Protocol.
     std::vector<std::pair<std::string, std::function<std::unique_ptr<Conversation>()>>> protocols;
@@ -63,7 +63,7 @@ class Server {
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
 
-  [[nodiscard]] const wire::Address& address() const;
+  [[nodiscard]] const network::Address& address() const;
   /// Number of open WebSockets; from any thread.
   [[nodiscard]] int clients() const;
 

@@ -6,8 +6,8 @@
 #include "murosimf/logging/log_catalog.h"
 #include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
-#include "murosimf/model/object_access.h"
 #include "murosimf/sensors/reading.h"
+#include "murosimf/world/object_access.h"
 
 namespace murosimf::web {
 namespace {

@@ -12,8 +12,8 @@
 #include <string>
 
 #include "murosimf/drawing/debug_draw_source.h"
+#include "murosimf/network/socket.h"
 #include "murosimf/session/session.h"
-#include "murosimf/wire/socket.h"
 
 namespace murosimf::league {
 class GameTask;
@@ -22,7 +22,7 @@ class GameTask;
 namespace murosimf::web {
 
 struct WebOptions {
-  wire::Address address;
+  network::Address address;
   const league::GameTask* game = nullptr;            ///< game with the displayed score; must outlive the view
   const drawing::DebugDrawSource* others = nullptr;  ///< source of displayed drawings; must outlive the view
 };

@@ -1,4 +1,4 @@
-"""The messages of murosimf/wire/robot_protocol.proto: what a client sends as bytes, what the simulator sends as values."""
+"""The messages of murosimf/network/robot_protocol.proto: what a client sends as bytes, what the simulator sends as values."""
 
 from dataclasses import dataclass, field
 

@@ -1,4 +1,4 @@
-"""The messages of murosimf/wire/supervision.proto: what a supervisor sends as bytes, what the simulator sends as values."""
+"""The messages of murosimf/network/supervision.proto: what a supervisor sends as bytes, what the simulator sends as values."""
 
 from dataclasses import dataclass, field
 

@@ -1,4 +1,4 @@
-"""As much of the encoding of protocol buffers as murosimf/wire/robot_protocol.proto needs.
+"""As much of the encoding of protocol buffers as murosimf/network/robot_protocol.proto needs.
 
 Code that protoc generates hangs on the version of a library; these lines hang on nothing.
 Source: the specification of the encoding, protobuf.dev/programming-guides/encoding.

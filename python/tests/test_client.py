@@ -38,7 +38,7 @@ TIME_LIMIT = 60  # [s]
 
 
 def protoc(*words, given, file):
-    folder = ROOT / "murosimf/wire"
+    folder = ROOT / "murosimf/network"
     return subprocess.run([PROTOC, *words, f"-I{folder}", folder / file], input=given, stdout=subprocess.PIPE, check=True,
                           timeout=TIME_LIMIT).stdout
 

@@ -7,7 +7,7 @@
 /// This place is for the equations of the law, their source, and the steps at which it is stable.
 #pragma once
 
-#include "murosimf/collision/body_contact_law.h"
+#include "murosimf/collision/contact_laws/body_contact_law.h"
 
 namespace murosimf::collision {
 

@@ -6,8 +6,8 @@
 /// This place is for the rules of a controller, their inputs, and their source.
 #pragma once
 
-#include "murosimf/model/algorithm.h"
-#include "murosimf/model/setup.h"
+#include "murosimf/world/algorithm.h"
+#include "murosimf/world/setup.h"
 
 namespace murosimf::soccer {
 

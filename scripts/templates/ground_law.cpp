@@ -1,6 +1,6 @@
 #include "murosimf/collision/new_name.h"
 
-#include "murosimf/collision/contact_law_parts.h"
+#include "murosimf/collision/contact_laws/contact_law_parts.h"
 
 namespace murosimf::collision {
 

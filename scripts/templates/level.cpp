@@ -1,8 +1,8 @@
-#include "murosimf/motion/new_name.h"
+#include "murosimf/dynamics/new_name.h"
 
 #include "murosimf/collision/contact_properties.h"
 
-namespace murosimf::motion {
+namespace murosimf::dynamics {
 
 NewName::NewName(Setup& setup, const JointReferenceOptions& reference)
     : entity_(setup.entity()),
@@ -40,4 +40,4 @@ void NewName::move_links() noexcept {
   columns_.remember_base();
 }
 
-}  // namespace murosimf::motion
+}  // namespace murosimf::dynamics

@@ -4,17 +4,17 @@
 ///
 ///     r_0 = const      R_0 = const      v_0 = w_0 = 0
 ///
-/// Taking over a robot that moves (model/motion_level.h): its base stops at once, and its momentum is lost; pose and
+/// Taking over a robot that moves (world/motion_level.h): its base stops at once, and its momentum is lost; pose and
 /// joints stay as they are.
 /// Source:  none. This place is for the equations of a level, and the paper or book that they are from.
 /// Limits:  forces are ignored, also gravity: a robot stays in the air. It pushes others and is never pushed.
 #pragma once
 
-#include "murosimf/model/motion_level.h"
-#include "murosimf/motion/joint_reference.h"
-#include "murosimf/motion/pose_columns.h"
+#include "murosimf/dynamics/joint_reference.h"
+#include "murosimf/dynamics/pose_columns.h"
+#include "murosimf/world/motion_level.h"
 
-namespace murosimf::motion {
+namespace murosimf::dynamics {
 
 class NewName final : public MotionLevel {
  public:
@@ -38,4 +38,4 @@ class NewName final : public MotionLevel {
   double& dynamic_;
 };
 
-}  // namespace murosimf::motion
+}  // namespace murosimf::dynamics

@@ -1,11 +1,11 @@
 // The level new_name: its robot stays where it stands, moves its joints, and can be exchanged for another level.
-#include "murosimf/motion/new_name.h"
+#include "murosimf/dynamics/new_name.h"
 
 #include <gtest/gtest.h>
 
 #include "tests/physics/rig.h"
 
-namespace murosimf::motion {
+namespace murosimf::dynamics {
 namespace {
 
 /// kid21, moved by a level of this name.
@@ -73,4 +73,4 @@ TEST(NewName, FreezesARobotWhoseNumbersAreBad) {
 }
 
 }  // namespace
-}  // namespace murosimf::motion
+}  // namespace murosimf::dynamics

@@ -278,7 +278,7 @@ TEST(Air, IsTheSameInLanes) {
       rig.simulation.attach<Air>("air", *balls.back(), rig.rate, AirOptions{.wind = {1, 0, 0}});
     }
     for (Entity* ball : balls) {
-      rig.simulation.attach<motion::SimplifiedDynamics>("simplified_dynamics", *ball, rig.rate);
+      rig.simulation.attach<dynamics::SimplifiedDynamics>("simplified_dynamics", *ball, rig.rate);
     }
     rig.simulation.initialize();
     for (int i = 0; i < 8; ++i) test::Rig::launch(*balls[i], {3.0 + i, -2, 4}, {0, 10.0 * i, 30});

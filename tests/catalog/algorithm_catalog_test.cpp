@@ -26,7 +26,7 @@ TEST(AlgorithmCatalog, EveryEntryHasANameAndAMeaning) {
   expect_told(contacts());
   expect_told(body_contacts());
   expect_told(controllers());
-  expect_told(components::sensor_types());
+  expect_told(component_files::sensor_types());
   expect_told(robot::robot_formats());
 }
 
@@ -53,7 +53,7 @@ TEST(AlgorithmCatalog, OptionsAreToldAndTheirDefaultsAllowed) {
   EXPECT_EQ(expect_options_told(levels()), 2 + 2 + 3 + 1);
   EXPECT_EQ(expect_options_told(contacts()), 4 + 4);
   EXPECT_EQ(expect_options_told(body_contacts()), 1 + 4 + 4);
-  EXPECT_GT(expect_options_told(components::sensor_types()), 60);
+  EXPECT_GT(expect_options_told(component_files::sensor_types()), 60);
 }
 
 // What only another law has is no error of this one: a scene changes its laws and keeps their options.
@@ -84,7 +84,7 @@ TEST(AlgorithmCatalog, AttachingChecksOptions) {
 TEST(AlgorithmCatalog, RegistriesAreThoseThatAreRead) {
   EXPECT_EQ(&registries().levels, &levels());
   EXPECT_EQ(&registries().controllers, &controllers());
-  EXPECT_EQ(&registries().sensors, &components::sensor_types());
+  EXPECT_EQ(&registries().sensors, &component_files::sensor_types());
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "murosimf/collision/body_contact.h"
-#include "murosimf/collision/body_island_law.h"
+#include "murosimf/collision/contact_laws/body_island_law.h"
 #include "tests/collision/movers.h"
 
 namespace murosimf::collision {

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/collision/contact_parameters.h"
-#include "murosimf/collision/deferred_impulse_law.h"
+#include "murosimf/collision/contact_laws/contact_parameters.h"
+#include "murosimf/collision/contact_laws/deferred_impulse_law.h"
 #include "tests/collision/balls.h"
 #include "tests/collision/meeting.h"
 #include "tests/physics/rig.h"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/collision/implicit_stick_law.h"
+#include "murosimf/collision/contact_laws/implicit_stick_law.h"
 #include "tests/collision/law_fixtures.h"
 
 namespace murosimf::collision {

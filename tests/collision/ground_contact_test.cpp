@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/collision/contact_parameters.h"
-#include "murosimf/collision/implicit_stick_law.h"
-#include "murosimf/collision/kelvin_voigt_law.h"
+#include "murosimf/collision/contact_laws/contact_parameters.h"
+#include "murosimf/collision/contact_laws/implicit_stick_law.h"
+#include "murosimf/collision/contact_laws/kelvin_voigt_law.h"
 #include "tests/collision/movers.h"
 
 namespace murosimf::collision {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/collision/ground_contact.h"
-#include "murosimf/model/world.h"
+#include "murosimf/world/world.h"
 #include "tests/fixtures.h"
 
 namespace murosimf::collision {

@@ -1,5 +1,5 @@
 #include "murosimf/collision/ground_points.h"
-#include "murosimf/motion/motion_properties.h"
+#include "murosimf/dynamics/motion_properties.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "murosimf/collision/contact_law.h"
+#include "murosimf/collision/contact_laws/contact_law.h"
 #include "tests/fixtures.h"
 #include "tests/law.h"
 

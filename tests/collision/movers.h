@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "murosimf/collision/contact_law.h"
+#include "murosimf/collision/contact_laws/contact_law.h"
+#include "murosimf/collision/contact_laws/impulse_response.h"
 #include "murosimf/collision/contact_properties.h"
-#include "murosimf/collision/impulse_response.h"
 #include "murosimf/collision/moving_entity.h"
 #include "murosimf/model/parallel_for.h"
 #include "murosimf/model/properties.h"

@@ -1,7 +1,7 @@
 // What contact between bodies does to entities besides their level: pushes on those that stand, ways apart, laws exchanged.
 #include "murosimf/collision/moving_entity.h"
 #include "murosimf/collision/contact_properties.h"
-#include "murosimf/motion/motion_properties.h"
+#include "murosimf/dynamics/motion_properties.h"
 
 #include <gtest/gtest.h>
 
@@ -133,7 +133,7 @@ TEST(GroundContactExchange, MemoryStaysBetweenLawsThatShareIt) {
                                                          test::law_named(first), rig.materials);
     rig.simulation.attach<BodyContact>("body_contact", 1000, rig.ground, std::vector<Entity*>{&box}, rig.materials,
                                        test::body_law_named("island_gauss_seidel"));
-    rig.simulation.attach<motion::SimplifiedDynamics>("simplified_dynamics", box, 1000);
+    rig.simulation.attach<dynamics::SimplifiedDynamics>("simplified_dynamics", box, 1000);
     rig.run(0.5);
     EXPECT_EQ(box.find(contacts)->values[0].points.size(), 4U);
     contact.exchange_law(test::law_named(second));

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/collision/contact_parameters.h"
+#include "murosimf/collision/contact_laws/contact_parameters.h"
 #include "tests/collision/movers.h"
 
 namespace murosimf::collision {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "murosimf/collision/colliding_shapes.h"
-#include "murosimf/model/world.h"
 #include "murosimf/multibody/kinematics.h"
+#include "murosimf/world/world.h"
 #include "tests/fixtures.h"
 
 namespace murosimf::fixtures {

@@ -188,7 +188,7 @@ TEST(RobovizServer, TakesPacketsAndCountsNonsense) {
   EXPECT_EQ(door.ignored(), 2U);
   ASSERT_EQ(door.shown()->groups.size(), 1U);
   EXPECT_EQ(door.shown(), door.shown()) << "nothing new: the same";
-  EXPECT_THROW(RobovizServer({"127.0.0.1", door.address().port}), wire::WireError);
+  EXPECT_THROW(RobovizServer({"127.0.0.1", door.address().port}), network::NetworkError);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "murosimf/connect/controller_task.h"
+#include "murosimf/control_software/controller_task.h"
 #include "tests/fixtures.h"
 #include "tests/physics/rig.h"
 
@@ -15,11 +15,11 @@ namespace {
 using namespace std::chrono_literals;
 
 /// Control software that draws.
-class Painter final : public connect::ControlSoftware {
+class Painter final : public control_software::ControlSoftware {
  public:
   explicit Painter(std::function<void(Duration)> paint) : paint_(std::move(paint)) {}
-  connect::CallOutcome start() override { return {}; }
-  connect::CallOutcome step(Duration now) noexcept override {
+  control_software::CallOutcome start() override { return {}; }
+  control_software::CallOutcome step(Duration now) noexcept override {
     paint_(now);
     return {};
   }
@@ -31,15 +31,16 @@ class Painter final : public connect::ControlSoftware {
 DrawnShape circle(double radius = 0.1) { return {.points = {{1, 2, 0}}, .size = radius}; }
 
 /// The drawings after `paint` was called with the port every 10 ms, for 50 ms.
-Drawings drawn(const std::function<void(connect::RobotPort&, Duration)>& paint, std::uint64_t* hash = nullptr) {
+Drawings drawn(const std::function<void(control_software::RobotPort&, Duration)>& paint,
+               std::uint64_t* hash = nullptr) {
   test::Rig rig;
   Entity& robot = rig.add("robot", test::kid21());
-  rig.simulation.attach<connect::ControllerTask>(
+  rig.simulation.attach<control_software::ControllerTask>(
       "control_software", robot, 100,
-      [&](Setup&, connect::RobotPort& port, const connect::SayLine&) {
+      [&](Setup&, control_software::RobotPort& port, const control_software::SayLine&) {
         return std::make_unique<Painter>([&](Duration now) { paint(port, now); });
       },
-      connect::ControllerTaskOptions{.software = "painter"});
+      control_software::ControllerTaskOptions{.software = "painter"});
   rig.attach_dynamics(robot, {.level = "simplified_dynamics"});
   rig.simulation.run(50ms);
   if (hash) *hash = rig.simulation.state_hash();
@@ -47,7 +48,7 @@ Drawings drawn(const std::function<void(connect::RobotPort&, Duration)>& paint, 
 }
 
 TEST(SketchPad, KeepsTheLastGroupOfEachName) {
-  const Drawings all = drawn([](connect::RobotPort& port, Duration now) {
+  const Drawings all = drawn([](control_software::RobotPort& port, Duration now) {
     EXPECT_TRUE(port.draw({.name = "way", .shapes = {circle(seconds(now))}}));
     EXPECT_TRUE(now != 10ms || port.draw({.name = "ball", .of_robot = true, .shapes = {circle(), circle()}}));
     EXPECT_TRUE(now != 20ms || port.draw({.name = "gone", .shapes = {circle()}}));
@@ -66,13 +67,14 @@ TEST(SketchPad, KeepsTheLastGroupOfEachName) {
 
 TEST(SketchPad, IsNoPartOfTheState) {
   std::uint64_t with = 0, without = 0;
-  (void)drawn([](connect::RobotPort& port, Duration) { (void)port.draw({.name = "a", .shapes = {circle()}}); }, &with);
-  (void)drawn([](connect::RobotPort&, Duration) {}, &without);
+  (void)drawn([](control_software::RobotPort& port, Duration) { (void)port.draw({.name = "a", .shapes = {circle()}}); },
+              &with);
+  (void)drawn([](control_software::RobotPort&, Duration) {}, &without);
   EXPECT_EQ(with, without);
 }
 
 TEST(SketchPad, RefusesWhatIsTooMuchOrHasNoSense) {
-  const Drawings all = drawn([](connect::RobotPort& port, Duration now) {
+  const Drawings all = drawn([](control_software::RobotPort& port, Duration now) {
     if (now != Duration{}) return;
     const auto refused = [&](DrawnShape shape) { return !port.draw({.name = "a", .shapes = {std::move(shape)}}); };
     EXPECT_TRUE(refused({.points = {}}));

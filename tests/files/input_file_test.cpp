@@ -8,7 +8,7 @@
 #include <fstream>
 #include <functional>
 
-#include "murosimf/components/camera_info.h"
+#include "murosimf/component_files/camera_info.h"
 #include "murosimf/files/csv_file.h"
 #include "murosimf/files/xml_element.h"
 #include "murosimf/identification/servo_log_reader.h"
@@ -70,7 +70,7 @@ TEST_F(InputFile, IsTheOnlyKindThatAnyReaderOpens) {
       {".stl", [](const fs::path& file) { (void)robot_formats::mesh::read_mesh_file(file); }},
       {".obj", [](const fs::path& file) { (void)robot_formats::mesh::read_mesh_file(file); }},
       {".dae", [](const fs::path& file) { (void)robot_formats::mesh::read_mesh_file(file); }},
-      {".yaml", [](const fs::path& file) { (void)components::read_camera_info(file); }}};
+      {".yaml", [](const fs::path& file) { (void)component_files::read_camera_info(file); }}};
   for (const auto& [extension, read] : readers) {
     const fs::path fifo = pipe("pipe" + extension);
     const std::string message = error_of([&] { read(fifo); });

@@ -1,7 +1,7 @@
 /// fuzz_robot.h - a robot file, and the first steps of the robot that it makes.
 #pragma once
 
-#include "murosimf/motion/articulated_dynamics.h"
+#include "murosimf/dynamics/articulated_dynamics.h"
 #include "murosimf/robot/robot_reader.h"
 #include "murosimf/runtime/simulation.h"
 #include "tests/fuzz/fuzz.h"
@@ -12,7 +12,7 @@ namespace murosimf::fuzz {
 inline void step(const ModelPtr& model) {
   Simulation simulation;
   Entity& robot = simulation.world().add("robot", model);
-  simulation.attach<motion::ArticulatedDynamics>("articulated_dynamics", robot, 1000);
+  simulation.attach<dynamics::ArticulatedDynamics>("articulated_dynamics", robot, 1000);
   simulation.initialize();
   for (int i = 0; i < 3; ++i) simulation.step();
 }

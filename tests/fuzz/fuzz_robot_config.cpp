@@ -7,7 +7,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::feed(data, size, ".toml", [](const auto& file) {
     const robot::RobotConfig table = robot::read_robot_config(file);
     std::vector<sensors::SensorSpec> sensors;
-    components::change_sensors(sensors, table.sensors, {});
+    component_files::change_sensors(sensors, table.sensors, {});
   });
   return 0;
 }

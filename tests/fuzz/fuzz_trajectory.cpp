@@ -1,5 +1,5 @@
 // Joint angles over time.
-#include "murosimf/connect/trajectory_file.h"
+#include "murosimf/control_software/trajectory_file.h"
 #include "murosimf/model/properties.h"
 #include "tests/fuzz/fuzz.h"
 
@@ -12,11 +12,11 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
                                       .revolute("knee", {0, 1, 0})
                                       .prismatic("slide", {1, 0, 0}));
   fuzz::feed(data, size, ".csv", [](const auto& file) {
-    const connect::JointTrajectory read = connect::read_trajectory(file, model);
+    const control_software::JointTrajectory read = control_software::read_trajectory(file, model);
     if (read.joints.empty() || read.first > read.last) std::abort();
-    for (const connect::JointTrajectory::Joint& joint : read.joints) {
+    for (const control_software::JointTrajectory::Joint& joint : read.joints) {
       if (joint.times.empty() || joint.times.size() != joint.values.size()) std::abort();
-      (void)connect::value_at(joint, 0.5 * (read.first + read.last), connect::Between::line);
+      (void)control_software::value_at(joint, 0.5 * (read.first + read.last), control_software::Between::line);
     }
   });
   return 0;

@@ -6,7 +6,7 @@
 
 #include "murosimf/identification/servo_log.h"
 #include "murosimf/math/scalar.h"
-#include "murosimf/multibody/servo_pendulum.h"
+#include "murosimf/multibody/servo/servo_pendulum.h"
 
 namespace murosimf::synthetic {
 

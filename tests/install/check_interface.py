@@ -18,7 +18,7 @@ from pathlib import Path
 most_lines = 10_000
 exported = re.compile(r"^_Z(N|NK|TIN|TSN|TVN)8murosimf2v0")
 included = re.compile(r'^\s*#\s*include\s*[<"](murosimf/[^>"]+)[>"]', re.MULTILINE)
-for_software = {"murosimf/connect/murosimf_controller.h", "murosimf/wire/robot_client.h"}  # has doors of its own
+for_software = {"murosimf/control_software/murosimf_controller.h", "murosimf/network/robot_client.h"}  # has doors of its own
 
 
 def run(*command):

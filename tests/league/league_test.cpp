@@ -12,7 +12,7 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/connect/controller_task.h"
+#include "murosimf/control_software/controller_task.h"
 #include "murosimf/league/humanoid_packet.h"
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/model/properties.h"
@@ -74,7 +74,7 @@ struct Game {
   }
   [[nodiscard]] Texts said(const std::string& robot) const {
     Texts lines;
-    for (const auto& message : connect::software_report(scene.simulation().world().entity(robot))->said) {
+    for (const auto& message : control_software::software_report(scene.simulation().world().entity(robot))->said) {
       lines.push_back(fmt::format("{:.2f} {}", seconds(message.time), message.text));
     }
     return lines;

@@ -46,7 +46,7 @@ struct Player {
   explicit Player(const KeyframeMotion& motion)
       : robot(rig.add("robot", test::kid21())),
         player(rig.simulation.attach<KeyframePlayer>("keyframe_player", robot, KeyframePlayer::rate_hz, motion)) {
-    rig.simulation.attach<motion::KinematicWalking>("kinematic_walking", robot, 1000);
+    rig.simulation.attach<dynamics::KinematicWalking>("kinematic_walking", robot, 1000);
   }
   double target(const char* joint) { return robot.object(joint).get(properties::joint_target); }
   test::Rig rig;

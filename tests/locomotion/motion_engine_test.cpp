@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/collision/contact_properties.h"
-#include "murosimf/motion/motion_properties.h"
+#include "murosimf/dynamics/motion_properties.h"
 #include "murosimf/scene/scene.h"
 #include "tests/fixtures.h"
 

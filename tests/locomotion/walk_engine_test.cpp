@@ -14,7 +14,7 @@ namespace {
 struct Walker {
   explicit Walker(const Vec3d& command) : robot(rig.add("robot", test::kid21())) {
     rig.simulation.attach<WalkEngine>("walk_engine", robot, 100, command);
-    rig.simulation.attach<motion::KinematicWalking>("kinematic_walking", robot, 1000);
+    rig.simulation.attach<dynamics::KinematicWalking>("kinematic_walking", robot, 1000);
   }
   test::Rig rig;
   Entity& robot;

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "murosimf/components/sensor_types.h"
+#include "murosimf/component_files/sensor_types.h"
 #include "murosimf/logging/log_catalog.h"
 #include "murosimf/logging/log_csv.h"
 #include "murosimf/logging/log_paths.h"
@@ -40,8 +40,8 @@ struct Walk {
     add({.name = "tilt", .type = "orientation", .where = "test", .rate = 50});
   }
   void add(const SensorSpec& spec) {
-    components::attach_sensor(simulation(), walker(), spec, {.seed = 1, .moving_entities = {&walker()}},
-                              scene.spec().rate);
+    component_files::attach_sensor(simulation(), walker(), spec, {.seed = 1, .moving_entities = {&walker()}},
+                                   scene.spec().rate);
   }
   Simulation& simulation() { return scene.simulation(); }
   Entity& walker() { return simulation().world().entity("walker"); }
@@ -144,8 +144,8 @@ TEST(RunLog, IsTheSameAtManyThreads) {
     Simulation& simulation = scene.simulation();
     for (const char* name : {"blue1", "red2"}) {
       Entity& robot = simulation.world().entity(name);
-      components::attach_sensor(simulation, robot, {.name = "imu", .type = "imu", .where = "test", .rate = 100},
-                                {.moving_entities = {&robot}}, scene.spec().rate);
+      component_files::attach_sensor(simulation, robot, {.name = "imu", .type = "imu", .where = "test", .rate = 100},
+                                     {.moving_entities = {&robot}}, scene.spec().rate);
     }
     RunLog log(simulation, {"*.imu", "ball.ball.position"});
     simulation.run(200ms);

@@ -6,7 +6,7 @@
 
 #include "tests/fixtures.h"
 
-#include "murosimf/motion/motion_properties.h"
+#include "murosimf/dynamics/motion_properties.h"
 
 namespace murosimf {
 namespace {

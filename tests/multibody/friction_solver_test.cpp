@@ -8,7 +8,7 @@
 #include "murosimf/model/properties.h"
 #include "murosimf/multibody/inverse_dynamics.h"
 #include "murosimf/multibody/kinematics.h"
-#include "murosimf/multibody/servo_motor.h"
+#include "murosimf/multibody/servo/servo_motor.h"
 #include "tests/fixtures.h"
 #include "tests/law.h"
 #include "tests/physics/friction_sets.h"

@@ -4,8 +4,8 @@
 #include "murosimf/model/model.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/multibody/friction_solver.h"
-#include "murosimf/multibody/gear_friction.h"
 #include "murosimf/multibody/kinematics.h"
+#include "murosimf/multibody/servo/gear_friction.h"
 #include "tests/fixtures.h"
 
 namespace murosimf::multibody {

@@ -10,8 +10,8 @@
 /// Rotors (armature) are in all of them.
 #include <cstdio>
 
+#include "murosimf/dynamics/motion_properties.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/motion/motion_properties.h"
 #include "murosimf/multibody/articulated_body.h"
 #include "murosimf/multibody/inverse_dynamics.h"
 #include "murosimf/multibody/kinematics.h"

@@ -7,9 +7,9 @@
 
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/collision/ground_contact.h"
+#include "murosimf/dynamics/articulated_dynamics.h"
+#include "murosimf/dynamics/motion_properties.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/motion/articulated_dynamics.h"
-#include "murosimf/motion/motion_properties.h"
 #include "murosimf/robot/robot_reader.h"
 #include "murosimf/runtime/simulation.h"
 #include "tests/oracle/state_file.h"
@@ -50,7 +50,7 @@ std::string fly(const ModelPtr& model, const oracle::StateFile& file, const orac
   Entity& robot = simulation.world().add("robot", model);
   simulation.attach<collision::GroundContact>("ground_contact", robot, rate, nullptr,
                                               catalog::make_contact_law("implicit_stick"), MaterialTable{});
-  simulation.attach<motion::ArticulatedDynamics>("articulated_dynamics", robot, rate);
+  simulation.attach<dynamics::ArticulatedDynamics>("articulated_dynamics", robot, rate);
   set_targets(robot, file, state);
   simulation.initialize();
   set_state(robot, file, state);

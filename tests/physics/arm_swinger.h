@@ -6,9 +6,9 @@
 #include <span>
 
 #include "murosimf/locomotion/gait_seed.h"
-#include "murosimf/model/algorithm.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/model/setup.h"
+#include "murosimf/world/algorithm.h"
+#include "murosimf/world/setup.h"
 
 namespace murosimf::test {
 

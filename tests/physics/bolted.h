@@ -7,7 +7,7 @@ namespace murosimf::test {
 
 /// At articulated_dynamics, without ground.
 struct Bolted {
-  explicit Bolted(Chain chain, motion::Integrator integrator = motion::Integrator::semi_implicit_euler) {
+  explicit Bolted(Chain chain, dynamics::Integrator integrator = dynamics::Integrator::semi_implicit_euler) {
     robot = &rig.add("robot", std::make_shared<const Model>("robot", std::move(chain)));
     rig.attach_dynamics(*robot, {.level = "articulated_dynamics",
                                  .law = law_named("kelvin_voigt"),

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/collision/ground_points.h"
-#include "murosimf/motion/motion_properties.h"
+#include "murosimf/dynamics/motion_properties.h"
 #include "murosimf/scene/scene.h"
 #include "tests/law.h"
 #include "tests/physics/mechanics.h"

@@ -85,7 +85,7 @@ std::vector<collision::ContactPoint> contacts_with(const Shapes& environment, co
   Entity& robot = simulation.world().add("robot", body("robot", shapes), {.position = {0, 0, -0.1}});
   simulation.attach<collision::GroundContact>("ground_contact", robot, 1000, &ground, law_named("implicit_stick"),
                                               MaterialTable{});
-  simulation.attach<motion::ArticulatedDynamics>("articulated_dynamics", robot, 1000);
+  simulation.attach<dynamics::ArticulatedDynamics>("articulated_dynamics", robot, 1000);
   simulation.initialize();
   simulation.step();
   return robot.find(collision::contacts)->values[0].points;

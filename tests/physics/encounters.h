@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "murosimf/collision/queries.h"
-#include "murosimf/motion/motion_properties.h"
+#include "murosimf/dynamics/motion_properties.h"
 #include "murosimf/scene_file/field.h"
 #include "tests/physics/rig.h"
 

@@ -1,7 +1,7 @@
 // Robots in flight: momentum, energy, and the turn that moving limbs cause.
 #include <gtest/gtest.h>
 
-#include "murosimf/motion/motion_properties.h"
+#include "murosimf/dynamics/motion_properties.h"
 #include "tests/fixtures.h"
 #include "tests/law.h"
 #include "tests/physics/limb_swinger.h"

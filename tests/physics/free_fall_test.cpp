@@ -1,7 +1,7 @@
 // Bodies that fall, and limbs that move in flight: what the center of mass does.
 #include <gtest/gtest.h>
 
-#include "murosimf/motion/motion_properties.h"
+#include "murosimf/dynamics/motion_properties.h"
 #include "tests/law.h"
 #include "tests/physics/limb_swinger.h"
 #include "tests/physics/rig.h"

@@ -3,8 +3,8 @@
 
 #include <functional>
 
+#include "murosimf/collision/contact_laws/paper_law.h"
 #include "murosimf/collision/contact_properties.h"
-#include "murosimf/collision/paper_law.h"
 #include "tests/law.h"
 #include "tests/physics/rig.h"
 

@@ -1,7 +1,7 @@
 // A robot changes its level of detail in the middle of what it does: nobody sees a jump, nothing is lost.
 #include <gtest/gtest.h>
 
-#include "murosimf/motion/motion_properties.h"
+#include "murosimf/dynamics/motion_properties.h"
 #include "tests/fixtures.h"
 #include "tests/law.h"
 #include "tests/physics/mechanics.h"
@@ -213,7 +213,7 @@ TEST(Handover, AContactLawIsExchangedWithoutSinking) {
   Entity& robot = rig.add("robot", kid21());
   auto& contact = rig.simulation.attach<collision::GroundContact>("ground_contact", robot, 1000, rig.ground,
                                                                   law_named("implicit_stick"), rig.materials);
-  rig.simulation.attach<motion::SimplifiedDynamics>("simplified_dynamics", robot, 1000);
+  rig.simulation.attach<dynamics::SimplifiedDynamics>("simplified_dynamics", robot, 1000);
   rig.run(1);
   const Vec3d stood = Rig::place(robot);
   for (const std::string law : {"kelvin_voigt", "paper_multipoint", "implicit_stick"}) {

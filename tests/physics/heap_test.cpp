@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/collision/body_pairs.h"
-#include "murosimf/motion/motion_properties.h"
+#include "murosimf/dynamics/motion_properties.h"
 #include "murosimf/scene/scene.h"
 #include "tests/law.h"
 #include "tests/physics/mechanics.h"

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "murosimf/collision/contact_properties.h"
-#include "murosimf/motion/motion_properties.h"
+#include "murosimf/dynamics/motion_properties.h"
 #include "tests/fixtures.h"
 #include "tests/law.h"
 #include "tests/physics/rig.h"
@@ -287,7 +287,7 @@ TEST(Islands, RefuseMotionAtAnotherRate) {
   Rig rig;
   Entity& box = rig.add("box", box_model());
   rig.attach_ground(box, {});
-  rig.simulation.attach<motion::SimplifiedDynamics>("simplified_dynamics", box, 500);
+  rig.simulation.attach<dynamics::SimplifiedDynamics>("simplified_dynamics", box, 500);
   EXPECT_TRUE(fixtures::says(fixtures::error_of([&] { rig.simulation.initialize(); }),
                              {"simplified_dynamics of box", "2 ms", "1 ms", "one rate"}));
 }

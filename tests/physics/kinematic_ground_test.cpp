@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/collision/contact_properties.h"
+#include "murosimf/dynamics/motion_properties.h"
 #include "murosimf/model/feet.h"
-#include "murosimf/motion/motion_properties.h"
 #include "murosimf/scene/scene.h"
 #include "tests/law.h"
 #include "tests/physics/rig.h"

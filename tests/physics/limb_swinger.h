@@ -5,9 +5,9 @@
 #include <cmath>
 #include <span>
 
-#include "murosimf/model/algorithm.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/model/setup.h"
+#include "murosimf/world/algorithm.h"
+#include "murosimf/world/setup.h"
 
 namespace murosimf::test {
 

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "murosimf/model/entity.h"
+#include "murosimf/dynamics/motion_properties.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/motion/motion_properties.h"
+#include "murosimf/world/entity.h"
 
 namespace murosimf::test {
 

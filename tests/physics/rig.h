@@ -13,12 +13,12 @@
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/collision/body_contact.h"
 #include "murosimf/collision/ground_contact.h"
+#include "murosimf/dynamics/articulated_dynamics.h"
+#include "murosimf/dynamics/full_dynamics.h"
+#include "murosimf/dynamics/kinematic_walking.h"
+#include "murosimf/dynamics/motion_properties.h"
+#include "murosimf/dynamics/odometer.h"
 #include "murosimf/locomotion/walk_engine.h"
-#include "murosimf/motion/articulated_dynamics.h"
-#include "murosimf/motion/full_dynamics.h"
-#include "murosimf/motion/kinematic_walking.h"
-#include "murosimf/motion/motion_properties.h"
-#include "murosimf/motion/odometer.h"
 #include "murosimf/robot/robot_reader.h"
 #include "murosimf/runtime/simulation.h"
 #include "murosimf/scene_file/ball.h"
@@ -67,7 +67,7 @@ struct Dynamics {
   LawPtr law;
   bool on_ground = true;
   catalog::LevelOptions options;
-  motion::MovingTreeOptions tree;
+  dynamics::MovingTreeOptions tree;
 };
 
 /// The test's level and law.

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/collision/contact_properties.h"
-#include "murosimf/motion/motion_properties.h"
+#include "murosimf/dynamics/motion_properties.h"
 #include "tests/law.h"
 #include "tests/physics/encounters.h"
 

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "murosimf/collision/contact_properties.h"
-#include "murosimf/motion/simplified_dynamics.h"
+#include "murosimf/dynamics/simplified_dynamics.h"
 #include "tests/law.h"
 #include "tests/physics/rig.h"
 
@@ -90,7 +90,7 @@ TEST(Access, TheBaseCanBeMovedByName) {
   Entity& ball = rig.add("ball", scene_file::ball_model());
   Entity& walker = rig.add("walker", kid21(), {.position = {1, 0, 0}});
   rig.attach_dynamics(ball);
-  rig.simulation.attach<motion::KinematicWalking>("kinematic_walking", walker, 1000);
+  rig.simulation.attach<dynamics::KinematicWalking>("kinematic_walking", walker, 1000);
   rig.run(0.5);
   const std::vector<double> place{-2, 1, 0.5}, speed{0, 0, 3};
   ball.object("ball").set("position", place);
@@ -107,7 +107,7 @@ TEST(Access, TheBaseCanBeMovedByName) {
 TEST(Setup, MotionWithoutContact) {
   Rig rig;
   Entity& ball = rig.add("ball", scene_file::ball_model(), {.position = {0, 0, 1}});
-  rig.simulation.attach<motion::SimplifiedDynamics>("simplified_dynamics", ball, 1000);
+  rig.simulation.attach<dynamics::SimplifiedDynamics>("simplified_dynamics", ball, 1000);
   rig.run(0.1);
   EXPECT_FALSE(ball.frozen());
   law::expect_near({.law = "free fall: speed after t = 0.1 s",
@@ -125,7 +125,7 @@ TEST(Setup, MotionWithoutContact) {
 TEST(Setup, AFailedAttachLeavesNothingBehind) {
   Rig rig;
   Entity& ball = rig.add("ball", scene_file::ball_model());
-  EXPECT_THROW(rig.simulation.attach<motion::KinematicWalking>("kinematic_walking", ball, 1000), SetupError);
+  EXPECT_THROW(rig.simulation.attach<dynamics::KinematicWalking>("kinematic_walking", ball, 1000), SetupError);
   rig.attach_dynamics(ball);
   rig.run(0.1);
   EXPECT_FALSE(ball.frozen());

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/collision/touches.h"
+#include "murosimf/dynamics/motion_properties.h"
 #include "murosimf/geometry/hull.h"
-#include "murosimf/motion/motion_properties.h"
 #include "tests/law.h"
 #include "tests/physics/rig.h"
 

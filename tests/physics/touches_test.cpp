@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/motion/motion_properties.h"
+#include "murosimf/dynamics/motion_properties.h"
 #include "murosimf/scene_file/field.h"
 #include "tests/law.h"
 #include "tests/physics/rig.h"
@@ -95,7 +95,7 @@ TEST(Touches, NameTheGoalPostThatABallHits) {
   rig.materials = MaterialTable::standard();
   rig.simulation.attach<collision::GroundContact>("ground_contact", ball, rig.rate, &field, law_named("implicit_stick"),
                                                   rig.materials);
-  rig.simulation.attach<motion::SimplifiedDynamics>("simplified_dynamics", ball, rig.rate);
+  rig.simulation.attach<dynamics::SimplifiedDynamics>("simplified_dynamics", ball, rig.rate);
   rig.simulation.initialize();
   Rig::launch(ball, {1, 0, 0});
   double largest = 0;

@@ -123,7 +123,7 @@ TEST(KinematicWalking, TwistIsTheRateOfThePose) {
   Entity& robot = rig.add("robot", kid21());
   rig.simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz,
                                                 Vec3d{0.2, 0, 0.3});
-  rig.simulation.attach<motion::KinematicWalking>("kinematic_walking", robot, 1000);
+  rig.simulation.attach<dynamics::KinematicWalking>("kinematic_walking", robot, 1000);
   rig.run(3.0);
   auto head = robot.object("head");
   int compared = 0;

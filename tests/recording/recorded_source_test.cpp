@@ -7,10 +7,10 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/drawing/debug_draw_source.h"
-#include "murosimf/model/drawing.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/session/session.h"
+#include "murosimf/world/drawing.h"
 #include "tests/recording/repeatable_run.h"
 
 namespace murosimf {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/components/servo_table.h"
+#include "murosimf/component_files/servo_table.h"
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/model/error.h"
 #include "murosimf/robot/robot_reader.h"
@@ -96,7 +96,7 @@ TEST(RobotConfig, ReadsFirmwareBacklashAndHeatOfAServo) {
 }
 
 TEST(RobotConfig, StartsFromAReadyMadeServo) {
-  const Servo mx64 = components::read_servo("mx64");
+  const Servo mx64 = component_files::read_servo("mx64");
   const Servo a = servo_of("type = 'mx64'\ncoulomb_friction = 0.2");
   EXPECT_EQ(a.type, "mx64");
   EXPECT_EQ(a.friction.coulomb, 0.2);
@@ -106,7 +106,7 @@ TEST(RobotConfig, StartsFromAReadyMadeServo) {
 }
 
 TEST(RobotConfig, AnotherVoltageScalesAReadyMadeServo) {
-  const Servo mx64 = components::read_servo("mx64");
+  const Servo mx64 = component_files::read_servo("mx64");
   const Servo a = servo_of("type = 'mx64'\nvoltage = 18\nposition_gain = 7");
   EXPECT_EQ(a.voltage, 18);
   EXPECT_DOUBLE_EQ(a.stall_torque, 1.5 * mx64.stall_torque);
@@ -133,7 +133,7 @@ TEST(RobotConfig, ReadsAnIdealServo) {
   EXPECT_EQ(a.stall_torque, 0);
   EXPECT_EQ(servo_of("law = 'ideal_pd'\nposition_gain = 1\nrotor_inertia = 0\nstall_torque = 5").stall_torque, 5);
   EXPECT_EQ(servo_of("type = 'mx64'\nlaw = 'ideal_pd'\nvelocity_gain = 1").position_gain,
-            components::read_servo("mx64").position_gain);
+            component_files::read_servo("mx64").position_gain);
 }
 
 /// Writes a servo file beside the table of this test and returns its type.

@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include "murosimf/dynamics/motion_properties.h"
 #include "murosimf/model/model.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/motion/motion_properties.h"
 #include "murosimf/multibody/kinematics.h"
 #include "murosimf/multibody/loops.h"
 #include "tests/fixtures.h"

@@ -1,8 +1,8 @@
 // Guessed servos, against the rule computed by hand from the robot's mass and the height of its center.
 #include "murosimf/robot/servo_inference.h"
 
+#include "murosimf/dynamics/motion_properties.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/motion/motion_properties.h"
 #include "murosimf/robot/robot_reader.h"
 #include "tests/biped_urdf.h"
 #include "tests/robot_formats/urdf/urdf_files.h"

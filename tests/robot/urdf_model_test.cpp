@@ -1,6 +1,6 @@
 /// urdf_model_test - a URDF file becomes a model, and plays in a scene.
+#include "murosimf/dynamics/motion_properties.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/motion/motion_properties.h"
 #include "murosimf/robot/robot_reader.h"
 #include "murosimf/scene/scene.h"
 #include "murosimf/scene/scene_report.h"

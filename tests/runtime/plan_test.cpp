@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include "murosimf/dynamics/motion_properties.h"
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/model/setup.h"
-#include "murosimf/motion/motion_properties.h"
+#include "murosimf/world/setup.h"
 
 namespace murosimf {
 namespace {

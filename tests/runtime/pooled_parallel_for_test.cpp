@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/model/entity.h"
+#include "murosimf/world/entity.h"
 #include "tests/fixtures.h"
 
 namespace murosimf {

@@ -65,8 +65,8 @@ std::uint64_t seen_by_tumblers(int threads) {
                                                    {"readout_time", 0.01},
                                                    {"readout_bands", 3}});
     camera.rate = 25;
-    (void)components::attach_sensor(rig.simulation, *robot, camera, {1, rig.moving_entities, [&] { return &painter; }},
-                                    rig.rate);
+    (void)component_files::attach_sensor(rig.simulation, *robot, camera,
+                                         {1, rig.moving_entities, [&] { return &painter; }}, rig.rate);
     sensors::SensorSpec laser = sensor("laser");
     laser.rate = 40;
     laser.signals[""].noise = 0.01;

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/model/error.h"
-#include "murosimf/model/state_archive.h"
+#include "murosimf/world/state_archive.h"
 
 namespace murosimf {
 namespace {

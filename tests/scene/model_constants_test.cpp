@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "murosimf/dynamics/motion_properties.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/motion/motion_properties.h"
 #include "murosimf/scene/scene.h"
 #include "murosimf/scene/scene_report.h"
 #include "tests/written_scene.h"

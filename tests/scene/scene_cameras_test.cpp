@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/components/camera_info.h"
+#include "murosimf/component_files/camera_info.h"
 #include "murosimf/scene/scene.h"
 #include "murosimf/scene/scene_report.h"
 #include "murosimf/scene/scene_viewpoints.h"
@@ -162,7 +162,8 @@ TEST(SceneCameras, ACalibrationFileIsTheLensAndKeysBesideItWin) {
   const imaging::LensSpec& lens = frame(scene, "one").info->lens.spec();
   EXPECT_EQ(lens.model, "equidistant");
   EXPECT_EQ(lens.width, 80) << "a key";
-  const imaging::LensSpec file = components::read_camera_info(components::find_lens_file("nubots_frankie")).lens;
+  const imaging::LensSpec file =
+      component_files::read_camera_info(component_files::find_lens_file("nubots_frankie")).lens;
   EXPECT_EQ(lens.coefficients.at(0), file.coefficients.at(0));
   const double scale = 80.0 / file.width;
   EXPECT_NEAR(lens.fx, scale * file.fx, 1e-9) << "a smaller picture of the same view";

@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/collision/contact_properties.h"
+#include "murosimf/dynamics/motion_properties.h"
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/motion/motion_properties.h"
 #include "murosimf/scene/scene.h"
 #include "murosimf/scene/scene_report.h"
 #include "tests/fixtures.h"

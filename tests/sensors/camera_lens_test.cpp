@@ -116,7 +116,8 @@ TEST(CameraLens, ALensThatFoldsOverIsRemarkedWithItsAngle) {
   CameraRig rig;
   Entity& box = rig.add_box("box");
   const SensorSpec spec = camera({{"k1", -0.9}, {"fx", 15}});
-  const Sensor& sensor = components::attach_sensor(rig.simulation, box, spec, {1, rig.moving_entities, {}}, rig.rate);
+  const Sensor& sensor =
+      component_files::attach_sensor(rig.simulation, box, spec, {1, rig.moving_entities, {}}, rig.rate);
   EXPECT_TRUE(says(sensor.diagnostic({}), {"folds", "deg"}));
 }
 

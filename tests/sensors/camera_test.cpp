@@ -122,7 +122,8 @@ TEST(Camera, PicturesHaveTheirSizeThoughNothingWasDrawn) {
       Entity& box = rig.add_box("box");
       SensorSpec spec = camera({{"depth", 1}, {"labels", 1}, {"exposure_time", exposure_time}, {"blur", 1}});
       if (*mosaic != '\0') spec.texts["mosaic"] = mosaic;
-      components::attach_sensor(rig.simulation, box, spec, {1, rig.moving_entities, [&] { return &blind; }}, rig.rate);
+      component_files::attach_sensor(rig.simulation, box, spec, {1, rig.moving_entities, [&] { return &blind; }},
+                                     rig.rate);
       const CameraFrame& frame = *frames_of(box).at(0);
       rig.begin();
       RangeRig::put(box, {0, 0, 1});

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "murosimf/motion/motion_properties.h"
+#include "murosimf/dynamics/motion_properties.h"
 #include "murosimf/sensors/detector.h"
 #include "murosimf/sensors/frame_sensors.h"
 #include "murosimf/sensors/inertial.h"

@@ -5,9 +5,9 @@
 #include <map>
 
 #include "murosimf/collision/contact_properties.h"
-#include "murosimf/components/sensor_types.h"
+#include "murosimf/component_files/sensor_types.h"
+#include "murosimf/dynamics/motion_properties.h"
 #include "murosimf/locomotion/gait_properties.h"
-#include "murosimf/motion/motion_properties.h"
 #include "tests/fixtures.h"
 #include "tests/law.h"
 #include "tests/physics/rig.h"
@@ -21,8 +21,8 @@ struct Standing {
       : robot(rig.add("robot", test::kid21())) {
     for (const std::string& type : types) {
       for (const std::string foot : {"l_sole", "r_sole"}) {
-        components::attach_sensor(rig.simulation, robot, {.name = foot + "_" + type, .type = type, .frame = foot}, {},
-                                  rig.rate);
+        component_files::attach_sensor(rig.simulation, robot, {.name = foot + "_" + type, .type = type, .frame = foot},
+                                       {}, rig.rate);
       }
     }
     rig.simulation.attach<locomotion::WalkEngine>("walk_engine", robot, 100);
@@ -92,7 +92,7 @@ TEST(ForceTorque, IsTakenAtItsPlaceInItsAxes) {
   Entity& box = rig.add("box", test::box_model());
   const Mat3d turn = rotation_x(0.5);
   const SensorSpec spec{.name = "f", .type = "force_torque", .position = {0.1, 0.2, 0.05}, .orientation = turn};
-  auto& sensor = components::attach_sensor(rig.simulation, box, spec, {}, rig.rate);
+  auto& sensor = component_files::attach_sensor(rig.simulation, box, spec, {}, rig.rate);
   rig.attach_dynamics(box);
   rig.run(1);
   const Vec3d weight{0, 0, 4.3 * test::g};
@@ -115,7 +115,8 @@ TEST(ForceTorque, IsThatOfAllBodiesOfItsLink) {
   chain.translation({0.4, 0, 0}, "toe");
   part(chain, 2);
   Entity& shoe = rig.add("shoe", std::make_shared<const Model>("shoe", chain));
-  auto& sensor = components::attach_sensor(rig.simulation, shoe, {.name = "f", .type = "force_torque"}, {}, rig.rate);
+  auto& sensor =
+      component_files::attach_sensor(rig.simulation, shoe, {.name = "f", .type = "force_torque"}, {}, rig.rate);
   rig.attach_dynamics(shoe);
   rig.run(1);
   const auto f = sensor.reading().output("force"), n = sensor.reading().output("torque");
@@ -126,7 +127,8 @@ TEST(ForceTorque, IsThatOfAllBodiesOfItsLink) {
 TEST(ForceTorque, DoesNotFeelAUsersPush) {
   test::Rig rig;
   Entity& box = rig.add("box", test::box_model(), {.position = {0, 0, 5}});
-  auto& sensor = components::attach_sensor(rig.simulation, box, {.name = "f", .type = "force_torque"}, {}, rig.rate);
+  auto& sensor =
+      component_files::attach_sensor(rig.simulation, box, {.name = "f", .type = "force_torque"}, {}, rig.rate);
   rig.attach_dynamics(box, {.on_ground = false});
   rig.simulation.initialize();
   box.base().set(properties::applied_force, {{0, 0, 1}, {30, 0, 0}});
@@ -154,7 +156,7 @@ TEST(PressureCells, NeedASoleOrTheirSize) {
   test::Rig rig;
   Entity& robot = rig.add("robot", test::kid21());
   const auto error = [&](const SensorSpec& spec) {
-    return fixtures::error_of([&] { components::attach_sensor(rig.simulation, robot, spec, {}, rig.rate); });
+    return fixtures::error_of([&] { component_files::attach_sensor(rig.simulation, robot, spec, {}, rig.rate); });
   };
   EXPECT_EQ(error({.name = "a", .type = "pressure_cells", .frame = "torso"}),
             "a: pressure cells that are not mounted on a sole need length and width");
@@ -166,7 +168,8 @@ TEST(PressureCells, NeedASoleOrTheirSize) {
 TEST(PressureCenter, IsNowhereWithoutPressure) {
   test::Rig rig;
   Entity& box = rig.add("box", test::box_model(), {.position = {0, 0, 5}});
-  auto& sensor = components::attach_sensor(rig.simulation, box, {.name = "p", .type = "pressure_center"}, {}, rig.rate);
+  auto& sensor =
+      component_files::attach_sensor(rig.simulation, box, {.name = "p", .type = "pressure_center"}, {}, rig.rate);
   rig.attach_dynamics(box);
   rig.run(0.1);
   EXPECT_TRUE(std::isnan(sensor.reading().values[0]));
@@ -176,8 +179,8 @@ TEST(PressureCenter, IsNowhereWithoutPressure) {
 // A walker at kinematic_walking stands on one foot at a time, and the sensor says why.
 TEST(ContactSensors, SayWhatTheyReportWithoutContactForces) {
   Standing standing("kinematic_walking", {"contact_switch"});
-  auto& sensor = components::attach_sensor(standing.rig.simulation, standing.robot,
-                                           {.name = "more", .type = "contact_force", .frame = "l_sole"}, {}, 1000);
+  auto& sensor = component_files::attach_sensor(standing.rig.simulation, standing.robot,
+                                                {.name = "more", .type = "contact_force", .frame = "l_sole"}, {}, 1000);
   EXPECT_EQ(sensor.diagnostic({}), "there are no contact forces: it reports the whole weight on the foot that stands");
   EXPECT_EQ(sensor.diagnostic({.dynamic = true}), "");
   standing.rig.simulation.initialize();

@@ -24,7 +24,7 @@ struct LaserRig : RangeRig {
       }
       return renderer.get();
     };
-    return components::attach_sensor(simulation, robot, spec, {1, moving_entities, source}, rate).reading();
+    return component_files::attach_sensor(simulation, robot, spec, {1, moving_entities, source}, rate).reading();
   }
   std::unique_ptr<render::Renderer> renderer;
 };
@@ -102,8 +102,8 @@ struct Looked {
   explicit Looked(const std::map<std::string, double>& numbers) {
     box = &rig.add_box("box");
     const auto source = [this]() -> ViewSource* { return &asked; };
-    const Reading& reading = components::attach_sensor(rig.simulation, *box, test::sensor("depth_laser", numbers),
-                                                       {1, rig.moving_entities, source}, rig.rate)
+    const Reading& reading = component_files::attach_sensor(rig.simulation, *box, test::sensor("depth_laser", numbers),
+                                                            {1, rig.moving_entities, source}, rig.rate)
                                  .reading();
     rig.begin();
     RangeRig::put(*box, {1, 2, 3}, rotation_z(0.5));

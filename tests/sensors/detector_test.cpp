@@ -277,7 +277,7 @@ TEST_P(RangeSensors, WorkAtEveryLevel) {
   Entity& other = rig.add("other", test::kid21(), {.position = {2, 0.2, 0}, .heading = 1});
   const std::vector<Entity*> moving_entities{&robot, &other};
   const auto attach = [&](const std::string& type) {
-    return &components::attach_sensor(rig.simulation, robot, test::sensor(type), {1, moving_entities}, rig.rate)
+    return &component_files::attach_sensor(rig.simulation, robot, test::sensor(type), {1, moving_entities}, rig.rate)
                 .reading();
   };
   const Reading *detector = attach("detector"), *laser = attach("laser"), *sonar = attach("sonar");

@@ -28,7 +28,7 @@ TEST(GroundTruth, ShowsWhereEverybodyIs) {
   rig.simulation.attach<GroundTruth>("ground_truth", robot, 100, SensorSpec{.name = "ground_truth"},
                                      SensorSurroundings{.moving_entities = {&robot, &ball}});
   auto& observer = rig.simulation.attach<Observer>("observer", robot, 100);
-  rig.simulation.attach<motion::KinematicWalking>("kinematic_walking", robot, 1000);
+  rig.simulation.attach<dynamics::KinematicWalking>("kinematic_walking", robot, 1000);
   rig.attach_dynamics(ball, {.on_ground = false});
   rig.run(0.1);
   const Vec3d place = test::Rig::place(ball);  // at 0.1 s, when the next sample is due

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "murosimf/components/sensor_types.h"
+#include "murosimf/component_files/sensor_types.h"
 #include "tests/fixtures.h"
 #include "tests/law.h"
 #include "tests/physics/rig.h"
@@ -39,7 +39,8 @@ TEST(Accelerometer, ShowsGravityInItsOwnAxes) {
 TEST(Accelerometer, ShowsNothingInFreeFall) {
   test::Rig rig;
   Entity& box = rig.add("box", test::box_model(), {.position = {0, 0, 5}});
-  auto& sensor = components::attach_sensor(rig.simulation, box, {.name = "a", .type = "accelerometer"}, {}, rig.rate);
+  auto& sensor =
+      component_files::attach_sensor(rig.simulation, box, {.name = "a", .type = "accelerometer"}, {}, rig.rate);
   rig.attach_dynamics(box, {.on_ground = false});
   rig.run(0.5);
   law::expect_below({.law = "free fall: specific force",
@@ -52,8 +53,8 @@ TEST(Accelerometer, ShowsNothingInFreeFall) {
 std::pair<double, Vec3d> first_sample_in_free_fall(double rate) {
   test::Rig rig;
   Entity& box = rig.add("box", test::box_model(), {.position = {0, 0, 5}});
-  auto& sensor = components::attach_sensor(rig.simulation, box, {.name = "a", .type = "accelerometer", .rate = rate},
-                                           {}, rig.rate);
+  auto& sensor = component_files::attach_sensor(rig.simulation, box,
+                                                {.name = "a", .type = "accelerometer", .rate = rate}, {}, rig.rate);
   rig.attach_dynamics(box, {.on_ground = false});
   for (int i = 0; i < 100 && sensor.reading().samples == 0; ++i) rig.simulation.step();
   return {seconds(sensor.reading().time), vector_of(sensor.reading(), "accelerometer")};
@@ -156,11 +157,11 @@ TEST(Gyroscope, FollowsATumblingBody) {
   for (const std::string& level : test::dynamic_levels()) {
     test::Rig rig;
     Entity& body = rig.add("top", top, {.position = {0, 0, 50}});
-    auto& sensor = components::attach_sensor(rig.simulation, body, {.name = "imu", .type = "imu"}, {}, rig.rate);
+    auto& sensor = component_files::attach_sensor(rig.simulation, body, {.name = "imu", .type = "imu"}, {}, rig.rate);
     rig.attach_dynamics(body, {.level = level,
                                .law = test::law_named("kelvin_voigt"),
                                .on_ground = false,
-                               .tree = {.integrator = motion::Integrator::rk4}});
+                               .tree = {.integrator = dynamics::Integrator::rk4}});
     rig.simulation.initialize();
     const double w1 = 2, w3 = 5, W = (I3 - I1) / I1 * w3;
     test::Rig::launch(body, {}, {w1, 0, w3});
@@ -213,8 +214,8 @@ class EveryLevel : public testing::TestWithParam<std::string> {};
 TEST_P(EveryLevel, ImuOfAStandingRobotShowsRest) {
   test::Rig rig;
   Entity& robot = rig.add("robot", test::kid21());
-  auto& sensor =
-      components::attach_sensor(rig.simulation, robot, {.name = "imu", .type = "imu", .frame = "torso"}, {}, rig.rate);
+  auto& sensor = component_files::attach_sensor(rig.simulation, robot, {.name = "imu", .type = "imu", .frame = "torso"},
+                                                {}, rig.rate);
   rig.attach_motion(robot, {.level = GetParam()});
   rig.run(2);
   EXPECT_NEAR(norm(vector_of(sensor.reading(), "accelerometer")), g, 0.05);

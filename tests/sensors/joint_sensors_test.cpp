@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "murosimf/components/sensor_types.h"
+#include "murosimf/component_files/sensor_types.h"
 #include "tests/fixtures.h"
 #include "tests/law.h"
 #include "tests/physics/rig.h"
@@ -16,7 +16,7 @@ struct Standing {
   explicit Standing(const std::string& level, std::vector<std::string> types = every_type())
       : robot(rig.add("robot", test::kid21())) {
     for (const std::string& type : types) {
-      components::attach_sensor(rig.simulation, robot, {.name = type, .type = type}, {}, rig.rate);
+      component_files::attach_sensor(rig.simulation, robot, {.name = type, .type = type}, {}, rig.rate);
     }
     rig.simulation.attach<locomotion::WalkEngine>("walk_engine", robot, 100);
     rig.attach_motion(robot, {.level = level});
@@ -63,12 +63,12 @@ TEST(JointPosition, CountsTheStepsOfAnEncoder) {
   test::Rig rig;
   Entity& robot = rig.add("robot", test::kid21());
   const double step = 2 * pi / 4096;
-  auto& sensor = components::attach_sensor(rig.simulation, robot,
-                                           {.name = "e",
-                                            .type = "joint_position",
-                                            .objects = {"j_l_shin", "j_neck"},
-                                            .signals = {{"", {.resolution = step}}}},
-                                           {}, rig.rate);
+  auto& sensor = component_files::attach_sensor(rig.simulation, robot,
+                                                {.name = "e",
+                                                 .type = "joint_position",
+                                                 .objects = {"j_l_shin", "j_neck"},
+                                                 .signals = {{"", {.resolution = step}}}},
+                                                {}, rig.rate);
   rig.simulation.attach<locomotion::WalkEngine>("walk_engine", robot, 100, Vec3d{0.1, 0, 0});
   rig.attach_motion(robot, {.level = "kinematic_walking"});
   EXPECT_EQ(sensor.reading().info->outputs[0].labels, (std::vector<std::string>{"j_l_shin", "j_neck"}));
@@ -101,10 +101,11 @@ TEST(MotorCurrent, IsThatOfTheTorqueThatHoldsALoad) {
   test::Rig rig;
   Entity& robot = rig.add("arm", arm(), {.position = {0, 0, 1}});
   auto& current =
-      components::attach_sensor(rig.simulation, robot, {.name = "i", .type = "motor_current"}, {}, rig.rate);
-  auto& torque = components::attach_sensor(rig.simulation, robot, {.name = "t", .type = "joint_torque"}, {}, rig.rate);
+      component_files::attach_sensor(rig.simulation, robot, {.name = "i", .type = "motor_current"}, {}, rig.rate);
+  auto& torque =
+      component_files::attach_sensor(rig.simulation, robot, {.name = "t", .type = "joint_torque"}, {}, rig.rate);
   auto& voltage =
-      components::attach_sensor(rig.simulation, robot, {.name = "u", .type = "motor_voltage"}, {}, rig.rate);
+      component_files::attach_sensor(rig.simulation, robot, {.name = "u", .type = "motor_voltage"}, {}, rig.rate);
   rig.attach_dynamics(robot, {.level = "articulated_dynamics", .on_ground = false, .tree = {.fixed_base = true}});
   rig.run(3);
   const double angle = robot.object("shoulder").get(properties::joint_position);
@@ -168,18 +169,18 @@ TEST(ServoSensors, NothingStaleIsLeftByALevelThatWent) {
 
 TEST(ServoSensors, SayWhatTheyReportWhereThereIsNoTorque) {
   Standing standing("kinematic_walking", {});
-  auto& sensor = components::attach_sensor(standing.rig.simulation, standing.robot,
-                                           {.name = "t", .type = "joint_torque"}, {}, 1000);
+  auto& sensor = component_files::attach_sensor(standing.rig.simulation, standing.robot,
+                                                {.name = "t", .type = "joint_torque"}, {}, 1000);
   EXPECT_EQ(sensor.diagnostic({}), "torques of joints are not known: it reports 0");
   EXPECT_EQ(sensor.diagnostic({.dynamic = true, .joint_torque = true, .servos = true}), "");
-  auto& current = components::attach_sensor(standing.rig.simulation, standing.robot,
-                                            {.name = "i", .type = "motor_current"}, {}, 1000);
+  auto& current = component_files::attach_sensor(standing.rig.simulation, standing.robot,
+                                                 {.name = "i", .type = "motor_current"}, {}, 1000);
   EXPECT_EQ(current.diagnostic({}), "torques of joints are not known: it reports 0");
   EXPECT_EQ(current.diagnostic({.dynamic = true, .joint_torque = true}),
             "joints move without servos: it reports the current for the torque that that would take");
   EXPECT_EQ(current.diagnostic({.dynamic = true, .joint_torque = true, .servos = true}), "");
-  auto& temperature = components::attach_sensor(standing.rig.simulation, standing.robot,
-                                                {.name = "c", .type = "motor_temperature"}, {}, 1000);
+  auto& temperature = component_files::attach_sensor(standing.rig.simulation, standing.robot,
+                                                     {.name = "c", .type = "motor_temperature"}, {}, 1000);
   EXPECT_EQ(temperature.diagnostic({.dynamic = true, .joint_torque = true}),
             "servos get warm only at a level that has them: it reports the temperature of the air");
   EXPECT_EQ(temperature.diagnostic({.servos = true}), "");

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/collision/contact_properties.h"
-#include "murosimf/components/sensor_types.h"
+#include "murosimf/component_files/sensor_types.h"
 #include "murosimf/model/properties.h"
 #include "tests/fixtures.h"
 #include "tests/law.h"
@@ -46,7 +46,7 @@ TEST_P(BoltedLevels, ShowTheWeightOfWhatHangs) {
   test::Rig rig;
   Entity& robot = rig.add("robot", hanging_hand(true), {.position = {0, 0, 1}});
   const SensorSpec spec{.name = "f", .type = "joint_wrench", .frame = "wrist"};
-  const auto& sensor = components::attach_sensor(rig.simulation, robot, spec, {}, rig.rate);
+  const auto& sensor = component_files::attach_sensor(rig.simulation, robot, spec, {}, rig.rate);
   rig.attach_dynamics(robot, bolted(GetParam()));
   rig.run(0.5);
   const auto [force, torque] = wrench_of(sensor);
@@ -67,7 +67,7 @@ TEST(JointWrench, OfASwingingPendulumIsThatOfItsClosedForm) {
   const SensorSpec spec{.name = "f", .type = "joint_wrench", .texts = {{"axes", "base"}}};
   SensorSpec at_wrist = spec;
   at_wrist.frame = "wrist";
-  const auto& sensor = components::attach_sensor(rig.simulation, robot, at_wrist, {}, rig.rate);
+  const auto& sensor = component_files::attach_sensor(rig.simulation, robot, at_wrist, {}, rig.rate);
   rig.attach_dynamics(robot, bolted("articulated_dynamics"));
   rig.simulation.initialize();
   const double m = 1, l = 0.2, inertia = 0.002 + m * l * l;
@@ -110,7 +110,7 @@ TEST_P(Standing, IsMeasuredInBothDirectionsAndInAllAxes) {
   const auto attach = [&](const std::string& name, std::map<std::string, std::string> texts) -> const Sensor& {
     texts["behind"] = "foot";
     const SensorSpec spec{.name = name, .type = "joint_wrench", .frame = "foot", .texts = std::move(texts)};
-    return components::attach_sensor(rig.simulation, robot, spec, {}, rig.rate);
+    return component_files::attach_sensor(rig.simulation, robot, spec, {}, rig.rate);
   };
   const auto& child = attach("child", {});
   const auto& parent = attach("parent", {{"axes", "base"}, {"direction", "parent_to_child"}});
@@ -134,7 +134,7 @@ TEST(JointWrench, RefusesWhatItDoesNotKnow) {
       test::Rig rig;
       Entity& robot = rig.add("robot", standing());
       const SensorSpec spec{.name = "f", .type = "joint_wrench", .texts = std::move(texts)};
-      (void)components::attach_sensor(rig.simulation, robot, spec, {}, rig.rate);
+      (void)component_files::attach_sensor(rig.simulation, robot, spec, {}, rig.rate);
     });
   };
   EXPECT_TRUE(fixtures::says(what({{"behind", "fot"}}), {"did you mean 'foot'?"}));

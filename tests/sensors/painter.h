@@ -61,9 +61,9 @@ inline sensors::SensorSpec camera(const std::map<std::string, double>& numbers =
 
 struct CameraRig : RangeRig {
   const sensors::CameraFrame& attach_camera(Entity& robot, const sensors::SensorSpec& spec) {
-    reading =
-        &components::attach_sensor(simulation, robot, spec, {1, moving_entities, [this] { return &painter; }}, rate)
-             .reading();
+    reading = &component_files::attach_sensor(simulation, robot, spec,
+                                              {1, moving_entities, [this] { return &painter; }}, rate)
+                   .reading();
     return *sensors::frames_of(robot).at(0);
   }
   Painter painter;

@@ -3,8 +3,8 @@
 
 #include <limits>
 
-#include "murosimf/components/sensor_types.h"
-#include "murosimf/motion/motion_properties.h"
+#include "murosimf/component_files/sensor_types.h"
+#include "murosimf/dynamics/motion_properties.h"
 #include "tests/fixtures.h"
 #include "tests/physics/rig.h"
 
@@ -37,7 +37,7 @@ struct RangeRig : Rig {
   /// After all moving entities were added.
   const sensors::Reading& attach(Entity& robot, sensors::SensorSpec spec, std::uint64_t seed = 1) {
     if (spec.name.empty()) spec.name = spec.type;
-    return components::attach_sensor(simulation, robot, spec, {seed, moving_entities}, rate).reading();
+    return component_files::attach_sensor(simulation, robot, spec, {seed, moving_entities}, rate).reading();
   }
   /// After all sensors were attached.
   void begin() {

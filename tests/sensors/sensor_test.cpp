@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "murosimf/components/sensor_types.h"
+#include "murosimf/component_files/sensor_types.h"
 #include "murosimf/sensors/frame_sensors.h"
 #include "tests/fixtures.h"
 #include "tests/physics/rig.h"
@@ -129,7 +129,7 @@ struct Standing {
   explicit Standing(int threads = 1) : rig(0.8, 0, 1000, threads) {}
   Entity& add(const std::string& name, double y) { return rig.add(name, test::kid21(), {.position = {0, y, 0}}); }
   void attach(Entity& robot, const SensorSpec& spec) {
-    components::attach_sensor(rig.simulation, robot, spec, {.seed = 7}, rig.rate);
+    component_files::attach_sensor(rig.simulation, robot, spec, {.seed = 7}, rig.rate);
   }
   void move(Entity& robot) { rig.attach_motion(robot, {.level = "kinematic_walking"}); }
   test::Rig rig;

@@ -108,7 +108,7 @@ std::vector<double> readings(bool shared, int threads) {
       const SensorSpec spec =
           test::sensor(type, type == std::string("laser") ? std::map<std::string, double>{{"rays", 90}}
                                                           : std::map<std::string, double>{});
-      all.push_back(&components::attach_sensor(rig.simulation, *box, spec, surroundings, rig.rate).reading());
+      all.push_back(&component_files::attach_sensor(rig.simulation, *box, spec, surroundings, rig.rate).reading());
     }
   }
   rig.begin();

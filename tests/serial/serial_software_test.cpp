@@ -8,10 +8,10 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/connect/controller_task.h"
+#include "murosimf/control_software/controller_task.h"
+#include "murosimf/dynamics/motion_properties.h"
+#include "murosimf/dynamics/servo/servo_law.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/motion/motion_properties.h"
-#include "murosimf/motion/servo_law.h"
 #include "murosimf/scene/scene.h"
 #include "murosimf/session/live_source.h"
 #include "tests/fixtures.h"
@@ -55,7 +55,7 @@ struct SerialScene {
   [[nodiscard]] double head_angle() { return robot().object("j_head").get(properties::joint_position); }
   [[nodiscard]] std::vector<std::string> said() {
     std::vector<std::string> lines;
-    for (const auto& message : connect::software_report(robot())->said) lines.push_back(message.text);
+    for (const auto& message : control_software::software_report(robot())->said) lines.push_back(message.text);
     return lines;
   }
   [[nodiscard]] std::filesystem::path port() const { return folder / "walker"; }
@@ -153,7 +153,7 @@ TEST(SerialSoftware, GainsLimitsAndLedsAreThoseOfTheRobot) {
   EXPECT_NEAR(of_head(properties::servo_torque_limit), 0.2 * servo.stall_torque, 1e-9);
   EXPECT_EQ(of_head(properties::servo_led), 1);
   EXPECT_EQ(test.robot().object("j_neck").get(properties::servo_led), 0);
-  EXPECT_EQ(connect::software_report(test.robot())->refused, 0U);
+  EXPECT_EQ(control_software::software_report(test.robot())->refused, 0U);
 }
 
 /// Ids are those of the order of joints.
@@ -170,7 +170,7 @@ TEST(SerialSoftware, StopsWhereTheJointEnds) {
   port.send(goal(neck, 4095));
   test.run(900ms);
   EXPECT_NEAR(test.robot().object("j_neck").get(properties::joint_position), 1.2, 1e-9);
-  EXPECT_EQ(connect::software_report(test.robot())->refused, 0U);
+  EXPECT_EQ(control_software::software_report(test.robot())->refused, 0U);
 }
 
 TEST(SerialSoftware, WheelsFollowAGoalVelocity) {
@@ -178,7 +178,7 @@ TEST(SerialSoftware, WheelsFollowAGoalVelocity) {
   const Model& car = test.robot().model();
   const auto wheel = std::ranges::find_if(car.joints(), [&](int joint) {
     const Servo* servo = car.find(properties::servo, joint);
-    return servo && motion::follows_rate(*servo);
+    return servo && dynamics::follows_rate(*servo);
   });
   ASSERT_NE(wheel, car.joints().end());
   const auto id = static_cast<std::uint8_t>(1 + (wheel - car.joints().begin()));
@@ -480,7 +480,7 @@ TEST(SerialSoftware, ALinkDelaysWhatIsRead) {
   EXPECT_GT(read_back(), 2060) << "it is there, and was not read yet";
   test.run(200ms);
   EXPECT_EQ(read_back(), 2048);
-  const auto& link = connect::software_report(test.robot())->link;
+  const auto& link = control_software::software_report(test.robot())->link;
   ASSERT_TRUE(link);
   EXPECT_EQ(link->signals.longest, 50ms);
   EXPECT_EQ(link->commands.sent, 0U);
@@ -515,7 +515,7 @@ TEST(SerialSoftware, APortThatIsClosedDisturbsNobodyElse) {
     }
     Entity& other = scene.simulation().world().entity("blue2");
     EXPECT_NEAR(other.object("j_head").get(properties::joint_target), (2490 - 2048) / pulses_per_radian, 1e-6);
-    const auto& said = connect::software_report(scene.simulation().world().entity("blue1"))->said;
+    const auto& said = control_software::software_report(scene.simulation().world().entity("blue1"))->said;
     ASSERT_EQ(said.size(), 2U);  // opened, closed
     EXPECT_TRUE(fixtures::says(said[1].text, {"blue1 was closed; torque and goals stay as they are"}));
     second.hang_up();

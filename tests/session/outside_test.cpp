@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "murosimf/connect/controller_task.h"
+#include "murosimf/control_software/controller_task.h"
 #include "murosimf/session/live_source.h"
 #include "tests/fixtures.h"
 
@@ -15,17 +15,17 @@ using fixtures::error_of;
 using fixtures::says;
 
 /// Software that nods as its calls are counted; `saves`: the count is a part of states.
-class Counting final : public connect::ControlSoftware {
+class Counting final : public control_software::ControlSoftware {
  public:
-  Counting(connect::RobotPort& port, std::vector<Duration>& asked, bool saves)
+  Counting(control_software::RobotPort& port, std::vector<Duration>& asked, bool saves)
       : target_(port.command("joint.target")), asked_(&asked), saves_(saves) {}
-  connect::CallOutcome start() override {
+  control_software::CallOutcome start() override {
     ++starts;
     count_ = 0;
     target_->values[0] = 0.1 * starts;
     return {};
   }
-  connect::CallOutcome step(Duration now) noexcept override {
+  control_software::CallOutcome step(Duration now) noexcept override {
     asked_->push_back(now);
     target_->values[0] = 0.3 * std::sin(0.05 * ++count_);
     return {};
@@ -48,14 +48,14 @@ struct SteeredRun {
   explicit SteeredRun(bool saves = false, const TimelineOptions& timeline = {})
       : scene("walk", {.overrides = {"walker.controller=none", "walker.level=simplified_dynamics"}, .cameras = false}),
         source(scene, {.timeline = timeline}) {
-    const auto make = [this, saves](Setup&, connect::RobotPort& port, const connect::SayLine&) {
+    const auto make = [this, saves](Setup&, control_software::RobotPort& port, const control_software::SayLine&) {
       auto made = std::make_unique<Counting>(port, asked, saves);
       software = made.get();
       return made;
     };
-    scene.simulation().attach<connect::ControllerTask>(
+    scene.simulation().attach<control_software::ControllerTask>(
         "program", scene.simulation().world().entity("walker"), 100, make,
-        connect::ControllerTaskOptions{.software = "program", .memory = scene.parts().outside.memory});
+        control_software::ControllerTaskOptions{.software = "program", .memory = scene.parts().outside.memory});
     source.begin();
   }
   void go_to(Duration time) {

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/model/world.h"
 #include "murosimf/soccer/behavior_properties.h"
+#include "murosimf/world/world.h"
 #include "tests/fixtures.h"
 
 namespace murosimf::soccer {

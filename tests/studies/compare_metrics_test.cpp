@@ -10,8 +10,8 @@
 namespace murosimf::studies {
 namespace {
 
-using motion::MotionRecord;
-using motion::MotionSample;
+using dynamics::MotionRecord;
+using dynamics::MotionSample;
 
 /// `seconds` long, a hundred samples a second and one more.
 MotionRecord run(double seconds, const std::function<void(MotionSample&)>& shape) {

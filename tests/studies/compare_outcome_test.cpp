@@ -126,7 +126,7 @@ TEST(CompareOutcome, FallsOfOthersCount) {
 
 // Of the samples within 50 ms of a touch (11 of one touch), those in which a servo asked for all.
 TEST(CompareOutcome, DutyCountsAroundTouchesOnly) {
-  motion::MotionRecord robot;
+  dynamics::MotionRecord robot;
   robot.samples.resize(501);
   OutcomeRecord run = outcome({mover("ball", 0)});
   for (int i = 300; i < 400; ++i) robot.samples[i].full_duty = true;

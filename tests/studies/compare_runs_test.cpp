@@ -37,12 +37,12 @@ class StandingRobot {
   StandingRobot(const StandingRobot&) = delete;
   StandingRobot& operator=(const StandingRobot&) = delete;
 
-  [[nodiscard]] motion::MotionRecord record(const std::vector<std::string>& overrides, double seconds) const {
+  [[nodiscard]] dynamics::MotionRecord record(const std::vector<std::string>& overrides, double seconds) const {
     scene::Scene scene(file_, {.overrides = overrides});
     auto& simulation = scene.simulation();
     const auto& recorder =
-        simulation.attach<motion::MotionRecorder>("motion_recorder", simulation.world().entity("r"), 1000,
-                                                  motion::MotionRecorderOptions{.longest = seconds});
+        simulation.attach<dynamics::MotionRecorder>("motion_recorder", simulation.world().entity("r"), 1000,
+                                                    dynamics::MotionRecorderOptions{.longest = seconds});
     simulation.run(from_seconds(seconds));
     return recorder.record();
   }
@@ -50,7 +50,7 @@ class StandingRobot {
     scene::Scene scene(file_);
     auto& simulation = scene.simulation();
     if (observed) {
-      simulation.attach<motion::MotionRecorder>("motion_recorder", simulation.world().entity("r"), 1000);
+      simulation.attach<dynamics::MotionRecorder>("motion_recorder", simulation.world().entity("r"), 1000);
     }
     simulation.run(from_seconds(0.5));
     return simulation.state_hash();
@@ -185,14 +185,14 @@ struct Thrown {
     simulation.run(from_seconds(start));
     state = scene.save();
     const auto& recorder =
-        simulation.attach<motion::MotionRecorder>("motion_recorder", simulation.world().entity("robot"), 1000,
-                                                  motion::MotionRecorderOptions{.longest = 1, .start = start});
+        simulation.attach<dynamics::MotionRecorder>("motion_recorder", simulation.world().entity("robot"), 1000,
+                                                    dynamics::MotionRecorderOptions{.longest = 1, .start = start});
     simulation.run(from_seconds(1 - start));
     samples = recorder.record().samples;
   }
 
   std::vector<std::byte> state;
-  std::vector<motion::MotionSample> samples;
+  std::vector<dynamics::MotionSample> samples;
 };
 
 TEST(Compare, FromAStateAllLevelsBeginThere) {

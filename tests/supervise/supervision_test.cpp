@@ -11,7 +11,7 @@
 #include <mutex>
 #include <thread>
 
-#include "murosimf/wire/connection.h"
+#include "murosimf/network/connection.h"
 #include "tests/fixtures.h"
 
 namespace murosimf::supervise {
@@ -25,7 +25,7 @@ using wire::ToSupervisor;
 
 const std::vector<std::string> simplified{"walker.level=simplified_dynamics"};
 
-wire::WallTime soon() { return std::chrono::steady_clock::now() + 20s; }
+network::WallTime soon() { return std::chrono::steady_clock::now() + 20s; }
 
 std::uint64_t hash_at(Duration time, std::vector<std::string> events = {}) {
   scene::Scene scene("walk", {.overrides = simplified, .events = std::move(events), .pushable = true});
@@ -56,7 +56,7 @@ class SupervisedRun {
     if (thread_.joinable()) thread_.join();
   }
   [[nodiscard]] std::vector<std::string> lines(std::size_t count) const {
-    const wire::WallTime end = soon();
+    const network::WallTime end = soon();
     for (;;) {
       {
         const std::lock_guard lock(mutex_);
@@ -87,7 +87,8 @@ class SupervisedRun {
 
 class Client {
  public:
-  explicit Client(const SupervisedRun& run) : connection_(wire::Socket::connect(run.supervision->address()), 1 << 26) {}
+  explicit Client(const SupervisedRun& run)
+      : connection_(network::Socket::connect(run.supervision->address()), 1 << 26) {}
   Client(const SupervisedRun& run, const std::string& token, unsigned version = 1) : Client(run) {
     FromSupervisor message;
     message.mutable_hello()->set_version(version);
@@ -134,16 +135,16 @@ class Client {
         const ToSupervisor message = receive();
         if (message.has_refused()) reason = message.refused().reason();
       }
-    } catch (const wire::WireError&) {  // closed
+    } catch (const network::NetworkError&) {  // closed
     }
     return reason;
   }
-  [[nodiscard]] const wire::Connection& connection() const { return connection_; }
+  [[nodiscard]] const network::Connection& connection() const { return connection_; }
 
   ToSupervisor first;
 
  private:
-  wire::Connection connection_;
+  network::Connection connection_;
 };
 
 TEST(Supervision, HasTheRunGoOnExactlySoFar) {
@@ -457,7 +458,7 @@ TEST(Supervision, EndsTheRun) {
   ToSupervisor last;
   try {
     for (;;) last = other.receive();
-  } catch (const wire::WireError&) {
+  } catch (const network::NetworkError&) {
   }
   EXPECT_TRUE(last.has_goodbye());
 }
@@ -530,7 +531,7 @@ TEST(SupervisionFaults, ReadsNothing) {
                      message.mutable_save();
                      try {
                        for (int i = 0; i < 2000; ++i) c.send(message);
-                     } catch (const wire::WireError&) {  // dropped
+                     } catch (const network::NetworkError&) {  // dropped
                      }
                    }),
                    {"was dropped: it does not take what it is sent"}));
@@ -558,7 +559,7 @@ TEST(SupervisionFaults, TooManyAreRefusedAndMakeRoomAgain) {
   }
   EXPECT_TRUE(says(Client(run, run.supervision->token()).end(), {"comes when 8 others are there"}));
   all.pop_back();
-  const wire::WallTime end = soon();
+  const network::WallTime end = soon();
   bool welcome = false;
   while (!welcome && std::chrono::steady_clock::now() < end) {
     welcome = Client(run, run.supervision->token()).first.has_welcome();

@@ -10,9 +10,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "murosimf/model/drawing.h"
 #include "murosimf/web/gzip.h"
 #include "murosimf/web/page.h"
+#include "murosimf/world/drawing.h"
 #include "tests/temp_folder.h"
 
 namespace murosimf {

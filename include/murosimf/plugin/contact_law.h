@@ -2,7 +2,7 @@
 /// (`registries.body_contacts`): force and linearisation of contacts.
 #pragma once
 
-#include "murosimf/collision/body_contact_law.h"
-#include "murosimf/collision/contact_law.h"
-#include "murosimf/collision/contact_law_parts.h"
+#include "murosimf/collision/contact_laws/body_contact_law.h"
+#include "murosimf/collision/contact_laws/contact_law.h"
+#include "murosimf/collision/contact_laws/contact_law_parts.h"
 #include "murosimf/plugin/interface.h"

@@ -4,7 +4,7 @@
 
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/locomotion/walk_engine.h"
-#include "murosimf/model/algorithm.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/model/setup.h"
 #include "murosimf/plugin/interface.h"
+#include "murosimf/world/algorithm.h"
+#include "murosimf/world/setup.h"

@@ -2,8 +2,8 @@
 /// returns a MotionLevel that writes the poses and velocities of its entity's objects.
 #pragma once
 
-#include "murosimf/model/motion_level.h"
+#include "murosimf/dynamics/joint_reference.h"
+#include "murosimf/dynamics/pose_columns.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/motion/joint_reference.h"
-#include "murosimf/motion/pose_columns.h"
 #include "murosimf/plugin/interface.h"
+#include "murosimf/world/motion_level.h"

@@ -16,10 +16,10 @@
 #include <string_view>
 #include <vector>
 
-#include "murosimf/model/time.h"
 #include "murosimf/recording/mcap/growing_file.h"
 #include "murosimf/recording/mcap/mcap_records.h"
 #include "murosimf/recording/mcap/message_sink.h"
+#include "murosimf/world/time.h"
 
 namespace murosimf::recording {
 

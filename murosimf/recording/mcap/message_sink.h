@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "murosimf/model/time.h"
 #include "murosimf/recording/mcap/mcap_records.h"
+#include "murosimf/world/time.h"
 
 namespace murosimf::recording {
 

@@ -7,8 +7,8 @@
 
 #include <optional>
 
-#include "murosimf/model/state_archive.h"
 #include "murosimf/serial/dynamixel/packet.h"
+#include "murosimf/world/state_archive.h"
 
 namespace murosimf::serial::dynamixel {
 

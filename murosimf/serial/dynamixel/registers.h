@@ -4,8 +4,8 @@
 #include <array>
 #include <functional>
 
-#include "murosimf/model/state_archive.h"
 #include "murosimf/serial/dynamixel/control_table.h"
+#include "murosimf/world/state_archive.h"
 
 namespace murosimf::serial::dynamixel {
 

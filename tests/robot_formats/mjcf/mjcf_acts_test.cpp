@@ -12,10 +12,10 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/collision/contact_properties.h"
+#include "murosimf/dynamics/motion_properties.h"
 #include "murosimf/model/keyframe.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/model/visual_mesh.h"
-#include "murosimf/motion/motion_properties.h"
 #include "murosimf/multibody/loops.h"
 #include "murosimf/robot_formats/mjcf/mjcf_schema.h"
 #include "tests/temp_folder.h"

@@ -10,8 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include "murosimf/dynamics/motion_properties.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/motion/motion_properties.h"
 #include "murosimf/multibody/kinematics.h"
 #include "murosimf/robot_formats/mjcf/mjcf_geom.h"
 #include "tests/temp_folder.h"

@@ -1,0 +1,46 @@
+#include "murosimf/world/state_archive.h"
+
+#include <algorithm>
+#include <cstdint>
+
+#include <fmt/format.h>
+
+#include "murosimf/math/assert.h"
+#include "murosimf/model/error.h"
+
+namespace murosimf {
+
+void StateArchive::one(std::string& text) {
+  text.resize(count(text.size(), 1));
+  raw(std::as_writable_bytes(std::span(text)));
+}
+
+std::size_t StateArchive::count(std::size_t number, std::size_t size) {
+  auto saved = static_cast<std::uint64_t>(number);
+  MUROSIMF_ASSERT(size > 0);
+  one(saved);
+  // checked before anything is allocated: the bytes may come from a damaged file
+  if (loads() && saved > left_.size() / size) throw SetupError("it ends too early");
+  return static_cast<std::size_t>(saved);
+}
+
+void StateArchive::check_count(std::size_t number) {
+  auto saved = static_cast<std::uint64_t>(number);
+  one(saved);
+  // columns have a fixed size: spans of algorithms point into them
+  if (saved != number) throw SetupError(fmt::format("it has {} values, not {}", saved, number));
+}
+
+void StateArchive::raw(std::span<std::byte> bytes) {
+  if (!loads()) {  // most are a few bytes: insert() would take longer
+    const std::size_t end = saved_->size();
+    saved_->resize(end + bytes.size());
+    std::copy_n(bytes.begin(), bytes.size(), saved_->begin() + static_cast<std::ptrdiff_t>(end));
+    return;
+  }
+  if (bytes.size() > left_.size()) throw SetupError("it ends too early");
+  std::copy_n(left_.begin(), bytes.size(), bytes.begin());
+  left_ = left_.subspan(bytes.size());
+}
+
+}  // namespace murosimf
