@@ -1,5 +1,5 @@
 // The law new_name between moving bodies: its force, and that nothing is lost.
-#include "murosimf/collision/new_name.h"
+#include "murosimf/collision/contact_laws/new_name.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "murosimf/collision/new_name.h"
+#include "murosimf/collision/contact_laws/new_name.h"
 
 #include "murosimf/collision/contact_laws/contact_law_parts.h"
 

@@ -1,5 +1,5 @@
 // The contact law new_name: its force, and a block that comes to rest on it.
-#include "murosimf/collision/new_name.h"
+#include "murosimf/collision/contact_laws/new_name.h"
 
 #include <gtest/gtest.h>
 
