@@ -142,7 +142,7 @@ void check(const RecordOptions& options, bool somebody_asks) {
   if (options.file.empty()) return;
   if (is_asked_for(options) && !somebody_asks) {
     throw SetupError(
-        "--record-on asked: nobody can ask here; supervisors can (run --supervise PORT), and the window (view)");
+        "--record-on asked: nothing can ask here; supervisors can (run --supervise PORT), and the window (view)");
   }
   ticks_of(options.ticks);
   span_of("--record-states", options.states);

@@ -30,9 +30,9 @@ void load_state_of_supervisor(scene::Scene& scene, const std::string& bytes) {
 
 Option add_supervision(const Command& command, SupervisionArguments& arguments) {
   const Option where = command.add("--supervise", arguments.where,
-                                   "Let others steer the run who know the token that is printed: PORT of this computer "
+                                   "Let programs that present the printed token steer the run: PORT of this computer "
                                    "alone, or HOST:PORT");
-  command.add("--paused", arguments.paused, "Begin paused, until somebody has it go on").needs(where);
+  command.add("--paused", arguments.paused, "Begin paused, until a client continues the run").needs(where);
   command
       .add("--supervise-from", arguments.folders,
            "Supervisors may choose scenes from this folder, too, besides that of the scene and its models")

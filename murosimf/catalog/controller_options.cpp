@@ -70,7 +70,7 @@ const OptionTable<serial::SerialOptions>& serial_options() {
       {"torque", &Options::torque, "", "is on at the start"},
       {"imu", &Options::imu, "", "sensor that is on the bus; not given: 'imu', if there is one"},
       {"imu_id", &Options::imu_id, "", "its id", 0, serial::first_no_id - 1},
-      {"imu_ping", &Options::imu_ping, "", "it answers pings to everybody"},
+      {"imu_ping", &Options::imu_ping, "", "it answers broadcast pings"},
   };
   return table;
 }

@@ -15,7 +15,7 @@ void TeamRadio::open() {
   if (!setup_) throw SetupError("messages were not asked for when the robot was set up, so they cannot be now");
   name_ = setup_->entity().name();
   if (setup_->entity().options().team.empty()) {
-    throw SetupError(fmt::format("{} is in no team, so there is nobody to whom it could send messages", name_));
+    throw SetupError(fmt::format("{} is in no team, so there is no robot to send messages to", name_));
   }
   box_ = &setup_->write(message_box)[0];
 }

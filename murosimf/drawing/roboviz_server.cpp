@@ -28,7 +28,7 @@ int bound_socket(const network::Address& address) {
   hints.ai_flags = AI_PASSIVE | AI_NUMERICSERV;
   addrinfo* found = nullptr;
   if (getaddrinfo(address.host.c_str(), std::to_string(address.port).c_str(), &hints, &found) != 0) {
-    throw network::NetworkError(fmt::format("nobody knows the host '{}'", address.host));
+    throw network::NetworkError(fmt::format("unknown host '{}'", address.host));
   }
   const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> places(found, &freeaddrinfo);
   int trouble = EADDRNOTAVAIL;

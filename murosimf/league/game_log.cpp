@@ -63,7 +63,7 @@ GameLog GameLog::parse(std::string_view text, const std::string& name) {
     with_context(fmt::format("{}:{}", name, line), [&] {
       const Duration time = time_of(cut(rest, ' '));
       const std::string channel(cut(rest, ' '));
-      if (channel.empty()) throw SetupError("a line has a time, from whom it came, and bytes");
+      if (channel.empty()) throw SetupError("a line has a time, its sender and bytes");
       auto& entries = log.channels_[channel];
       if (!entries.empty() && entries.back().time > time) throw SetupError("this is before the line above");
       entries.push_back({time, bytes_of(rest)});

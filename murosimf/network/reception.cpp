@@ -50,7 +50,7 @@ void Reception::accept_all(WallTime now) {
     const auto limit =
         std::chrono::duration_cast<WallClock::duration>(std::chrono::duration<double>(options_.hello_limit));
     if (strangers_.size() >= most_strangers) {
-      door_.turn_away(strangers_.front().caller, "too many connect and do not say who they are");
+      door_.turn_away(strangers_.front().caller, "too many clients connect without a greeting");
       strangers_.pop_front();
     }
     strangers_.push_back({{{std::move(socket), options_.longest}, std::move(address)}, now + limit});
@@ -62,7 +62,7 @@ bool Reception::inspect(Stranger& stranger, WallTime now) const {
   try {
     const auto message = stranger.caller.connection.receive();
     if (!message && now < stranger.end) return false;
-    if (!message) throw NetworkError("has not said in time who it is");
+    if (!message) throw NetworkError("has sent no greeting in time");
     door_.admit(stranger.caller, *message);
   } catch (const NetworkError& error) {
     door_.turn_away(stranger.caller, fmt::format("it {}", error.what()));

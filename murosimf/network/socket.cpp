@@ -42,7 +42,7 @@ Addresses resolve(const Address& address, bool to_listen) {
 std::string reason(int error) {
   switch (error) {
     case EADDRINUSE: return "the port is in use";
-    case ECONNREFUSED: return "nobody listens there";
+    case ECONNREFUSED: return "connection refused";
     case ECONNRESET:
     case EPIPE: return "closed the connection";
     case ETIMEDOUT: return "does not answer any more";

@@ -37,7 +37,7 @@ class Socket {
   Socket(Socket&& other) noexcept;
   Socket& operator=(Socket&& other) noexcept;
 
-  /// Throw NetworkError: "the port is in use", "nobody listens there".
+  /// Throw NetworkError: "the port is in use", "connection refused".
   [[nodiscard]] static Socket listen(const Address& address);
   [[nodiscard]] static Socket connect(const Address& address);  ///< waits, as long as the system does
 

@@ -121,7 +121,7 @@ bool can_be_set(Entity& entity, ObjectAccess object, int index, const scene_file
   const ColumnBase* column = entity.find(setting.property);
   if (!column && level_changes && is_variable(setting.property)) return false;
   if (!column && is_variable(setting.property)) {
-    throw SetupError(fmt::format("{}: nobody here uses '{}': neither {} nor its controller and sensors",
+    throw SetupError(fmt::format("{}: '{}' is not used here: neither {} nor its controller and sensors",
                                  called(entity, index), setting.property, entity.level));
   }
   const bool whole = column && !of_every_object(column->info().scope);

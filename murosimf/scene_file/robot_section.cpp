@@ -102,7 +102,7 @@ const Section<RobotSpec>& robot_section() {
         "with the ground: murosimf list contacts"},
        {"controller", Name{&RobotSpec::controller, "controller", [] { return entry_names(catalog::controllers()); }},
         "", "murosimf list controllers"},
-       {"rate", &RobotSpec::rate, "Hz", "of its motion and contact while nobody is near: the scene's by a whole number",
+       {"rate", &RobotSpec::rate, "Hz", "of its motion and contact while no other entity is near: the scene's by a whole number",
         between(slowest_rate, fastest_rate), "the scene's"},
        {"control_rate", &RobotSpec::control_rate, "Hz", "of its controller", between(slowest_rate, fastest_rate),
         "the controller's"},

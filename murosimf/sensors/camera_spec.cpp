@@ -53,7 +53,7 @@ std::vector<Row> light_rows() {
       {"labels", [](auto& of) -> decltype(auto) { return (of.camera.layers.labels); }, "",
        "its frames say what is seen"},
       {"always_on", [](auto& of) -> decltype(auto) { return (of.camera.always_on); }, "",
-       "draws also if nobody reads its frames"},
+       "draws also if its frames are not read"},
       {"mosaic", [](auto& of) -> decltype(auto) { return (of.camera.mosaic); }, "", "Bayer pattern; without it colors",
        texts_of(imaging::bayer_patterns())},
       {"resolution", [](auto& of) -> decltype(auto) { return (of.camera.resolution); }, "1",

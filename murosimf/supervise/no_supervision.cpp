@@ -5,7 +5,7 @@ namespace murosimf::supervise {
 
 std::unique_ptr<Supervision> supervise(session::Session&, const SupervisionOptions&) {
   throw SetupError(
-      "this program was built without Protobuf, so nobody can connect (Debian and Ubuntu: libprotobuf-dev, "
+      "this program was built without Protobuf, so nothing can connect (Debian and Ubuntu: libprotobuf-dev, "
       "protobuf-compiler)");
 }
 

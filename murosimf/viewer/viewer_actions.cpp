@@ -158,9 +158,9 @@ void follow(Viewer& viewer) {
       rig.follows && place) {
     rig.orbit.target = *place;
   }
-  viewer.tell(!rig.follows ? "follows nobody"
+  viewer.tell(!rig.follows ? "follows no entity"
               : selected   ? "follows what is selected"
-                           : "follows whoever is selected: select somebody");
+                           : "follows the selected entity: select one");
 }
 
 bool perform_camera(Viewer& viewer, Action action) {

@@ -333,7 +333,7 @@ void check_camera(const scene::Scene& scene, const std::string& camera) {
       names.push_back(one->name() + "." + frame->info->name);
     }
   }
-  if (names.empty()) throw SetupError("nobody in this scene has a camera");
+  if (names.empty()) throw SetupError("no entity of this scene has a camera");
   throw SetupError(unknown_name("camera", camera, {names.begin(), names.end()}));
 }
 

@@ -100,7 +100,7 @@ void FoxgloveConversation::receive(std::string_view message, bool binary) {
     switch (BytesReader(message).take<std::uint8_t>()) {
       case client_data: return take_published(message.substr(1));
       case playback_control: return control_playback(message.substr(1));
-      default: throw ClientError("nobody knows this binary message");
+      default: throw ClientError("unknown binary message");
     }
   } catch (const SetupError& error) {
     say(error_level, error.what());
@@ -124,7 +124,7 @@ void FoxgloveConversation::receive_text(const json& order) {
   } else if (what == "unsubscribeParameterUpdates") {
     for (const std::string& name : names_of(order)) watched_.erase(name);
   } else {
-    say(error_level, fmt::format("nobody knows how to do '{}' here", what.substr(0, 40)));
+    say(error_level, fmt::format("unknown request '{}'", what.substr(0, 40)));
   }
 }
 
@@ -160,7 +160,7 @@ void FoxgloveConversation::advertise(const json& order) {
       say(error_level, fmt::format("'{}': messages are taken as json", topic.substr(0, 80)));
     } else if (topic != "/change" && commanded_robot(topic).empty()) {
       say(error_level,
-          fmt::format("'{}': nobody listens there; topics are /ROBOT/command and /change", topic.substr(0, 80)));
+          fmt::format("'{}': no such topic; topics are /ROBOT/command and /change", topic.substr(0, 80)));
     } else if (published_.size() < most_names) {
       published_[one.at("id").get<std::uint32_t>()] = topic;
     }

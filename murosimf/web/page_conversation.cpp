@@ -89,7 +89,7 @@ void PageConversation::carry_out(const std::string& what, const json& order, std
   } else if (what == "contacts") {
     contacts_ = get<bool>(order, "on");
   } else {
-    throw ClientError(fmt::format("nobody knows how to do '{}'", what.substr(0, 40)));
+    throw ClientError(fmt::format("unknown request '{}'", what.substr(0, 40)));
   }
   answer(id, "");
 }

@@ -76,7 +76,7 @@ inline void state(StateArchive& archive, Drawings& drawings) { archive(drawings.
 namespace properties {
 
 inline constexpr Property<Drawings> drawings{
-    {"drawings", "-", "-", "what the robot's control software draws for people who watch", Scope::sensor}};
+    {"drawings", "-", "-", "debug drawings of the robot's control software", Scope::sensor}};
 
 }  // namespace properties
 }  // namespace murosimf

@@ -62,7 +62,7 @@ class Robot:
     """
 
     def __init__(self, name, port, host="127.0.0.1", rate=0.0, software="Python", patience=60.0):
-        """`rate` [Hz] is wanted, unless the scene says one. `patience` [s]: nobody may listen yet."""
+        """`rate` [Hz] is wanted, unless the scene says one. `patience` [s]: how long to try to connect."""
         self._signals, self._commands, self._pictures = [], [], []
         self._says, self._sends, self._draws = [], [], []
         self._ready, self._cycle = False, 0

@@ -84,7 +84,7 @@ class Status:
     last: int = 0  # to
     events: int = 0  # so far
     warnings: int = 0  # so far
-    recorded: bool | None = None  # whether somebody asks for it; None: nobody can
+    recorded: bool | None = None  # whether it is requested; None: it cannot be
     diagnostic: str = ""  # since the last jump: what will not go on as it was there before, and why; empty: everything will
 
 

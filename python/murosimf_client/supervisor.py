@@ -25,8 +25,8 @@ class Supervisor:
     """
 
     def __init__(self, port, token=None, host="127.0.0.1", name="Python", patience=60.0):
-        """`token`: what the simulator has printed; None: the environment's MUROSIMF_SUPERVISION_TOKEN. `patience` [s]: nobody may
-        listen yet."""
+        """`token`: what the simulator has printed; None: the environment's MUROSIMF_SUPERVISION_TOKEN. `patience` [s]: how long to
+        try; the run may not listen yet."""
         if token is None:
             token = os.environ.get("MUROSIMF_SUPERVISION_TOKEN", "")
         self._connection = Connection(host, port, patience, LONGEST_MESSAGE)
@@ -96,7 +96,7 @@ class Supervisor:
 
     def seek(self, time, branch=None):
         """Back, or on, to an instant that was there before, and pauses there. What goes on from there is a new branch.
-        `diagnostic` of the answer says who outside has not gone back with it, "" if nobody."""
+        `diagnostic` of the answer names external software that has not gone back with it, "" if none."""
         return self._status_after(supervision.seek(_ns(time), branch))
 
     def branches(self):

@@ -193,7 +193,7 @@ TEST(TeamMessages, NeedATeam) {
   const std::string message = fixtures::error_of([] {
     scene::Scene("walk", {.overrides = {"walker.controller=library", "walker.library=" + library}, .cameras = false});
   });
-  EXPECT_TRUE(fixtures::says(message, {"walker is in no team, so there is nobody to whom it could send messages"}));
+  EXPECT_TRUE(fixtures::says(message, {"walker is in no team, so there is no robot to send messages to"}));
 }
 
 TEST(TeamMessages, ComeWithARobotThatIsAdded) {

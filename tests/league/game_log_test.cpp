@@ -46,7 +46,7 @@ TEST(GameLog, RefusesLinesThatAreNone) {
   EXPECT_EQ(refusal(first + "99999999999999999999 game 00\n"),
             "a.gamelog:2: '99999999999999999999' is no time in whole nanoseconds");
   EXPECT_EQ(refusal(first + "\n"), "a.gamelog:2: '' is no time in whole nanoseconds");
-  EXPECT_EQ(refusal(first + "1\n"), "a.gamelog:2: a line has a time, from whom it came, and bytes");
+  EXPECT_EQ(refusal(first + "1\n"), "a.gamelog:2: a line has a time, its sender and bytes");
   EXPECT_EQ(refusal(first + "1 game 0\n"), "a.gamelog:2: half of a byte");
   EXPECT_EQ(refusal(first + "1 game 0G\n"), "a.gamelog:2: bytes must be hexadecimal digits, 0 to 9 and a to f");
   EXPECT_EQ(refusal(first + "2 game 00\n1 team:a 00\n1 game 00\n"), "a.gamelog:4: this is before the line above");

@@ -85,7 +85,7 @@ TEST(Socket, SaysWhyItCannotListenOrConnect) {
     const Socket other = Socket::listen({});
     unused = other.own_address();
   }
-  EXPECT_EQ(error_of([&] { (void)Socket::connect(unused); }), "nobody listens there");
+  EXPECT_EQ(error_of([&] { (void)Socket::connect(unused); }), "connection refused");
 }
 
 TEST(Connection, PutsTheLengthBeforeTheMessageMostSignificantByteFirst) {

@@ -92,7 +92,7 @@ TEST(RobotClient, WaitsForASimulatorThatStartsLater) {
   std::uint16_t port = 0;
   { port = Listener().port(); }
   EXPECT_TRUE(says(error_text([&] { RobotClient({.robot = "left", .port = port, .patience = 0.05s}); }),
-                   {"127.0.0.1:", "nobody listens there"}));
+                   {"127.0.0.1:", "connection refused"}));
 }
 
 TEST(RobotClient, IsToldWhyItIsRefused) {

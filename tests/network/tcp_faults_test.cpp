@@ -219,7 +219,7 @@ TEST(TcpStrangers, AreToldOfInOneLineEach) {
   refused(std::string("\0\0\0\2\x1a\0", 6), "does not begin with a Hello");
   EXPECT_TRUE(says(told_of([](RawClient& client) { client.hello("left", 2); }),
                    {"speaks version 2 of the protocol, this program 1"}));
-  EXPECT_TRUE(says(told_of([](RawClient&) {}, 0.05), {"has not said in time who it is"}));
+  EXPECT_TRUE(says(told_of([](RawClient&) {}, 0.05), {"has sent no greeting in time"}));
   EXPECT_TRUE(says(told_of([](RawClient& client) { const network::Connection gone = std::move(client.connection); }),
                    {"closed the connection"}));
 }

@@ -181,7 +181,7 @@ TEST(PropertySettings, OfServosNeedAServoThatUsesThem) {
   EXPECT_TRUE(says(warnings_of({.set = {"real.servo_law=ideal_pd", "real.j_l_shin.supply_voltage=11"}}),
                    {"the law of this servo has no motor"}));
   EXPECT_TRUE(says(refusal_of({.set = {"still.j_l_shin.supply_voltage=11"}}),
-                   {"nobody here uses 'supply_voltage'", "kinematic_walking"}));
+                   {"'supply_voltage' is not used here", "kinematic_walking"}));
 }
 
 TEST(PropertySettings, OfTargetsThatAControllerWritesAreNamed) {

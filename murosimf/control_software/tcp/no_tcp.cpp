@@ -6,7 +6,7 @@ namespace {
 
 [[noreturn]] void refuse() {
   throw SetupError(
-      "this program was built without Protobuf, so nobody can connect (Debian and Ubuntu: libprotobuf-dev, "
+      "this program was built without Protobuf, so nothing can connect (Debian and Ubuntu: libprotobuf-dev, "
       "protobuf-compiler)");
 }
 

@@ -27,7 +27,7 @@ void camera_view(const CameraState& camera, const imaging::ColorImage& picture, 
                vec2(width, width * texture.height() / std::max(1, texture.width())));
   const auto& spec = camera.info->lens.spec();
   text(fmt::format("{}: {}x{} px, {}", camera.info->name, spec.width, spec.height,
-                   camera.picture.empty() ? "nobody reads it, so as a pinhole sees it now"
+                   camera.picture.empty() ? "not read by software: shown as a pinhole camera sees it"
                                           : fmt::format("picture of {:.3f} s", camera.time)),
        faint);
 }
