@@ -43,6 +43,7 @@ add_oracle_test(recording_against_official $<TARGET_FILE:murosimf_app>)
 add_oracle_test(recorded_pictures $<TARGET_FILE:murosimf_app>)
 add_oracle_test(recorded_drawings $<TARGET_FILE:murosimf_app>)
 set_tests_properties(oracle.recorded_drawings PROPERTIES PROCESSORS 3 COST 205 TIMEOUT 300)  # in real time
+add_oracle_test(bags_with_rosbags $<TARGET_FILE:murosimf_app>)
 add_oracle_test(bvh_against_recording $<TARGET_FILE:murosimf_app>)
 add_oracle_test(logs_in_numpy $<TARGET_FILE:murosimf_app>)
 add_oracle_test(serial_with_vendor_sdk $<TARGET_FILE:murosimf_app>)

@@ -37,7 +37,7 @@ void append_group(std::string& summary, std::uint64_t start, const std::vector<R
 McapWriter::McapWriter(const std::filesystem::path& file, McapOptions options)
     : options_(std::move(options)), file_(file) {
   std::string bytes(mcap_magic);
-  append_record(bytes, Header{.profile = {}, .library = options_.library});
+  append_record(bytes, Header{.profile = options_.profile, .library = options_.library});
   file_.append(bytes);
 }
 

@@ -25,6 +25,7 @@ namespace murosimf::recording {
 
 struct McapOptions {
   std::string library;                                   ///< name and version of the program that writes
+  std::string profile = {};                              ///< conventions of its messages, like "ros2"; empty: none
   std::size_t chunk_bytes = 1 << 20;                     ///< size at which a chunk is complete,
   Duration chunk_span = std::chrono::milliseconds(500);  ///< or the span of time of its messages
   bool compressed = true;                                ///< if supported by the build (compression.h)

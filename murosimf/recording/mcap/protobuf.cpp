@@ -37,6 +37,11 @@ std::uint64_t ProtobufReader::fixed64() const {
   return bits_;
 }
 
+std::uint32_t ProtobufReader::fixed32() const {
+  want(Wire::fixed32);
+  return static_cast<std::uint32_t>(bits_);
+}
+
 std::string_view ProtobufReader::bytes() const {
   want(Wire::length);
   return bytes_;

@@ -118,6 +118,7 @@ class ProtobufReader {
   [[nodiscard]] double number() const;
   [[nodiscard]] std::uint64_t varint() const;
   [[nodiscard]] std::uint64_t fixed64() const;
+  [[nodiscard]] std::uint32_t fixed32() const;
   [[nodiscard]] std::string_view bytes() const;
   [[nodiscard]] ProtobufReader message() const { return ProtobufReader(bytes()); }
 
