@@ -77,7 +77,8 @@ void check(const RunOptions& options) {
     throw SetupError("--record-what pictures: --no-cameras lets nothing be drawn for cameras");
   }
   if (is_steered(options) && !options.pictures.empty()) {
-    throw SetupError("--pictures are taken of runs that cannot be stopped or taken back: without --web and --supervise");
+    throw SetupError(
+        "--pictures are taken of runs that cannot be stopped or taken back: without --web and --supervise");
   }
 }
 

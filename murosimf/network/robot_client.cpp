@@ -210,8 +210,7 @@ void RobotClient::read_messages(const wire::Cycle& cycle) {
 
 void RobotClient::read_pictures(const wire::Cycle& cycle) {
   for (const wire::Picture& come : cycle.pictures()) {
-    if (come.picture() >= pictures_.size())
-      throw ClientError("the simulator sends a picture that was not requested");
+    if (come.picture() >= pictures_.size()) throw ClientError("the simulator sends a picture that was not requested");
     Picture& picture = pictures_[come.picture()];
     picture.bytes = come.content();
     picture.time = come.time();

@@ -159,8 +159,7 @@ void FoxgloveConversation::advertise(const json& order) {
     if (one.at("encoding").get<std::string>() != "json") {
       say(error_level, fmt::format("'{}': messages are taken as json", topic.substr(0, 80)));
     } else if (topic != "/change" && commanded_robot(topic).empty()) {
-      say(error_level,
-          fmt::format("'{}': no such topic; topics are /ROBOT/command and /change", topic.substr(0, 80)));
+      say(error_level, fmt::format("'{}': no such topic; topics are /ROBOT/command and /change", topic.substr(0, 80)));
     } else if (published_.size() < most_names) {
       published_[one.at("id").get<std::uint32_t>()] = topic;
     }

@@ -99,9 +99,10 @@ void check_every_read_is_written(const std::vector<NamedAccess>& algorithms) {
   for (const NamedAccess& reader : algorithms) {
     for (const Access& access : reader.access->all()) {
       if (access.mode != AccessMode::read || supplied.contains(access.column)) continue;
-      throw SetupError(fmt::format("'{}' reads '{}' of '{}', but no algorithm writes it: {}; attach an algorithm that does",
-                                   reader.algorithm, access.column->info().name, access.entity->name(),
-                                   writers_of(algorithms, access.entity)));
+      throw SetupError(
+          fmt::format("'{}' reads '{}' of '{}', but no algorithm writes it: {}; attach an algorithm that does",
+                      reader.algorithm, access.column->info().name, access.entity->name(),
+                      writers_of(algorithms, access.entity)));
     }
   }
 }

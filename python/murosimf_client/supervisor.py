@@ -25,8 +25,8 @@ class Supervisor:
     """
 
     def __init__(self, port, token=None, host="127.0.0.1", name="Python", patience=60.0):
-        """`token`: what the simulator has printed; None: the environment's MUROSIMF_SUPERVISION_TOKEN. `patience` [s]: how long to
-        try; the run may not listen yet."""
+        """`token`: what the simulator has printed; None: the environment's MUROSIMF_SUPERVISION_TOKEN.
+        `patience` [s]: how long to try; the run may not listen yet."""
         if token is None:
             token = os.environ.get("MUROSIMF_SUPERVISION_TOKEN", "")
         self._connection = Connection(host, port, patience, LONGEST_MESSAGE)
