@@ -58,8 +58,9 @@ async function open(address, where = tablet) {
   return page;
 }
 const state = (page) => page.evaluate(() => window.murosimf.state());
+// Patient: a browser that draws in software on a busy machine takes seconds for a click.
 async function until(page, good, what) {
-  for (let i = 0; i < 300; ++i) {
+  for (const end = Date.now() + 120000; Date.now() < end;) {
     if (good(await state(page))) return;
     await page.waitForTimeout(100);
   }
@@ -104,7 +105,7 @@ async function testDesktop() {
   assert.ok(await page.locator("#ghosts").isHidden(), "no robot tells where it believes to be");
   await page.click("#contacts");
   await page.click('button[aria-label="Push right"]');
-  await page.waitForSelector("#messages div:has-text('push')");
+  await page.waitForSelector("#messages div:has-text('push')", { timeout: 60000 });
   await page.click("#play");
   await until(page, (now) => now.time > stands + 0.5, "goes on");
   await page.screenshot({ path: join(pictures, "desktop.png") });
