@@ -63,7 +63,7 @@ void check(const SweepArguments& arguments) {
     if (!arguments.manifest.ends_with(manifest_ending)) {
       throw SetupError(fmt::format("--manifest '{}': its name must end in {}", arguments.manifest, manifest_ending));
     }
-    files::claim_output("--manifest", arguments.manifest);
+    files::claim_continued("--manifest", arguments.manifest);
   }
   const std::optional<double> duration = arguments.runs.duration;
   if (!duration || (*duration >= 0 && *duration <= scene_file::longest_duration)) return;

@@ -185,12 +185,11 @@ void write_manifest(const fs::path& file, const SweepOptions& given) {
   const SweepPlan plan = plan_of(options);
   const std::string text = document_of(plan.description, runs_of(options.axes, plan.points));
   std::error_code error;
-  if (fs::exists(file, error) && files::read_input_file(file, most_manifest_bytes) != text) {
-    throw SetupError(files::one_line(fmt::format(
-        "{}: there is another file of this name, perhaps of another experiment; remove it, or name another one",
-        file.string())));
-  }
-  files::write_file(file, text);
+  if (!fs::exists(file, error)) return files::write_file(file, text);
+  if (files::read_input_file(file, most_manifest_bytes) == text) return;
+  throw SetupError(files::one_line(
+      fmt::format("{}: it is there, and not the manifest of this experiment; remove it, or name another file",
+                  file.string())));
 }
 
 SweepManifest read_manifest(const fs::path& file) {

@@ -34,7 +34,20 @@ def sweep(scene: str | PathLike[str], *, results: Iterable[str], seeds: str | It
     """Runs a scene for all seeds ("1..20" or numbers) and all combinations of `grid` ({"walker.command.0": [0.1, 0.2]}),
     `threads` at a time, and gives the numbers of `results` ("walker.distance") at the end of each run, with means and
     intervals. `runs`: a file in which each run is noted when it is done; a sweep that was ended goes on with what is in it. As
-    `murosimf sweep`."""
+    `murosimf sweep`. On more than one machine: Experiment."""
+    arguments = sweep_arguments(scene, results=results, seeds=seeds, grid=grid, duration=duration, set=set)
+    if threads is not None:
+        arguments += ["--threads", str(threads)]
+    if runs is not None:
+        arguments += ["--runs", os.fspath(runs)]
+    table: dict[str, Any] = json_of(arguments)
+    return table
+
+
+def sweep_arguments(scene: str | PathLike[str], *, results: Iterable[str], seeds: str | Iterable[int] = "",
+                    grid: Mapping[str, Sequence[Any]] | None = None, duration: float | None = None,
+                    set: Assignments = ()) -> list[str]:
+    """The command line of `murosimf sweep` for these runs."""
     arguments = ["sweep", os.fspath(scene), *_common(duration, set)]
     text = seeds if isinstance(seeds, str) else ",".join(str(seed) for seed in seeds)
     if text:
@@ -43,12 +56,7 @@ def sweep(scene: str | PathLike[str], *, results: Iterable[str], seeds: str | It
         arguments += ["--grid", f"{path}=" + ",".join(value_text(value) for value in values)]
     for result in results:
         arguments += ["--result", result]
-    if threads is not None:
-        arguments += ["--threads", str(threads)]
-    if runs is not None:
-        arguments += ["--runs", os.fspath(runs)]
-    table: dict[str, Any] = json_of(arguments)
-    return table
+    return arguments
 
 
 def check(model: str | PathLike[str], *, lenient: bool = False) -> dict[str, Any]:
