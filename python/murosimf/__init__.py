@@ -31,5 +31,5 @@ __version__: str = _version()
 
 __all__ = ["Batch", "Camera", "Controller", "Entity", "Error", "Experiment", "Frames", "InputError", "Joint", "JointArray",
            "Joints", "Kinematics", "Level", "Object", "Objects", "Picture", "Pose", "RayHit", "Recorder", "Recording", "Robot",
-           "Scene", "Sensor", "Series", "SetupError", "SimulationError", "StateError", "UnknownName", "Velocity", "check", "columns",
-           "compare", "demo", "sweep", "write_parquet"]
+           "Scene", "Sensor", "Series", "SetupError", "SimulationError", "StateError", "UnknownName", "Velocity", "check",
+           "columns", "compare", "demo", "sweep", "write_parquet"]

@@ -1,5 +1,6 @@
-"""Experiments on clusters: Slurm arrays, Dask and Ray run the shards of a manifest. All machines need the package and the folder of the
-manifest under the same name. A worker may die at any moment: its shard is tried again elsewhere, and goes on with the runs that are missing."""
+"""Experiments on clusters: Slurm arrays, Dask and Ray run the shards of a manifest. All machines need the package, and the folder
+of the manifest under the same name. A worker may die at any moment: its shard is tried again elsewhere, and goes on with the runs
+that are missing."""
 
 from __future__ import annotations
 
@@ -15,7 +16,7 @@ tries = 5  # of a shard whose worker dies
 
 
 def slurm_script(experiment: Experiment, *, shards: int, threads: int = 1, options: Iterable[str] = ()) -> str:
-    """For `sbatch`: an array of `shards` jobs. `options`: lines for Slurm, like "--time=1:00:00". After it, experiment.table()."""
+    """For `sbatch`: an array of `shards` jobs. `options`: for Slurm, like "--time=1:00:00". After it, experiment.table()."""
     lines = [f"--array=1-{shards}", f"--cpus-per-task={threads}", "--requeue", *options]
     command = [sys.executable, "-m", "murosimf", "sweep", str(experiment.manifest), "--threads", str(threads), "--shard"]
     head = "".join(f"#SBATCH {line}\n" for line in lines)

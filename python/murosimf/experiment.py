@@ -16,9 +16,9 @@ from .studies import sweep_arguments
 
 
 class Experiment:
-    """The runs of a manifest (docs/series.md), which stands in a file that all machines see. What is done is beside it, in a folder of its
-    name: `push.json`, `push.runs`. Runs that were killed are repeated; the table is a function of the manifest and the finished
-    runs, whoever has done them."""
+    """The runs of a manifest (docs/series.md), which stands in a file that all machines see. What is done is beside it, in a
+    folder of its name: `push.json`, `push.runs`. Runs that were killed are repeated; the table is a function of the manifest and
+    the finished runs, whoever has done them."""
 
     def __init__(self, manifest: str | PathLike[str]) -> None:
         """Raises InputError: there is no such file, it is no manifest, or it was changed since it was written."""
@@ -31,16 +31,16 @@ class Experiment:
     def plan(cls, manifest: str | PathLike[str], scene: str | PathLike[str], *, results: Iterable[str],
              seeds: str | Iterable[int] = "", grid: Mapping[str, Sequence[Any]] | None = None, duration: float | None = None,
              set: Assignments = ()) -> Experiment:
-        """Writes a manifest of the runs that sweep() would do with these, and runs nothing. The same again changes nothing. Raises
-        InputError: the scene, a value or a result is wrong, or the file is there and is another experiment's."""
+        """Writes a manifest of the runs that sweep() would do with these, and runs nothing. The same again changes nothing.
+        Raises InputError: the scene, a value or a result is wrong, or the file is there and is another experiment's."""
         arguments = sweep_arguments(scene, results=results, seeds=seeds, grid=grid, duration=duration, set=set)
         output_of([*arguments, "--manifest", os.fspath(manifest)])
         return cls(manifest)
 
     def run(self, shard: str | None = None, *, threads: int | None = None) -> None:
-        """Does what is missing, `threads` runs at a time: all of it; of `shard` "3/8" every eighth run from the third on; of "any/8"
-        those eighths in turn that no process works on. Waits for a process that works on the same shard. Raises InputError if files of
-        the scene are not those of the manifest any more."""
+        """Does what is missing, `threads` runs at a time: all of it; of `shard` "3/8" every eighth run from the third on; of
+        "any/8" those eighths in turn that no process works on. Waits for a process that works on the same shard. Raises
+        InputError if files of the scene are not those of the manifest any more."""
         arguments = ["sweep", str(self.manifest), *(["--shard", shard] if shard is not None else [])]
         output_of([*arguments, *(["--threads", str(threads)] if threads is not None else [])])
 
