@@ -24,7 +24,7 @@ from .recording import Recorder, Recording, Series
 from .robot import Controller, Level, Robot
 from .scene import Scene
 from .sensors import Camera, Sensor
-from .studies import check, compare, sweep
+from .studies import check, compare, fit_servo, replay_servo, sweep
 from .tables import columns, write_parquet
 
 __version__: str = _version()
@@ -32,4 +32,4 @@ __version__: str = _version()
 __all__ = ["Batch", "Camera", "Controller", "Entity", "Error", "Experiment", "Frames", "InputError", "Joint", "JointArray",
            "Joints", "Kinematics", "Level", "Object", "Objects", "Picture", "Pose", "RayHit", "Recorder", "Recording", "Robot",
            "Scene", "Sensor", "Series", "SetupError", "SimulationError", "StateError", "UnknownName", "Velocity", "check",
-           "columns", "compare", "demo", "sweep", "write_parquet"]
+           "columns", "compare", "demo", "fit_servo", "replay_servo", "sweep", "write_parquet"]

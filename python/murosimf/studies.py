@@ -65,6 +65,27 @@ def check(model: str | PathLike[str], *, lenient: bool = False) -> dict[str, Any
     return result
 
 
+def fit_servo(logs: Iterable[str | PathLike[str]], out: str | PathLike[str], *, model: str = "m4", servo: str | None = None,
+              prior: str | PathLike[str] | None = None, starts: int = 4, windows: float | None = None,
+              seed: int = 1) -> dict[str, Any]:
+    """Finds the numbers of a servo that explain recordings of it (files, or folders of them), writes them to the file `out`,
+    which robots use like any other servo, and gives them ("parameters") with the error of each recording. As
+    `murosimf fit-servo`, where the other arguments are explained; it takes seconds to minutes."""
+    arguments = ["fit-servo", *(os.fspath(log) for log in logs), "--out", os.fspath(out), "--model", model,
+                 "--starts", str(starts), "--seed", str(seed)]
+    for option, value in (("--servo", servo), ("--prior", prior), ("--windows", windows)):
+        if value is not None:
+            arguments += [option, os.fspath(value) if isinstance(value, PathLike) else str(value)]
+    result: dict[str, Any] = json_of(arguments)
+    return result
+
+
+def replay_servo(logs: Iterable[str | PathLike[str]], servo: str | PathLike[str]) -> dict[str, Any]:
+    """How far a servo, a type or a file, is off on recordings ("mean_error_rad"). As `murosimf replay-servo`."""
+    result: dict[str, Any] = json_of(["replay-servo", *(os.fspath(log) for log in logs), "--servo", os.fspath(servo)])
+    return result
+
+
 def _common(duration: float | None, set: Assignments) -> list[str]:
     arguments = [] if duration is None else ["--duration", repr(float(duration))]
     for each in assignments(set):
