@@ -1,5 +1,6 @@
 #include "murosimf/studies/sweep_manifest.h"
 
+#include <algorithm>
 #include <chrono>
 #include <system_error>
 #include <thread>
@@ -14,6 +15,7 @@
 #include "murosimf/files/xml_element.h"
 #include "murosimf/model/error.h"
 #include "murosimf/recording/attached_files.h"
+#include "murosimf/scene_file/scene_spec.h"
 #include "murosimf/studies/sweep_file.h"
 #include "murosimf/studies/sweep_plan.h"
 
@@ -58,6 +60,16 @@ std::string document_of(const std::string& description, const json& runs) {
                            {"runs", runs}});
 }
 
+/// Manifests may come from others.
+void check_values(const SweepOptions& options) {
+  const bool has_runs = !options.seeds.empty() &&
+                        std::ranges::none_of(options.axes, [](const GridAxis& axis) { return axis.values.empty(); });
+  if (!has_runs) throw SetupError("it has no runs: an axis without values, or no seeds");
+  if (*options.duration < 0 || *options.duration > scene_file::longest_duration) {
+    throw SetupError(fmt::format("duration_ns: must be from 0 to {} s", scene_file::longest_duration));
+  }
+}
+
 SweepOptions options_in(const json& experiment) {
   SweepOptions options{.scene = experiment.at("scene"), .duration = {}, .results = experiment.at("patterns")};
   for (const json& axis : experiment.at("axes")) options.axes.push_back({axis.at("path"), axis.at("values")});
@@ -69,6 +81,7 @@ SweepOptions options_in(const json& experiment) {
   experiment.at("lenient").get_to(options.common.lenient);
   experiment.at("cameras").get_to(options.common.cameras);
   experiment.at("program").get_to(options.program);
+  check_values(options);
   return options;
 }
 

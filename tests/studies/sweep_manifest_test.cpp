@@ -206,6 +206,16 @@ TEST(SweepManifest, RefusesWhatWasChangedByHand) {
     std::ofstream(manifest.file) << bad;
     EXPECT_NE(message_of([&] { (void)read_manifest(manifest.file); }).find("was changed"), std::string::npos) << from;
   }
+  for (const auto& [from, to] : {std::pair{"\"duration_ns\": 100000000", "\"duration_ns\": -1"},
+                                 std::pair{"\"seeds\": [", "\"seeds\": [], \"other\": ["}}) {
+    std::string bad = good;
+    ASSERT_NE(bad.find(from), std::string::npos) << from;
+    bad.replace(bad.find(from), std::string(from).size(), to);
+    std::ofstream(manifest.file) << bad;
+    const std::string message = message_of([&] { (void)read_manifest(manifest.file); });
+    EXPECT_TRUE(message.find("no runs") != std::string::npos || message.find("duration_ns") != std::string::npos)
+        << message;
+  }
   for (const char* bad : {"", "{}", "[1]", "{\"schema\": \"murosimf/sweep_manifest/1\", \"experiment\": 3}"}) {
     std::ofstream(manifest.file) << bad;
     EXPECT_THROW((void)read_manifest(manifest.file), SetupError) << bad;
