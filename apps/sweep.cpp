@@ -7,26 +7,18 @@
 #include "apps/progress.h"
 #include "apps/record_options.h"
 #include "apps/results.h"
-#include "apps/series_arguments.h"
-#include "apps/standard_output.h"
+#include "apps/sweep_arguments.h"
 #include "murosimf/files/file_roles.h"
-#include "murosimf/files/output_file.h"
 #include "murosimf/model/error.h"
-#include "murosimf/studies/sweep.h"
+#include "murosimf/studies/sweep_manifest.h"
 
 namespace murosimf::app {
 namespace {
 
-struct SweepArguments {
-  SeriesArguments runs;
-  std::string seeds;
-  std::vector<std::string> grid, results;
-  std::string noted, csv, summary;  ///< files
-};
-
 void define(const Command& command, SweepArguments& arguments) {
   SceneArguments& scene = arguments.runs.scene;
-  add_scene_file(command, scene.file);
+  add_scene_file(command, scene.file,
+                 "Scene file (TOML), the name of one that comes with the program, or a manifest (JSON)");
   command.add("--seeds", arguments.seeds, "Seeds, like 1..20 or 3,5,8; the scene's if not given");
   command
       .add("--grid", arguments.grid,
@@ -42,6 +34,11 @@ void define(const Command& command, SweepArguments& arguments) {
   command.add("--push", scene.pushes, "OBJECT=FORCE@BEGIN..END: push a body").one_at_a_time();
   command.add("--runs", arguments.noted,
               "Note each run in this file when it is done; a sweep that was ended goes on with what is in it");
+  command.add("--manifest", arguments.manifest,
+              "Write all runs to this file (JSON) and run nothing; 'sweep FILE' runs them, here or in shards anywhere");
+  command.add("--shard", arguments.shard,
+              "Of a manifest: K/N does each N-th run from the K-th on, any/N shards that no process works on");
+  command.add("--merge", arguments.merge, "Of a manifest: run nothing, make the tables of what is done");
   command.add("--csv", arguments.csv, "Write a table of all runs to this file (CSV)");
   command.add("--summary", arguments.summary, "Write means and intervals to this file (CSV), for 'plot'");
   add_series_end(command, arguments.runs);
@@ -60,17 +57,20 @@ studies::SweepOptions options_of(const SweepArguments& arguments) {
 }
 
 void check(const SweepArguments& arguments) {
-  check_json_file(arguments.runs.json);
-  if (!arguments.csv.empty()) files::claim_output("--csv", arguments.csv);
-  if (!arguments.summary.empty()) files::claim_output("--summary", arguments.summary);
+  claim_tables(arguments);
   if (!arguments.noted.empty()) files::claim_continued("--runs", arguments.noted);
+  if (!arguments.manifest.empty()) {
+    if (!arguments.manifest.ends_with(manifest_ending)) {
+      throw SetupError(fmt::format("--manifest '{}': its name must end in {}", arguments.manifest, manifest_ending));
+    }
+    files::claim_continued("--manifest", arguments.manifest);
+  }
   const std::optional<double> duration = arguments.runs.duration;
   if (!duration || (*duration >= 0 && *duration <= scene_file::longest_duration)) return;
   throw SetupError(fmt::format("--duration {}: must be a number from 0", *duration));
 }
 
 int sweep(const SweepArguments& arguments) {
-  check(arguments);
   studies::SweepOptions options = options_of(arguments);
   end_gently();
   std::optional<Progress> progress(std::in_place);
@@ -81,18 +81,28 @@ int sweep(const SweepArguments& arguments) {
   progress.reset();
   if (result.taken_over > 0) say_note(fmt::format("{} runs were in '{}' already", result.taken_over, arguments.noted));
   Results results;
-  results.write([&] { write_result(arguments.runs.json, to_text(result), to_json(result)); });
-  if (!arguments.csv.empty()) results.write([&] { files::write_file(arguments.csv, to_csv(result)); });
-  if (!arguments.summary.empty()) results.write([&] { files::write_file(arguments.summary, summary_csv(result)); });
+  write_tables(results, arguments, result);
   if (!result.not_noted.empty()) results.write([&] { throw SetupError(result.not_noted); });
   if (result.stopped) say_error(fmt::format("stopped by {}; runs that had not ended are missing", signal_name()));
   return results.exit_code(result.stopped ? exit_code() : 0);
 }
 
+int begin(const SweepArguments& arguments) {
+  if (is_manifest(arguments)) return sweep_manifest(arguments);
+  if (!arguments.shard.empty() || arguments.merge) {
+    throw SetupError(fmt::format("{}: shards are parts of a manifest; 'sweep SCENE --manifest FILE' writes one",
+                                 arguments.merge ? "--merge" : "--shard"));
+  }
+  check(arguments);
+  if (arguments.manifest.empty()) return sweep(arguments);
+  studies::write_manifest(arguments.manifest, options_of(arguments));
+  return 0;
+}
+
 }  // namespace
 
 void add_sweep(CommandLine& line) {
-  line.add<SweepArguments>("sweep", "Run a scene for many seeds and values, and show what comes out", define, sweep);
+  line.add<SweepArguments>("sweep", "Run a scene for many seeds and values, and show what comes out", define, begin);
 }
 
 }  // namespace murosimf::app

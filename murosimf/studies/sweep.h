@@ -13,8 +13,11 @@
 
 #include "murosimf/scene/scene.h"
 #include "murosimf/studies/grid.h"
+#include "murosimf/studies/shard.h"
 
 namespace murosimf::studies {
+
+struct SweepPlan;
 
 struct SweepOptions {
   std::string scene;
@@ -26,6 +29,12 @@ struct SweepOptions {
   std::filesystem::path
       file{};             ///< where runs that are done are noted, so that a killed sweep can continue; empty: nowhere
   std::string program{};  ///< whose runs may be mixed: noted in the file
+  std::string
+      scene_name{};  ///< of the scene in files and tables, which do not depend on the working folder; empty: `scene`
+  Shard shard{};     ///< runs of others are left to others
+  std::filesystem::path
+      others{};  ///< folder with such files of others (sweep_file.h): what is in them is taken over; empty: none
+  std::function<void(const SweepPlan&)> check{};                      ///< before the first run; may throw SetupError
   std::function<void(std::size_t done, std::size_t all)> progress{};  ///< from any thread, one at a time
 };
 
@@ -39,13 +48,18 @@ struct Sweep {
   std::vector<std::string> axes;     ///< paths
   std::vector<std::string> results;  ///< names, with unit
   std::vector<SweepRun> runs;        ///< in the order of points_of()
-  std::size_t taken_over = 0;        ///< runs that were in the file already
+  std::size_t taken_over = 0;        ///< runs of the shard that had been done already
   bool stopped = false;              ///< by common.stop
   std::string not_noted{};  ///< why runs are missing in `file`, which could not be written any more; empty: none are
 };
 
 /// Throws SetupError: a scene that cannot be built with one of the values, an unknown result, a file of another sweep.
 [[nodiscard]] Sweep sweep(const SweepOptions& options);
+
+/// Of which no run has been done.
+[[nodiscard]] Sweep empty_sweep(const SweepOptions& options, const SweepPlan& plan);
+/// How many have not been done, of all shards.
+[[nodiscard]] std::size_t missing_runs(const Sweep& sweep);
 
 // The same runs give the same bytes.
 

@@ -12,28 +12,41 @@
 #include <vector>
 
 #include "murosimf/files/file_pointer.h"
+#include "murosimf/model/error.h"
 
 namespace murosimf::studies {
 
+/// Results by index of the run.
+using FinishedRuns = std::map<std::size_t, std::vector<double>>;
+
+/// Another sweep writes the file.
+class SweepFileBusy : public SetupError {
+ public:
+  using SetupError::SetupError;
+};
+
 class SweepFile {
  public:
-  /// Continues the file if it is there. `what`: one line. Throws SetupError: it is of another sweep, or cannot be written,
-  /// as while another sweep writes it.
+  /// Continues the file if it is there. `what`: one line. Throws SetupError: it is of another sweep, or cannot be written;
+  /// SweepFileBusy.
   SweepFile(std::filesystem::path file, const std::string& what, std::size_t results);
 
   /// By index, those that were in it.
-  [[nodiscard]] const std::map<std::size_t, std::vector<double>>& known() const { return known_; }
+  [[nodiscard]] const FinishedRuns& known() const { return known_; }
   /// Is in the file when it returns. One thread at a time. Throws SetupError.
   void add(std::size_t run, const std::vector<double>& values);
 
  private:
   void open();
-  void read(const std::string& text, const std::string& head, std::size_t results);
 
   std::filesystem::path file_;
-  std::map<std::size_t, std::vector<double>> known_;
-  std::uintmax_t good_bytes_ = 0;  // whole lines
+  FinishedRuns known_;
   files::FilePtr stream_;
 };
+
+/// What is in all such files of a folder, "*.txt", also in those that others write at this moment; nothing, if there is no folder.
+/// Throws SetupError: a file is of another sweep, or two files have different results of one run.
+[[nodiscard]] FinishedRuns finished_runs(const std::filesystem::path& folder, const std::string& what,
+                                         std::size_t results);
 
 }  // namespace murosimf::studies

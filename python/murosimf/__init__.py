@@ -16,6 +16,7 @@ from .contacts import RayHit
 from .demo import demo
 from .entity import Entity, Object, Objects, Pose, Velocity
 from .errors import Error, InputError, SetupError, SimulationError, StateError, UnknownName
+from .experiment import Experiment
 from .joints import Joint, JointArray, Joints
 from .kinematics import Frames, Kinematics
 from .picture import Picture
@@ -23,11 +24,12 @@ from .recording import Recorder, Recording, Series
 from .robot import Controller, Level, Robot
 from .scene import Scene
 from .sensors import Camera, Sensor
-from .studies import check, compare, sweep
+from .studies import check, compare, fit_servo, replay_servo, sweep
+from .tables import columns, write_parquet
 
 __version__: str = _version()
 
-__all__ = ["Batch", "Camera", "Controller", "Entity", "Error", "Frames", "InputError", "Joint", "JointArray", "Joints",
-           "Kinematics", "Level", "Object", "Objects", "Picture", "Pose", "RayHit", "Recorder", "Recording", "Robot", "Scene",
-           "Sensor", "Series", "SetupError", "SimulationError", "StateError", "UnknownName", "Velocity", "check", "compare",
-           "demo", "sweep"]
+__all__ = ["Batch", "Camera", "Controller", "Entity", "Error", "Experiment", "Frames", "InputError", "Joint", "JointArray",
+           "Joints", "Kinematics", "Level", "Object", "Objects", "Picture", "Pose", "RayHit", "Recorder", "Recording", "Robot",
+           "Scene", "Sensor", "Series", "SetupError", "SimulationError", "StateError", "UnknownName", "Velocity", "check",
+           "columns", "compare", "demo", "fit_servo", "replay_servo", "sweep", "write_parquet"]

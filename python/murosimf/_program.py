@@ -26,11 +26,18 @@ def program() -> str:
     return found
 
 
-def json_of(arguments: Sequence[str]) -> Any:
-    """What the program writes with `--json -`. Raises InputError with its line for exit code 2, SimulationError for others but
-    0 and 1."""
-    done = subprocess.run([program(), *arguments, "--json", "-"], capture_output=True, text=True, check=False)
-    if done.returncode not in (0, 1) or not done.stdout.strip():
+def output_of(arguments: Sequence[str]) -> str:
+    """What the program prints. Raises InputError with its line for exit code 2, SimulationError for others but 0 and 1."""
+    done = subprocess.run([program(), *arguments], capture_output=True, text=True, check=False)
+    if done.returncode not in (0, 1):
         line = done.stderr.strip().removeprefix("murosimf: ") or f"murosimf ended with {done.returncode}"
         raise (InputError if done.returncode == 2 else SimulationError)(line)
-    return json.loads(done.stdout)
+    return done.stdout
+
+
+def json_of(arguments: Sequence[str]) -> Any:
+    """What the program writes with `--json -`. Raises as output_of, and SimulationError where that is nothing."""
+    text = output_of([*arguments, "--json", "-"])
+    if not text.strip():
+        raise SimulationError(f"murosimf {arguments[0]} wrote no result")
+    return json.loads(text)

@@ -11,6 +11,8 @@ from ._values import Array
 
 
 class RayHit(NamedTuple):
+    """What a ray meets first."""
+
     entity: str
     object: str
     distance: float  #: [m] from the ray's origin

@@ -19,6 +19,8 @@ class Pose(NamedTuple):
 
 
 class Velocity(NamedTuple):
+    """Of an object."""
+
     linear: Array  #: (3,) [m/s] of the origin, world axes
     angular: Array  #: (3,) [rad/s] world axes
 
@@ -126,10 +128,12 @@ class Entity:
 
     @property
     def name(self) -> str:
+        """As in the scene."""
         return self._entity.name
 
     @property
     def objects(self) -> Objects:
+        """All at once, as arrays."""
         return Objects(self._entity)
 
     def __getitem__(self, name: str) -> Object:

@@ -18,11 +18,16 @@ from .errors import InputError
 
 
 class Frames(NamedTuple):
+    """Of one object, or for n rows of joint positions, in the frame of the base."""
+
     position: Array  #: (3,) or (n, 3) [m]
     quaternion: Array  #: (4,) or (n, 4) w first
 
 
 class Kinematics:
+    """Forward kinematics, Jacobians, mass matrices and inverse dynamics. `q`, `v`, `a` are (joints,) or (n, joints) in the order
+    of `robot.joints`, [rad | m] and rates; the frame of the base, which rests, is that of all results."""
+
     def __init__(self, core: CoreKinematics) -> None:
         self._core = core
         self.joints: int = core.joints()  #: how many

@@ -192,6 +192,7 @@ class Scene:
         self._core.leave(name)
 
     def enter(self, name: str) -> None:
+        """Brings an entity back that has left. Raises UnknownName."""
         self._core.enter(name)
 
     def contacts(self) -> NDArray[np.void]:
@@ -215,6 +216,7 @@ class Scene:
 
     @property
     def warnings(self) -> list[str]:
+        """Of files and settings, as the program prints them."""
         return self._core.warnings()
 
     def picture(self, *, eye: ArrayLike = (0, -4, 2), look_at: ArrayLike = (0, 0, 0.3), field_of_view: float = 1.0,

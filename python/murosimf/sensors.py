@@ -14,6 +14,8 @@ Handle = TypeVar("Handle")
 
 
 class Sensor:
+    """The last sample that has arrived, by output: `robot.sensors["imu"]["gyroscope"]`."""
+
     def __init__(self, core: CoreSensor) -> None:
         self._core = core
         self._values: Array = core.values()
@@ -23,6 +25,7 @@ class Sensor:
 
     @property
     def name(self) -> str:
+        """As in the robot's file."""
         return self._core.name
 
     @property
@@ -80,6 +83,7 @@ class Camera:
 
     @property
     def name(self) -> str:
+        """As in the robot's file."""
         return self._core.name
 
     @property

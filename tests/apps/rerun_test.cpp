@@ -135,5 +135,27 @@ TEST(Sweep, MistakesAreOneLine) {
   expect_mistake("sweep walk --runs " + write("runs.txt", "poems\n").string(), {"runs.txt", "no file of a sweep"});
 }
 
+TEST(Sweep, RunsAManifestInShards) {
+  const std::string manifest = scratch("walks.json").string(), table = scratch("shards.csv").string();
+  const std::string runs = "sweep walk --seeds 1..3 --grid walker.command.0=0.1,0.2 --duration 0.1";
+  EXPECT_EQ(murosimf(runs + " --manifest " + manifest).exit_code, 0);
+  EXPECT_EQ(murosimf("sweep " + manifest + " --shard 2/2").output,
+            "shard 2/2: 3 of all 6 runs are done, 3 are missing\n");
+  const Result part = murosimf("sweep " + manifest + " --merge");
+  EXPECT_EQ(part.exit_code, 1);
+  EXPECT_NE(part.errors.find("3 of 6 runs are missing"), std::string::npos) << part.errors;
+  EXPECT_EQ(murosimf("sweep " + manifest + " --shard any/2").exit_code, 0);
+  EXPECT_EQ(murosimf("sweep " + manifest + " --merge --csv " + table).exit_code, 0);
+  EXPECT_EQ(murosimf(runs + " --csv " + scratch("at_once.csv").string()).exit_code, 0);
+  EXPECT_EQ(read_file(table), read_file(scratch("at_once.csv")));
+  expect_mistake("sweep " + manifest + " --seeds 1", {"--seeds", "part of the manifest"});
+  expect_mistake("sweep " + manifest + " --shard 5/2", {"--shard '5/2'", "K/N"});
+  expect_mistake("sweep " + manifest + " --shard 1/2 --csv " + table, {"--shard", "--merge"});
+  expect_mistake("sweep " + manifest + " --shard 1/2 --merge", {"--merge", "--shard"});
+  expect_mistake("sweep walk --shard 1/2", {"--shard", "--manifest"});
+  expect_mistake("sweep walk --manifest walks.txt", {"walks.txt", ".json"});
+  expect_mistake("sweep " + write("poem.json", "poems").string(), {"poem.json", "no manifest"});
+}
+
 }  // namespace
 }  // namespace murosimf::test
