@@ -1,0 +1,42 @@
+"""Which joints of a robot are which of its legs', found by its kinematics, so that tasks serve any biped.
+
+A joint moves a sole if its column of the sole's Jacobian is not zero; the angular part of the column is the joint's axis in the
+frame of the base at joint angles 0, x forward, y left, z up.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .._values import Array
+from ..errors import InputError
+from ..robot import Robot
+
+
+@dataclass(frozen=True)
+class Leg:
+    joints: list[int]  #: all that move this sole and not the other one, from hip to foot
+    pitch: list[int]  #: of them hip, knee and ankle that turn about y
+    signs: Array  #: (3,) +1 if the axis of such a joint points to the left, else -1
+
+
+def leg_of(robot: Robot, sole: str, other: str) -> Leg:
+    """Raises InputError if the chain to the sole has not three joints that pitch."""
+    zero = np.zeros(len(robot.joints))
+    columns, others = (robot.kinematics.jacobian(zero, name) for name in (sole, other))
+    moved = np.linalg.norm(columns[3:], axis=0) > 0.5
+    shared = np.linalg.norm(others[3:], axis=0) > 0.5
+    joints = [int(joint) for joint in np.flatnonzero(moved & ~shared)]
+    pitch = [joint for joint in joints if abs(columns[4, joint]) > 0.9]
+    if len(pitch) != 3:
+        raise InputError(f"the leg to '{sole}' has {len(pitch)} joints that pitch, not hip, knee and ankle")
+    return Leg(joints, pitch, np.sign(columns[4, pitch]))
+
+
+def bend(posture: Array, leg: Leg, angle: Array | float) -> None:
+    """Adds to `posture` (..., joints) [rad]: hip by -angle, knee by twice the angle, ankle by -angle: the sole stays level and
+    below the hip, and the leg gets shorter if its links are equally long."""
+    for joint, sign, share in zip(leg.pitch, leg.signs, (-1.0, 2.0, -1.0), strict=True):
+        posture[..., joint] += sign * share * angle
