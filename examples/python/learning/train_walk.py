@@ -30,10 +30,10 @@ def make(task, worlds, threads, settings):
                               **settings)
 
 
-def train(learner, stage, begin, seconds, log, say=print):
-    """Updates until so many seconds of wall time since `begin`; a line of the log for each 10 updates."""
+def train(learner, stage, begin, seconds, most, log):
+    """At most so many updates, until so many seconds of wall time since `begin`; a line of the log for each 10 updates."""
     ended, updates, steps = [], 0, 0
-    while time.monotonic() - begin < seconds:
+    while time.monotonic() - begin < seconds and updates < most:
         samples, more = learner.collect()
         learner.update(samples)
         ended += more
@@ -41,7 +41,7 @@ def train(learner, stage, begin, seconds, log, say=print):
         steps += samples[2].size
         if updates % 10 == 0:
             log.append(line(learner, stage, begin, steps, ended))
-            say(json.dumps(log[-1]), flush=True)
+            print(json.dumps(log[-1]), flush=True)
             ended = []
     return steps
 
@@ -61,6 +61,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--out", type=Path, required=True, help="folder")
     parser.add_argument("--minutes", type=float, default=12, help="wall time, of which half at articulated_dynamics")
+    parser.add_argument("--updates", type=int, default=10**9, help="of each stage at most")
     parser.add_argument("--worlds", type=int, default=128)
     parser.add_argument("--threads", type=int, default=2)
     parser.add_argument("--seed", type=int, default=1)
@@ -73,7 +74,7 @@ def main():
         if policy is None:
             policy = Policy(env.single_observation_space.shape[0], env.single_action_space.shape[0], settings, options.seed)
         learner = Learner(env, policy, settings, options.seed)
-        total[stage] = train(learner, stage, begin, 60 * options.minutes * share, log)
+        total[stage] = train(learner, stage, begin, 60 * options.minutes * share, options.updates, log)
         policy.save(options.out / f"walk_{stage}.npz")
         write_onnx(policy, options.out / "walk.onnx")
     summary = {"seed": options.seed, "worlds": options.worlds, "env_steps": total, "processor_s": round(time.process_time(), 1),

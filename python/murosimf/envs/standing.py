@@ -25,7 +25,7 @@ class PushRecovery(Stand):
     """As Stand, and every 2 s a push of 0.1 s in a random direction of the plane meets the base, of up to `force` [N]. It may
     step: place is worth nothing."""
 
-    force = 30.0  #: [N]: 3 N s, or 0.8 m/s for a robot of kid21's mass of 3.7 kg
+    force = 30.0  #: [N]: 3 N s, or 0.7 m/s for kid21's mass of 4.3 kg
     every = 100  #: [control steps]
 
     def push(self, memory: Memory, random: np.random.Generator) -> list[tuple[int, Array]]:
