@@ -64,6 +64,7 @@ def main():
     parser.add_argument("--updates", type=int, default=10**9, help="of each stage at most")
     parser.add_argument("--worlds", type=int, default=128)
     parser.add_argument("--threads", type=int, default=2)
+    parser.add_argument("--start", type=Path, help="NPZ file of a policy to go on from")
     parser.add_argument("--seed", type=int, default=1)
     options = parser.parse_args()
     options.out.mkdir(parents=True, exist_ok=True)
@@ -73,6 +74,8 @@ def main():
         env = make("WalkVelocity", options.worlds, options.threads, world)
         if policy is None:
             policy = Policy(env.single_observation_space.shape[0], env.single_action_space.shape[0], settings, options.seed)
+            if options.start:
+                policy.load(options.start)
         learner = Learner(env, policy, settings, options.seed)
         total[stage] = train(learner, stage, begin, 60 * options.minutes * share, options.updates, log)
         policy.save(options.out / f"walk_{stage}.npz")

@@ -165,6 +165,10 @@ def test_onnx_files_are_the_policy(tmp_path: Path) -> None:
     rows = random.normal(1, 3, (20, 47)).astype(np.float32)
     policy.scale.learn(rows)
     write_onnx(policy, tmp_path / "walk.onnx")
+    policy.save(tmp_path / "walk.npz")
+    again = Policy(47, 12, Settings(hidden=(16, 8)), 4)
+    again.load(tmp_path / "walk.npz")
+    assert (again(rows) == policy(rows)).all()
     played = OnnxPolicy(tmp_path / "walk.onnx")(rows)
     assert played == pytest.approx(policy(rows), abs=1e-5)
     oracle = ReferenceEvaluator(onnx.load(str(tmp_path / "walk.onnx"))).run(None, {"observation": rows})[0]
@@ -201,6 +205,7 @@ def test_the_script_trains_exports_and_plays(tmp_path: Path) -> None:
     pytest.importorskip("onnx")
     run = [sys.executable, str(folder / "train_walk.py"), "--out", str(tmp_path), "--updates", "2", "--worlds", "4", "--threads", "1"]
     subprocess.run(run, check=True, capture_output=True)
+    subprocess.run([*run, "--start", str(tmp_path / "walk_articulated.npz")], check=True, capture_output=True)
     play = [sys.executable, str(folder / "play_walk.py"), str(tmp_path / "walk.onnx"), "--seconds", "0.5"]
     done = subprocess.run(play, check=True, capture_output=True, text=True)
     assert done.stdout.startswith("articulated_dynamics: ")
