@@ -19,7 +19,7 @@ class Settings:
     rate: float = 1e-3  #: of Adam at the start
     divergence: float = 0.02  #: wanted mean KL divergence of an update: the rate follows it (Rudin et al., CoRL 2021, section 3)
     hidden: tuple[int, ...] = (128, 64)
-    deviation: float = 0.15  #: of actions at the start
+    deviation: float = 0.06  #: of actions at the start
 
 
 class Scale:

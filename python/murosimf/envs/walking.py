@@ -1,7 +1,8 @@
 """To walk with a velocity that is asked for.
 
-Actions are residuals: they move targets of the legs' joints around a nominal gait, which steps on the spot with a clock of its
-own (a leg bends by `lift` while its half of the clock lasts). What carries the robot anywhere is learned.
+Actions are residuals: they move targets of the legs' joints around a nominal gait without feedback, with a clock of its own. A leg
+bends by `lift` while its half of the clock lasts and swings as far as the command says; what keeps balance, and what corrects
+the velocity, is learned.
 """
 
 from __future__ import annotations
@@ -9,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 
 from .._values import Array
-from .legs import bend
+from .legs import bend, swing
 from .motion import Motion, down, in_base_axes
 from .task import Memory, Numbers, Task, control_rate, effort
 
@@ -38,9 +39,12 @@ class WalkVelocity(Task):
 
     def reference(self, memory: Memory) -> Array:
         targets = super().reference(memory)
-        clock = np.sin(memory.phase)
-        for leg, half in zip(self.legs, (clock, -clock), strict=True):
-            bend(targets, leg, self.lift * np.clip(half, 0, 1))
+        for leg, phase in zip(self.legs, (memory.phase, memory.phase + np.pi), strict=True):
+            bend(targets, leg, self.lift * np.clip(np.sin(phase), 0, 1))
+            # while it stands, half the period, a foot goes back from +a to -a with the velocity: a = velocity * period / 4
+            place = -np.cos(phase) * self.period / 4
+            forward, left, turning = memory.command.T * place
+            swing(targets, leg, forward / self.height, left / self.height, turning)
         return targets
 
     def advance(self, memory: Memory) -> None:

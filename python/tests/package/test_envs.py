@@ -102,14 +102,43 @@ def test_standing_still_is_worth_most_without_a_command() -> None:
     assert reward > 0.95
 
 
-def test_commands_decide_what_walking_is_worth() -> None:
-    """On the spot, the reward for the velocity is exp(-(0.3 / 0.15)^2) of that without a command."""
+def test_velocities_decide_what_walking_is_worth() -> None:
+    """By the formula of the docstring, for a robot that stands, moves forward and turns as one body."""
     env = make("WalkVelocity").unwrapped
-    mean = {}
-    for command in ((0.0, 0.0, 0.0), (0.3, 0.0, 0.0)):
-        env.reset(seed=1, options={"command": command})
-        mean[command] = np.mean([env.step(np.zeros(env.action_space.shape, np.float32))[1] for _ in range(50)])
-    assert mean[0.0, 0.0, 0.0] > mean[0.3, 0.0, 0.0] + 0.2
+    env.reset(seed=1, options={"command": (0.3, 0.0, 0.2)})
+    none = np.zeros((1, 12), np.float32)
+    still = env._motion()
+    still.quaternion[:], still.linear_velocity[:], still.angular_velocity[:] = (1, 0, 0, 0), 0, 0
+    worth = {}
+    for speed, turning in ((0.0, 0.0), (0.3, 0.2), (0.15, 0.2)):
+        still.linear_velocity[0, 0], still.angular_velocity[0, 2] = speed, turning
+        worth[speed, turning] = env.task.reward(still, env.memory, none)[0]
+    assert worth[0.3, 0.2] == pytest.approx(1)
+    assert worth[0.0, 0.0] == pytest.approx(0.7 * np.exp(-4) + 0.3 * np.exp(-0.16))
+    assert worth[0.15, 0.2] == pytest.approx(0.7 * np.exp(-1) + 0.3)
+    still.quaternion[:] = (np.cos(0.1), 0, np.sin(0.1), 0)  # leans forward by 0.2 rad, at rest
+    still.linear_velocity[:], still.angular_velocity[:], env.memory.command[:] = 0, 0, 0
+    assert env.task.reward(still, env.memory, none)[0] == pytest.approx(1 - np.sin(0.2) ** 2)
+    still.fallen[:] = True
+    assert env.task.reward(still, env.memory, none)[0] == -5
+
+
+@pytest.mark.parametrize("command", [(0.2, 0.0, 0.0), (0.0, 0.1, 0.0), (0.0, 0.0, 0.5)])
+def test_the_nominal_gait_swings_as_the_command_says(command: tuple[float, float, float]) -> None:
+    """A foot that stands goes back with the velocity: 2 a in half a period, seen from the base, by the robot's kinematics."""
+    env = make("WalkVelocity").unwrapped
+    task, kinematics = env.task, env.scene.robot.kinematics
+    memory = task.memory(2)
+    memory.command[:] = command
+    memory.phase[:] = np.pi, 2 * np.pi  # the left foot lands, and leaves
+    frames = [kinematics.fk(row, "l_sole") for row in task.reference(memory)]
+    way = frames[0].position - frames[1].position
+    wanted = np.array(command) * task.period / 2
+    assert way[:2] == pytest.approx(wanted[:2], abs=0.2 * np.abs(wanted[:2]).max() + 0.003)
+    headings = [2 * np.arctan2(frame.quaternion[3], frame.quaternion[0]) for frame in frames]
+    assert headings[0] - headings[1] == pytest.approx(wanted[2], abs=0.01)
+    for frame in frames:
+        assert frame.quaternion[1:3] == pytest.approx([0, 0], abs=0.02)  # level
     with pytest.raises(ms.InputError, match="unknown option 'comand'"):
         env.reset(options={"comand": (0, 0, 0)})
 
