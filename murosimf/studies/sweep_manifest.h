@@ -42,7 +42,7 @@ struct ShardOptions {
   std::function<void(const std::string& writer)> waits{};  ///< another process works on this shard; called once
 };
 
-/// Does the runs of a shard that nobody has done; waits while another process works on this shard, as one whose parent was killed does.
+/// Does the missing runs of a shard; waits while another process works on this shard, as one whose parent was killed does.
 /// Of "any", all shards in turn that no process works on. The result has what others have done, too. Throws SetupError: files that the scene reads
 /// are not those of the manifest, or as sweep().
 [[nodiscard]] Sweep run_shard(const SweepManifest& manifest, const Shard& shard, const ShardOptions& options);
