@@ -1,4 +1,4 @@
-"""The page docs/python.md: sessions print what it says, and its code runs."""
+"""The pages docs/python.md and docs/learning.md: sessions print what they say, and their code runs."""
 
 import doctest
 import re
@@ -18,10 +18,12 @@ def test_sessions(root: Path) -> None:
     assert doctest.DocTestRunner().run(test, out=said.append).failed == 0, "".join(said)
 
 
-def test_code(root: Path) -> None:
-    blocks = re.findall(r"^```python\n(.*?)^```", (root / "docs/python.md").read_text(), re.DOTALL | re.MULTILINE)
-    assert len(blocks) == 3
+@pytest.mark.parametrize(("page", "count"), [("docs/python.md", 3), ("docs/learning.md", 2)])
+def test_code(root: Path, page: str, count: int) -> None:
+    blocks = re.findall(r"^```python\n(.*?)^```", (root / page).read_text(), re.DOTALL | re.MULTILINE)
+    assert len(blocks) == count
     for block in blocks:
-        if "gymnasium" in block:
-            pytest.importorskip("gymnasium")
-        exec(compile(block, "docs/python.md", "exec"), {"ms": ms, "np": np})
+        for package, word in (("gymnasium", "gymnasium"), ("pettingzoo", "envs.teams")):
+            if word in block:
+                pytest.importorskip(package)
+        exec(compile(block, page, "exec"), {"ms": ms, "np": np})
