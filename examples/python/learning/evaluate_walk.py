@@ -110,6 +110,7 @@ class MujocoRobot:
 def in_mujoco(policy, n):
     task = make_task("WalkVelocity", {})
     random = np.random.default_rng(1)
+    random.integers(2**31)  # what the environment draws first, the seed of its worlds: then commands are the same
     with tempfile.TemporaryDirectory() as folder:
         robot = MujocoRobot(mujoco_model(folder), task)
     rows = [one_in_mujoco(robot, policy, task, random) for _ in range(n)]
