@@ -4,7 +4,8 @@
     PYTHONPATH=build/release/python build/oracle-venv/bin/python examples/python/learning/evaluate_walk.py out/learn/walk.onnx
 
 Each robot walks for 10 s, or until it falls, with a command of its own; nothing is random but the commands and, here, the posture
-at the start. MuJoCo has the model that `murosimf convert` writes, the time constant of contacts of models/kid21.xml, and servos without a limit of speed, which its format lacks.
+at the start. MuJoCo has the model that `murosimf convert` writes, the time constant of contacts of models/kid21.xml, and servos
+without a limit of speed, which its format lacks.
 """
 
 import argparse
@@ -109,6 +110,7 @@ class MujocoRobot:
 def in_mujoco(policy, n):
     task = make_task("WalkVelocity", {})
     random = np.random.default_rng(1)
+    random.integers(2**31)  # what the environment draws first, the seed of its worlds: then commands are the same
     with tempfile.TemporaryDirectory() as folder:
         robot = MujocoRobot(mujoco_model(folder), task)
     rows = [one_in_mujoco(robot, policy, task, random) for _ in range(n)]

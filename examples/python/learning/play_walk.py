@@ -6,11 +6,12 @@
 
 import argparse
 
-import murosimf as ms
 import numpy as np
 from murosimf.envs.motion import Motion
 from murosimf.envs.tasks import make_task
 from onnx_file import OnnxPolicy
+
+import murosimf as ms
 
 
 class LearnedWalk:
@@ -64,7 +65,8 @@ def main():
     else:
         scene.run(options.seconds)
     moved = walker.position - start
-    print(f"{options.level}: {moved[0]:+.2f} m forward, {moved[1]:+.2f} m to the left in {scene.time:.1f} s, {walker.falls} falls")
+    print(f"{options.level}: {moved[0]:+.2f} m forward, {moved[1]:+.2f} m to the left in {scene.time:.1f} s, "
+          f"{walker.falls} falls")
 
 
 if __name__ == "__main__":

@@ -17,7 +17,7 @@ set ytics nomirror
 set y2tics
 set y2range [0:*]
 set grid
-set key bottom left
+set key at graph 0.45, graph 0.25
 set arrow from {change}, graph 0 to {change}, graph 1 nohead dashtype 2
 set label "articulated_dynamics from here" at {change}, graph 0.5 right offset -1,0
 plot "-" using 1:2 with lines linewidth 2 title "return", "-" using 1:2 axes x1y2 with lines title "falls per minute"

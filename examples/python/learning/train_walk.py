@@ -65,19 +65,23 @@ def main():
     parser.add_argument("--worlds", type=int, default=128)
     parser.add_argument("--threads", type=int, default=2)
     parser.add_argument("--start", type=Path, help="NPZ file of a policy to go on from")
+    parser.add_argument("--stage", choices=("simplified", "articulated"), help="this one alone, all the time")
     parser.add_argument("--seed", type=int, default=1)
     options = parser.parse_args()
     options.out.mkdir(parents=True, exist_ok=True)
     settings, log, begin = Settings(), [], time.monotonic()
     policy, total = None, {}
     for stage, world, share in (("simplified", cheap, 0.5), ("articulated", full, 1.0)):
+        if options.stage not in (None, stage):
+            continue
         env = make("WalkVelocity", options.worlds, options.threads, world)
         if policy is None:
             policy = Policy(env.single_observation_space.shape[0], env.single_action_space.shape[0], settings, options.seed)
             if options.start:
                 policy.load(options.start)
         learner = Learner(env, policy, settings, options.seed)
-        total[stage] = train(learner, stage, begin, 60 * options.minutes * share, options.updates, log)
+        seconds = 60 * options.minutes * (1.0 if options.stage else share)
+        total[stage] = train(learner, stage, begin, seconds, options.updates, log)
         policy.save(options.out / f"walk_{stage}.npz")
         write_onnx(policy, options.out / "walk.onnx")
     summary = {"seed": options.seed, "worlds": options.worlds, "env_steps": total, "processor_s": round(time.process_time(), 1),

@@ -30,7 +30,7 @@ class PushRecovery(Stand):
 
     def push(self, memory: Memory, random: np.random.Generator) -> list[tuple[int, Array]]:
         pushes: list[tuple[int, Array]] = []
-        for world in np.flatnonzero((memory.steps % self.every == self.every // 2)):
+        for world in np.flatnonzero(memory.steps % self.every == self.every // 2):
             angle, force = random.uniform(-np.pi, np.pi), random.uniform(0, self.force)
             pushes.append((int(world), force * np.array([np.cos(angle), np.sin(angle), 0.0])))
         return pushes

@@ -1,7 +1,7 @@
 """To walk with a velocity that is asked for.
 
-Actions are residuals: they move targets of the legs' joints around a nominal gait without feedback, with a clock of its own. A leg
-bends by `lift` while its half of the clock lasts and swings as far as the command says; what keeps balance, and what corrects
+Actions are residuals: they move targets of the legs' joints around a nominal gait without feedback, with a clock of its own. A
+leg bends by `lift` while its half of the clock lasts and swings as far as the command says; what keeps balance, and what corrects
 the velocity, is learned.
 """
 

@@ -1,4 +1,4 @@
-"""The pages docs/python.md and docs/cookbook.md: sessions print what they say, and code runs."""
+"""The pages docs/python.md, docs/cookbook.md and docs/learning.md: sessions print what they say, and code runs."""
 
 import doctest
 import re
@@ -28,11 +28,13 @@ def test_the_cookbook_names_what_mujoco_has(root: Path) -> None:
     assert [name for name in states if not hasattr(mujoco.mjtState, name)] == []
 
 
-def test_code(root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize(("page", "count"), [("docs/python.md", 4), ("docs/learning.md", 2)])
+def test_code(root: Path, page: str, count: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
-    blocks = re.findall(r"^```python\n(.*?)^```", (root / "docs/python.md").read_text(), re.DOTALL | re.MULTILINE)
-    assert len(blocks) == 4
+    blocks = re.findall(r"^```python\n(.*?)^```", (root / page).read_text(), re.DOTALL | re.MULTILINE)
+    assert len(blocks) == count
     for block in blocks:
-        if "gymnasium" in block:
-            pytest.importorskip("gymnasium")
-        exec(compile(block, "docs/python.md", "exec"), {"ms": ms, "np": np})
+        for package, word in (("gymnasium", "gymnasium"), ("pettingzoo", "envs.teams")):
+            if word in block:
+                pytest.importorskip(package)
+        exec(compile(block, page, "exec"), {"ms": ms, "np": np})

@@ -5,9 +5,10 @@ import pytest
 
 gymnasium = pytest.importorskip("gymnasium")
 
-import murosimf as ms  # noqa: E402
 import murosimf.envs  # noqa: E402
 from murosimf.envs.motion import in_base_axes  # noqa: E402
+
+import murosimf as ms  # noqa: E402
 
 names = sorted(murosimf.envs.tasks)
 

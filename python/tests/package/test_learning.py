@@ -12,11 +12,12 @@ gymnasium = pytest.importorskip("gymnasium")
 folder = Path(__file__).resolve().parents[3] / "examples/python/learning"
 sys.path.insert(0, str(folder))
 
-import murosimf as ms  # noqa: E402
 import murosimf.envs  # noqa: E402
 from murosimf.envs.tasks import make_task  # noqa: E402
 from networks import Adam, Mlp  # noqa: E402
 from ppo import Learner, Policy, Scale, Settings, advantages, log_density, policy_slopes  # noqa: E402
+
+import murosimf as ms  # noqa: E402
 
 
 def differences(loss, array, step=1e-6):  # type: ignore[no-untyped-def]
@@ -203,9 +204,11 @@ def test_the_controller_sees_what_the_environment_shows() -> None:
 
 def test_the_script_trains_exports_and_plays(tmp_path: Path) -> None:
     pytest.importorskip("onnx")
-    run = [sys.executable, str(folder / "train_walk.py"), "--out", str(tmp_path), "--updates", "2", "--worlds", "4", "--threads", "1"]
+    run = [sys.executable, str(folder / "train_walk.py"), "--out", str(tmp_path), "--updates", "2", "--worlds", "4",
+           "--threads", "1"]
     subprocess.run(run, check=True, capture_output=True)
-    subprocess.run([*run, "--start", str(tmp_path / "walk_articulated.npz")], check=True, capture_output=True)
+    more = ["--stage", "articulated", "--start", str(tmp_path / "walk_simplified.npz")]
+    subprocess.run([*run, *more], check=True, capture_output=True)
     play = [sys.executable, str(folder / "play_walk.py"), str(tmp_path / "walk.onnx"), "--seconds", "0.5"]
     done = subprocess.run(play, check=True, capture_output=True, text=True)
     assert done.stdout.startswith("articulated_dynamics: ")

@@ -5,8 +5,9 @@ import pytest
 
 pytest.importorskip("pettingzoo")
 
-import murosimf as ms  # noqa: E402
 from murosimf.envs.teams import Teams, goal  # noqa: E402
+
+import murosimf as ms  # noqa: E402
 
 
 def test_passes_the_tests_of_pettingzoo() -> None:
