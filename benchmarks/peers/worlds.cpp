@@ -1,12 +1,13 @@
 /// murosimf_peer_worlds FOLDER --worlds 100 --threads 2 --seconds 1 - many worlds of the same scene in one process, each on one thread at a
-/// time, as examples/many_worlds.cpp: prints `wall_us_per_step` and `us_per_step` of one world, and how far robots came.
+/// time, as examples/many_worlds.cpp: prints what many_worlds.h says; observed is how far robots came.
+#include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <memory>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
-#include "benchmarks/peers/options.h"
+#include "benchmarks/peers/many_worlds.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/runtime/thread_pool.h"
 #include "murosimf/scene/assets.h"
@@ -17,62 +18,44 @@ namespace {
 
 using namespace murosimf;
 
-using Worlds = std::vector<std::unique_ptr<scene::Scene>>;
-
-Worlds make_worlds(const peers::Options& options) {
-  const scene::SceneOptions sharing{.overrides = {"*.level=" + options.setting},
-                                    .cameras = false,
-                                    .assets = std::make_shared<scene::Assets>()};
-  Worlds worlds{};
-  worlds.push_back(std::make_unique<scene::Scene>(options.folder / "scene.toml", sharing));
-  while (worlds.size() < static_cast<std::size_t>(options.worlds)) {
-    worlds.push_back(std::make_unique<scene::Scene>(worlds.front()->spec(), sharing));
+class Worlds final : public peers::ManyWorlds {
+ public:
+  explicit Worlds(const peers::Options& options) : pool_(options.threads) {
+    const scene::SceneOptions sharing{.overrides = {"*.level=" + options.setting},
+                                      .cameras = false,
+                                      .assets = std::make_shared<scene::Assets>()};
+    scenes_.push_back(std::make_unique<scene::Scene>(options.folder / "scene.toml", sharing));
+    while (scenes_.size() < static_cast<std::size_t>(options.worlds)) {
+      scenes_.push_back(std::make_unique<scene::Scene>(scenes_.front()->spec(), sharing));
+    }
   }
-  return worlds;
-}
 
-/// [m] In the mean over worlds, from the first robot's place to the origin.
-double mean_distance(Worlds& worlds, const Vec3d& from) {
-  double sum = 0;
-  for (auto& world : worlds) {
-    const Vec3d r =
-        world->simulation().world().entity(world->spec().robots.front().name).base().get(properties::position);
-    sum += std::hypot(r.x - from.x, r.y - from.y);
+  double run(double seconds) override {
+    const double step = murosimf::seconds(scenes_.front()->simulation().tick());
+    const int steps = std::max(1, static_cast<int>(std::lround(seconds / step)));
+    pool_.for_each(scenes_.size(), [&](std::size_t i) { scenes_[i]->simulation().run(from_seconds(steps * step)); });
+    return static_cast<double>(steps) * static_cast<double>(scenes_.size());
   }
-  return sum / static_cast<double>(worlds.size());
-}
+  [[nodiscard]] nlohmann::json observed() override { return {{"distance_m", mean_distance()}}; }
 
-nlohmann::json measure(const peers::Options& options) {
-  Worlds worlds = make_worlds(options);
-  ThreadPool pool(options.threads);
-  const auto run = [&](double seconds) {
-    pool.for_each(worlds.size(), [&](std::size_t i) { worlds[i]->simulation().run(from_seconds(seconds)); });
-  };
-  const Vec3d start = worlds.front()->spec().robots.front().position;
-  run(options.warm);
-  const double processor = peers::processor_seconds(), wall = peers::wall_seconds();
-  run(options.seconds);
-  const double steps = options.seconds * worlds.front()->spec().rate * static_cast<double>(worlds.size());
-  const double wall_us = 1e6 * (peers::wall_seconds() - wall) / steps;
-  const double processor_us = 1e6 * (peers::processor_seconds() - processor) / steps;
-  return {{"engine", "MuRoSimF"},
-          {"setting", options.setting},
-          {"wall_us_per_step", wall_us},
-          {"us_per_step", processor_us},
-          {"observed", {{"distance_m", mean_distance(worlds, start)}}}};
-}
+ private:
+  /// [m] In the mean over worlds, between the first robot's base and where the scene places it.
+  [[nodiscard]] double mean_distance() {
+    double sum = 0;
+    for (auto& scene : scenes_) {
+      const auto& robot = scene->spec().robots.front();
+      const Vec3d r = scene->simulation().world().entity(robot.name).base().get(properties::position);
+      sum += std::hypot(r.x - robot.position.x, r.y - robot.position.y);
+    }
+    return sum / static_cast<double>(scenes_.size());
+  }
+
+  ThreadPool pool_;
+  std::vector<std::unique_ptr<scene::Scene>> scenes_;
+};
 
 }  // namespace
 
 int main(int count, char** arguments) {
-  try {
-    const peers::Options options =
-        peers::read_options({arguments, static_cast<std::size_t>(count)},
-                            {"articulated_dynamics", "full_dynamics", "simplified_dynamics", "kinematic_walking"});
-    std::printf("%s\n", measure(options).dump().c_str());
-    return 0;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "murosimf_peer_worlds: %s\n", error.what());
-    return 1;
-  }
+  return peers::race_worlds(count, arguments, [](const auto& options) { return std::make_unique<Worlds>(options); });
 }

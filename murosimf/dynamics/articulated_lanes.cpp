@@ -89,8 +89,8 @@ void ArticulatedLanes::begin(LaneMask lanes) noexcept {
     ArticulatedDynamics& robot = member(lane);
     robot.dt_ = dt_;
     robot.targets_sane_ = robot.drives_.take_targets(dt_);
-    trees_.take(lane);
   });
+  trees_.take(lanes);
   trees_.look_for_loads(lanes);
   recall_loads(lanes);
   motors_.take_inputs(trees_.poses, lanes);

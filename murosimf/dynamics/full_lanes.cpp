@@ -27,10 +27,10 @@ void FullLanes::step(LaneMask due, const Instant& instant) noexcept {
 }
 
 void FullLanes::begin(LaneMask lanes) noexcept {
+  trees_.take(lanes);
   for_lanes(lanes, [&](int lane) {
     FullDynamics& robot = member(lane);
     robot.dt_ = dt_;
-    trees_.take(lane);
     robot.joints_sane_ = robot.advance_joints(dt_);
     for (std::size_t l = 0; l < joint_acceleration_.size(); ++l) {
       joint_acceleration_[l].set_lane(lane, robot.joint_acceleration_[l]);

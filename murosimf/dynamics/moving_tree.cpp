@@ -71,7 +71,9 @@ void MovingTree::state(StateArchive& archive) {
   // whether columns were changed since the last step is state: working memory is computed again only then
   archive(changed);
   if (!archive.loads()) return;
-  update_links();
+  // links are computed where they are needed: lanes have their own
+  lanes_ = nullptr;
+  has_own_links_ = false;
   // a restored run takes the same branch in its next step as the recorded one
   changed ? written_.forget() : written_.remember(columns);
 }
@@ -81,7 +83,7 @@ bool MovingTree::goes_with(const MovingTree& other) const noexcept {
          options_.integrator == Integrator::semi_implicit_euler;
 }
 
-/// Computes the tree's own links from the columns where lanes have not written them (the usual case).
+/// Computes the tree's own links from the columns where lanes have not written them (the usual case), and after a state has been loaded.
 void MovingTree::take_links_back() noexcept {
   if (!has_own_links_) update_links();
 }

@@ -54,17 +54,44 @@ TreeLanes::TreeLanes(std::vector<MovingTree*> trees)
   MUROSIMF_ASSERT(!trees_.empty() && trees_.size() <= Pack8::lanes);
 }
 
-void TreeLanes::take(int lane) noexcept {
-  MovingTree& tree = this->tree(lane);
-  // the lane still holds the state that the last step left: nothing to copy
-  if (has_lane(fresh_, lane) && tree.lanes_ == this && !tree.written_.differs(tree.columns)) return;
-  tree.take_changes();
+void TreeLanes::take(LaneMask lanes) noexcept {
+  LaneMask without_links = 0;
+  for_lanes(lanes, [&](int lane) {
+    MovingTree& tree = this->tree(lane);
+    const bool changed = tree.written_.differs(tree.columns);
+    // the lane still holds the state that the last step left: nothing to copy
+    if (has_lane(fresh_, lane) && tree.lanes_ == this && !changed) return;
+    take_state(lane);
+    if (!changed && !tree.has_own_links_) {
+      without_links |= lane_bit(lane);
+    } else {
+      tree.take_changes();
+      take_links(lane);
+    }
+  });
+  // in all lanes: where links are there, they keep their bits, since all of it follows from bases and joints
+  if (std::popcount(without_links) >= fewest_in_lanes) return refresh();
+  for_lanes(without_links, [&](int lane) {
+    tree(lane).take_links_back();
+    take_links(lane);
+  });
+}
+
+void TreeLanes::take_state(int lane) noexcept {
+  const MovingTree& tree = this->tree(lane);
   set_lane(base_, lane, tree.base());
-  for (const std::size_t i : poses.moving()) set_lane(poses.r[i], lane, tree.columns.r[i]);
+  set_lane(poses.R[0], lane, tree.columns.R[0]);  // not from the quaternion: at a start, that follows from the matrix
   for (const std::size_t i : poses.joints()) {
     poses.q[i].set_lane(lane, tree.columns.q[i]);
     poses.qd[i].set_lane(lane, tree.columns.qd[i]);
   }
+}
+
+/// From a tree that has its own.
+void TreeLanes::take_links(int lane) noexcept {
+  const MovingTree& tree = this->tree(lane);
+  MUROSIMF_ASSERT(tree.has_own_links_);
+  for (const std::size_t i : poses.moving()) set_lane(poses.r[i], lane, tree.columns.r[i]);
   for (std::size_t l = 0; l < links.size(); ++l) {
     const auto& from = tree.links[l];
     auto& to = links[l];
@@ -217,11 +244,7 @@ LaneMask TreeLanes::advance_bases(const Twist<Pack8>& acceleration, double dt, L
 void TreeLanes::take_advanced(int lane) noexcept {
   MUROSIMF_ASSERT(lane >= 0 && static_cast<std::size_t>(lane) < trees_.size());
   const MovingTree& tree = this->tree(lane);
-  set_lane(base_, lane, tree.base());
-  for (const std::size_t i : poses.joints()) {
-    poses.q[i].set_lane(lane, tree.columns.q[i]);
-    poses.qd[i].set_lane(lane, tree.columns.qd[i]);
-  }
+  take_state(lane);
   flying_ &= ~lane_bit(lane);
   if (!tree.wanted_momentum_) return;
   flying_ |= lane_bit(lane);

@@ -3,7 +3,7 @@
 /// Poses, velocities and links are computed in packs, with the kernels and so with the bits of a robot alone. Columns receive the part
 /// that others read. Links stay here from step to step: the links of one robot alone are computed again where they are needed
 /// (MovingTree::take_changes), unless the robot receives them at the end of each step, as one that an island solver settles. A robot whose
-/// columns have been changed by others is read in again.
+/// columns have been changed by others is read in again; links of loaded states are computed here, in all lanes at once.
 #pragma once
 
 #include <span>
@@ -20,8 +20,8 @@ class TreeLanes {
   /// One to eight, of which each goes with each (MovingTree::goes_with); they outlive this object.
   explicit TreeLanes(std::vector<MovingTree*> trees);
 
-  /// To be called first in a step, in the place of MovingTree::take_changes: reads the robot's columns into its lane.
-  void take(int lane) noexcept;
+  /// To be called first in a step, in the place of MovingTree::take_changes: reads the robots' columns into their lanes.
+  void take(LaneMask lanes) noexcept;
 
   /// To be called at the beginning of a step: finds the bodies that may have a load in its passes.
   void look_for_loads(LaneMask lanes) noexcept;
@@ -83,6 +83,8 @@ class TreeLanes {
   void want_momentum(LaneMask flying, double dt) noexcept;
   [[nodiscard]] Vec3<Pack8> center_of_mass() const noexcept { return poses.r[0] + (1 / whole.mass) * whole.first; }
   void correct_momentum(LaneMask flying) noexcept;
+  void take_state(int lane) noexcept;
+  void take_links(int lane) noexcept;
   void refresh() noexcept;
   void put_back_whole(LaneMask lanes) noexcept;
   void put_back_links(LaneMask lanes) const noexcept;

@@ -1,7 +1,8 @@
 #include "murosimf/world/state_archive.h"
 
-#include <algorithm>
 #include <cstdint>
+#include <cstring>
+#include <type_traits>
 
 #include <fmt/format.h>
 
@@ -32,15 +33,21 @@ void StateArchive::check_count(std::size_t number) {
 }
 
 void StateArchive::raw(std::span<std::byte> bytes) {
-  if (!loads()) {  // most are a few bytes: insert() would take longer
-    const std::size_t end = saved_->size();
-    saved_->resize(end + bytes.size());
-    std::copy_n(bytes.begin(), bytes.size(), saved_->begin() + static_cast<std::ptrdiff_t>(end));
-    return;
-  }
-  if (bytes.size() > left_.size()) throw SetupError("it ends too early");
-  std::copy_n(left_.begin(), bytes.size(), bytes.begin());
-  left_ = left_.subspan(bytes.size());
+  const auto copy = [&](auto size) {
+    if (!loads()) {  // most are a few bytes: insert() would take longer
+      const std::size_t end = saved_->size();
+      saved_->resize(end + size);
+      std::memcpy(saved_->data() + end, bytes.data(), size);
+      return;
+    }
+    if (size > left_.size()) throw SetupError("it ends too early");
+    std::memcpy(bytes.data(), left_.data(), size);
+    left_ = left_.subspan(size);
+  };
+  if (bytes.empty()) return;
+  // most are one number: a copy of a size that is known here is one instruction
+  if (bytes.size() == sizeof(std::uint64_t)) return copy(std::integral_constant<std::size_t, sizeof(std::uint64_t)>());
+  copy(bytes.size());
 }
 
 }  // namespace murosimf

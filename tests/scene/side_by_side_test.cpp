@@ -86,6 +86,29 @@ TEST(StatePacker, AnotherGoesOnFromThere) {
   EXPECT_EQ(two.scenes[0]->save(), two.scenes[1]->save());
 }
 
+/// Robots of loaded states get their links in lanes if enough of them do: beside others that have stepped, and those that start.
+TEST(StatePacker, LoadedOnesGoOnInLanesAsAlone) {
+  SideBySide together(articulated), alone(articulated);
+  SimulationLanes lanes(together.simulations);
+  lanes.step(0b1111, 20);
+  for (Simulation* simulation : alone.simulations) simulation->run(std::chrono::milliseconds(45));
+  alone.scenes[3]->reset(4);
+  for (const LaneMask loaded : {0b1111U, 0b1010U, 0b0111U}) {
+    for_lanes(loaded, [&](int lane) {
+      const auto i = static_cast<std::size_t>(lane);
+      std::vector<StatePacker::Word> packed;
+      StatePacker(*alone.simulations[i]).save(packed);
+      StatePacker(*together.simulations[i]).load(packed);
+    });
+    lanes.step(0b1111, 30);
+    for_lanes(loaded, [&](int lane) {
+      const auto i = static_cast<std::size_t>(lane);
+      for (int k = 0; k < 30; ++k) alone.simulations[i]->step();
+      EXPECT_EQ(together.scenes[i]->save(), alone.scenes[i]->save()) << lane;
+    });
+  }
+}
+
 TEST(StatePacker, WhatIsNotAllThereIsRefused) {
   SideBySide one(articulated, 1);
   StatePacker packer((one.simulations[0]->initialize(), *one.simulations[0]));
