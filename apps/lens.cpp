@@ -1,5 +1,6 @@
 // `murosimf lens`: shows the calibration of a camera, and says it in the words of another lens model.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "apps/command_line.h"
 #include "apps/results.h"

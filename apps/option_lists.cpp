@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/component_files/sensor_keys.h"

@@ -1,6 +1,7 @@
 #include "apps/repeat_arguments.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "apps/interruption.h"
 #include "apps/scene_arguments.h"

@@ -1,15 +1,20 @@
 # The libraries that the library is built from. Those of parts that can be switched off are looked for only if the part is on;
 # each part asks with if(TARGET ...).
+include(${PROJECT_SOURCE_DIR}/cmake/PipPackages.cmake)
 find_package(Eigen3 REQUIRED)
 find_package(fmt REQUIRED)
 find_package(tinyxml2 REQUIRED)
 find_package(Threads REQUIRED)
 # convex meshes are part of the physics: without it, results would be others
 find_package(Qhull REQUIRED)
-find_package(nlohmann_json REQUIRED)
+murosimf_find_headers(nlohmann_json nlohmann/json.hpp)
 find_package(PkgConfig QUIET)
-find_package(tomlplusplus QUIET)
-if(NOT tomlplusplus_FOUND)
+if(NOT MUROSIMF_HEADLESS)
+  find_package(tomlplusplus QUIET)
+endif()
+if(SKBUILD AND NOT tomlplusplus_FOUND)
+  murosimf_pip_tomlplusplus()
+elseif(NOT tomlplusplus_FOUND)
   find_package(PkgConfig REQUIRED)
   pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
   add_library(tomlplusplus::tomlplusplus ALIAS PkgConfig::tomlplusplus)

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "murosimf/api/told.h"
 #include "murosimf/files/data_path.h"

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "murosimf/logging/log_catalog.h"
 #include "murosimf/math/assert.h"

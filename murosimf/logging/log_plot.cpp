@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "murosimf/logging/log_catalog.h"
 #include "murosimf/math/assert.h"

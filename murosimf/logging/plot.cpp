@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "murosimf/files/child_process.h"
 #include "murosimf/files/output_file.h"

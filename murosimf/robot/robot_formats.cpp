@@ -4,6 +4,7 @@
 #include <memory>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "murosimf/files/lower_case.h"
 #include "murosimf/files/xml_element.h"

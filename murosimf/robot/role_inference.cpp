@@ -4,6 +4,7 @@
 #include <map>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "murosimf/component_files/servo_sections.h"
 #include "murosimf/files/lower_case.h"

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "murosimf/component_files/servo_description.h"
 #include "murosimf/dynamics/motion_properties.h"

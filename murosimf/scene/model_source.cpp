@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "murosimf/appearance/visual_meshes.h"
 #include "murosimf/files/data_path.h"

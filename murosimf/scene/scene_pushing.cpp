@@ -4,6 +4,7 @@
 #include <map>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/dynamics/push.h"

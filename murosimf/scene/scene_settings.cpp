@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "murosimf/model/properties.h"
 #include "murosimf/scene/model_constants.h"

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "murosimf/files/toml_bounds.h"
 #include "murosimf/files/toml_reader.h"

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "murosimf/files/toml_reader.h"
 #include "murosimf/math/assert.h"

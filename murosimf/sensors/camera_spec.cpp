@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "murosimf/imaging/bayer.h"
 #include "murosimf/math/assert.h"

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "murosimf/math/assert.h"
 #include "murosimf/studies/compare_verdict.h"

@@ -4,6 +4,7 @@
 #include <mutex>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "murosimf/model/error.h"
 #include "murosimf/scene/assets.h"

@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "murosimf/files/file_lock.h"
 #include "murosimf/files/input_file.h"

@@ -103,9 +103,11 @@ class Scene:
             return True
         if seconds is not None or at_most is None:
             raise InputError("run(until=condition) takes at_most, the seconds after which it ends in any case")
-        end = self.time + at_most
+        if not 0 <= at_most <= 3e9:  # NaN would never end
+            raise InputError(f"a run of {at_most:g} s: 0 to 3e9 s")
+        end = self.nanoseconds + round(at_most * 1e9)
         while not until(self):
-            if self.time >= end:
+            if self.nanoseconds >= end:
                 return False
             self._core.step(1)
         return True

@@ -13,20 +13,38 @@ from .picture import Picture
 Handle = TypeVar("Handle")
 
 
-class Sensor:
+class _Device:
+    """What sensors and cameras have in common."""
+
+    def __init__(self, core: CoreSensor | CoreCamera) -> None:
+        self._device = core
+
+    @property
+    def name(self) -> str:
+        """In the file of its robot."""
+        return self._device.name
+
+    @property
+    def period(self) -> float:
+        """[s] from sample to sample, from picture to picture"""
+        return self._device.period
+
+    @property
+    def time(self) -> float:
+        """[s] when the last sample that has arrived was taken, when the exposure of the last picture began"""
+        return self._device.time()
+
+
+class Sensor(_Device):
     """The last sample that has arrived, by output: `robot.sensors["imu"]["gyroscope"]`."""
 
     def __init__(self, core: CoreSensor) -> None:
+        super().__init__(core)
         self._core = core
         self._values: Array = core.values()
         self._outputs = {name: (begin, size) for name, _, _, begin, size in core.outputs()}
         #: unit of each output, SI
         self.units: dict[str, str] = {name: unit for name, unit, _, _, _ in core.outputs()}
-
-    @property
-    def name(self) -> str:
-        """As in the robot's file."""
-        return self._core.name
 
     @property
     def type(self) -> str:
@@ -37,16 +55,6 @@ class Sensor:
     def frame(self) -> str:
         """The object that it is mounted on; "": none in particular."""
         return self._core.frame
-
-    @property
-    def period(self) -> float:
-        """[s] from sample to sample"""
-        return self._core.period
-
-    @property
-    def time(self) -> float:
-        """[s] when the last sample that has arrived was taken"""
-        return self._core.time()
 
     @property
     def samples(self) -> int:
@@ -74,27 +82,13 @@ class Sensor:
         return f"sensor '{self.name}' ({self.type}, {1 / self.period:g} Hz): {outputs}"
 
 
-class Camera:
+class Camera(_Device):
     """Draws from the start on only if it was asked for (`robot.cameras["head"]`) before the first step, or is always_on in its
     file."""
 
     def __init__(self, core: CoreCamera) -> None:
+        super().__init__(core)
         self._core = core
-
-    @property
-    def name(self) -> str:
-        """As in the robot's file."""
-        return self._core.name
-
-    @property
-    def period(self) -> float:
-        """[s] from picture to picture"""
-        return self._core.period
-
-    @property
-    def time(self) -> float:
-        """[s] when the exposure of the last one began"""
-        return self._core.time()
 
     @property
     def pictures(self) -> int:

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "murosimf/model/properties.h"
 #include "murosimf/robot/robot_reader.h"

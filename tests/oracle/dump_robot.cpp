@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "murosimf/math/random.h"
 #include "murosimf/model/error.h"

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "murosimf/math/quaternion.h"
 #include "murosimf/math/spatial.h"

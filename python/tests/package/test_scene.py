@@ -54,6 +54,19 @@ def test_texts_events_and_values() -> None:
     assert scene["r"].position[0] < way + 0.15  # a last step at most
 
 
+def test_runs_as_long_as_the_clock_says() -> None:
+    """Sums of seconds are rounded, and nanoseconds are not."""
+    scene = ms.Scene.of_robot("kid21")
+    expected = 0
+    for milliseconds in [7, 3, 9, 1, 6] * 40:
+        assert not scene.run(until=lambda s: False, at_most=milliseconds / 1000)
+        expected += milliseconds * 1_000_000
+        assert scene.nanoseconds == expected
+    for wrong in (float("nan"), float("inf"), -1.0):
+        with pytest.raises(ms.InputError, match="0 to 3e9 s"):
+            scene.run(until=lambda s: False, at_most=wrong)
+
+
 def test_runs_until() -> None:
     scene = ms.Scene("walk")
     start = scene.robot.position[0]
