@@ -75,6 +75,19 @@ const OptionTable<serial::SerialOptions>& serial_options() {
   return table;
 }
 
+const OptionTable<dds::booster::BoosterOptions>& booster_options() {
+  using Options = dds::booster::BoosterOptions;
+  constexpr int highest_domain = 232;  // by the ports of DDS
+  static const OptionTable<Options> table{
+      {"domain", &Options::domain, "", "of DDS; -1: that of --booster", -1, highest_domain},
+      {"suffix", &Options::suffix, "", "behind the names of all topics, for several robots in a domain"},
+      {"mode", &Options::mode, "", "at the start", {"damping", "prepare", "walking", "custom", "soccer"}},
+      {"lock_step", &Options::lock_step, "s",
+       "wall time that a cycle in custom mode waits for a command; 0: it does not", 0, longest_limit},
+  };
+  return table;
+}
+
 const OptionTable<locomotion::DriveOptions>& drive_options() {
   using Options = locomotion::DriveOptions;
   static const OptionTable<Options> table{

@@ -1,0 +1,250 @@
+#!/usr/bin/env python3
+"""The vendor's unchanged SDK against a simulated Booster K1.
+
+Usage: booster_sdk.py MUROSIMF
+
+A program with the SDK stands the robot up, has it walk and turn by Move, and moves its joints by low-level commands; what it reads is compared with
+the simulator's own log. Garbage, wrong sizes, and a program that is killed do not end the run. Nothing listens beside 127.0.0.1.
+Needs booster-robotics-sdk-python in this Python; without it, or in a build without DDS, it is skipped (exit code 77).
+"""
+
+import csv
+import json
+import math
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+try:
+    import booster_robotics_sdk_python as sdk
+except ImportError as missing:
+    print(f"skipped: {missing}; pip install booster-robotics-sdk-python")
+    sys.exit(77)
+
+from errors import end, errors
+
+DOMAIN = 87
+JOINTS = 22
+
+
+def expect(what, good, got):
+    print(("ok      " if good else "FAILED  ") + what, got)
+    if not good:
+        errors.append(f"{what}: {got}")
+
+
+class Robot:
+    """A running simulation of scene `booster`."""
+
+    def __init__(self, program, folder, duration, *more):
+        self.log, self.report = Path(folder) / "log.csv", Path(folder) / "report.json"
+        logged = ["k1.*.joint_position", "k1.*.odometry"]
+        command = [program, "run", "booster", "--booster", str(DOMAIN), "--speed", "1", "--duration", str(duration), "--no-cameras",
+                   "--json", str(self.report), "--out", str(self.log), "--log-rate", "500", *more]
+        for name in logged:
+            command += ["--log", name]
+        self.process = subprocess.Popen(command, stdout=subprocess.DEVNULL)
+
+    def end(self):
+        code = self.process.wait(120)
+        expect("exit code of the run", code == 0, code)
+        return json.loads(self.report.read_text()) if self.report.exists() else {}
+
+
+class Program:
+    """What a program sees with the SDK."""
+
+    def __init__(self):
+        sdk.ChannelFactory.Instance().Init(DOMAIN, "127.0.0.1")
+        self.joints, self.imu, self.stamps, self.odometer, self.fall, self.states, self.battery = [], [], [], [], [], [], []
+        self.subscribers = [
+            sdk.B1LowStateSubscriber(self.on_low_state),
+            sdk.B1OdometerStateSubscriber(lambda m: self.odometer.append((m.x, m.y, m.theta))),
+            sdk.B1FallDownStateSubscriber(lambda m: self.fall.append((m.fall_down_state, m.is_recovery_available))),
+            sdk.B1RobotStatesSubscriber(lambda m: self.states.append((m.current_mode, m.current_body_control))),
+            sdk.B1BatteryStateSubscriber(lambda m: self.battery.append(m.soc)),
+        ]
+        for subscriber in self.subscribers:
+            subscriber.InitChannel()
+        self.commands = sdk.B1LowCmdPublisher()
+        self.commands.InitChannel()
+        self.loco = sdk.B1LocoClient()
+        self.loco.Init()
+
+    def on_low_state(self, message):  # it is valid only in here
+        self.stamps.append(time.monotonic())
+        self.joints.append([motor.q for motor in message.motor_state_serial])
+        self.imu.append((list(message.imu_state.rpy), list(message.imu_state.acc)))
+        self.parallel = len(message.motor_state_parallel)
+
+    def call(self, name, *arguments, code=0):
+        """Calls the service; `code`: expected, 0 is success."""
+        begin = time.monotonic()
+        result, got = None, 0
+        try:
+            result = getattr(self.loco, name)(*arguments)
+        except RuntimeError as error:
+            got = int(str(error).rpartition("=")[2])
+        expect(f"{name}{arguments}", got == code, f"code {got} in {1e3 * (time.monotonic() - begin):.2f} ms")
+        return result
+
+    def write(self, targets, kp=80.0, kd=2.0, weight=1.0, torque=0.0):
+        command = sdk.LowCmd()
+        command.cmd_type = sdk.LowCmdType.SERIAL
+        motors = []
+        for q in targets:
+            motor = sdk.MotorCmd()
+            motor.mode, motor.q, motor.dq, motor.tau, motor.kp, motor.kd, motor.weight = 0, q, 0.0, torque, kp, kd, weight
+            motors.append(motor)
+        command.motor_cmd = motors
+        self.commands.Write(command)
+
+    def wait_for_state(self):
+        begin = time.monotonic()
+        while not (self.joints and self.battery) and time.monotonic() - begin < 10:
+            time.sleep(0.001)
+        expect("states come", bool(self.joints), f"after {time.monotonic() - begin:.3f} s")
+        if not self.joints:
+            end()
+
+
+def median(values):
+    return sorted(values)[len(values) // 2] if values else math.nan
+
+
+def listens_elsewhere(process):
+    """Sockets of the process that are bound to other addresses than 127.0.0.1; multicast groups of DDS are joined on loopback alone."""
+    inodes = set()
+    for link in Path(f"/proc/{process}/fd").iterdir():
+        try:
+            target = os.readlink(link)
+        except OSError:
+            continue
+        if target.startswith("socket:["):
+            inodes.add(target[8:-1])
+    found = []
+    for table in ("udp", "udp6", "tcp", "tcp6"):
+        for line in Path(f"/proc/{process}/net/{table}").read_text().splitlines()[1:]:
+            fields = line.split()
+            if fields[9] in inodes:
+                found.append((table, fields[1]))
+    return found
+
+
+def check_questions(program):
+    mode = program.call("GetMode")
+    expect("mode at the start", mode and mode.mode == sdk.RobotMode.kPrepare, mode and mode.mode)
+    status = program.call("GetStatus")
+    expect("its body control", status and status.current_body_control == sdk.BodyControl.kPrepare,
+           status and status.current_body_control)
+    info = program.call("GetRobotInfo")
+    expect("its model", info and info.model == "K1", info and info.model)
+    program.call("Move", 0.3, 0.0, 0.0, code=409)
+    program.call("Dance", sdk.DanceId.kNewYear, code=501)
+    program.call("GetUp", code=409)
+
+
+def heading_and_way(program, seconds):
+    before = program.odometer[-1]
+    time.sleep(seconds)
+    after = program.odometer[-1]
+    return math.hypot(after[0] - before[0], after[1] - before[1]), math.remainder(after[2] - before[2], 2 * math.pi)
+
+
+def check_walk(program):
+    program.call("ChangeMode", sdk.RobotMode.kWalking)
+    program.call("ResetOdometry")
+    time.sleep(0.2)
+    expect("odometry after the reset", math.hypot(*program.odometer[-1][:2]) < 0.02, program.odometer[-1])
+    program.call("Move", 0.3, 0.0, 0.0)
+    way, _ = heading_and_way(program, 8)
+    expect("walks 2 m forward", way > 2, f"{way:.2f} m in 8 s")
+    program.call("Move", 0.0, 0.0, 0.5)
+    _, turn = heading_and_way(program, 4)
+    expect("turns", turn > 1, f"{turn:.2f} rad in 4 s")
+    program.call("Move", 0.0, 0.0, 0.0)
+    program.call("RotateHead", 0.3, -0.4)
+    time.sleep(2)
+    expect("turns its head", math.dist(program.joints[-1][:2], (-0.4, 0.3)) < 0.05, program.joints[-1][:2])
+    trips = []
+    for _ in range(200):
+        begin = time.monotonic()
+        program.loco.Move(0.0, 0.0, 0.0)
+        trips.append(time.monotonic() - begin)
+        time.sleep(0.003)
+    print(f"Move, 200 calls: median {1e3 * median(trips):.2f} ms, worst {1e3 * max(trips):.2f} ms")
+    expect("stands", program.fall[-1][0] == sdk.FallDownStateType.IS_READY, program.fall[-1])
+
+
+def check_low_level(program):
+    """Stands in custom mode, with the gains of the vendor's file for legs, and moves its arms."""
+    program.call("ChangeMode", sdk.RobotMode.kPrepare)
+    time.sleep(1.5)
+    stance = list(program.joints[-1])
+    program.call("ChangeMode", sdk.RobotMode.kCustom)
+    program.call("GetMode")
+    kp = [40.0] * 2 + [40.0, 50.0, 20.0, 20.0] * 2 + [350.0, 350.0, 180.0, 350.0, 250.0, 250.0] * 2
+    trips = []
+    for i in range(200):
+        targets = list(stance)
+        targets[4] = targets[8] = stance[4] + 0.4 * math.sin(0.03 * i)
+        count, begin = len(program.stamps), time.monotonic()
+        program.write_gains(targets, kp) if hasattr(program, "write_gains") else program.write(targets, kp=200.0, kd=5.0)
+        while len(program.stamps) <= count and time.monotonic() - begin < 0.2:
+            time.sleep(0.0001)
+        trips.append(time.monotonic() - begin)
+        time.sleep(0.008)
+    print(f"command to next state, 200: median {1e3 * median(trips):.2f} ms")
+    expect("the elbow follows", abs(program.joints[-1][4] - targets[4]) < 0.1, (program.joints[-1][4], targets[4]))
+    time.sleep(3)
+    expect("stands in custom mode", program.fall[-1][0] == sdk.FallDownStateType.IS_READY, program.fall[-1])
+    program.write([0.0] * 5)  # a command for another robot
+    time.sleep(0.2)
+    expect("its sequences are full", len(program.joints[-1]) == program.parallel == JOINTS, len(program.joints[-1]))
+
+
+def check_fall(program):
+    program.call("ChangeMode", sdk.RobotMode.kDamping)
+    time.sleep(4)
+    expect("falls when it is limp", program.fall[-1] == (sdk.FallDownStateType.HAS_FALLEN, True), program.fall[-1])
+    program.call("GetUp")
+    begin = time.monotonic()
+    while time.monotonic() - begin < 15 and program.fall[-1][0] != sdk.FallDownStateType.IS_READY:
+        time.sleep(0.05)
+    expect("gets up", program.fall[-1][0] == sdk.FallDownStateType.IS_READY, f"{time.monotonic() - begin:.1f} s")
+    time.sleep(1)
+    expect("walks then", program.states[-1] == (2, 3), program.states[-1])
+
+
+def main_program():
+    program = Program()
+    program.wait_for_state()
+    time.sleep(1)
+    count, begin = len(program.stamps), time.monotonic()
+    check_questions(program)
+    check_walk(program)
+    rate = (len(program.stamps) - count) / (time.monotonic() - begin)
+    print(f"LowState at {rate:.1f} Hz")
+    check_low_level(program)
+    check_fall(program)
+    return program
+
+
+def main():
+    program = sys.argv[1]
+    with tempfile.TemporaryDirectory() as folder:
+        robot = Robot(program, folder, 45)
+        main_program()
+        elsewhere = [place for place in listens_elsewhere(robot.process.pid)]
+        print("sockets:", sorted(set(elsewhere)))
+        report = robot.end()
+        print(json.dumps(report.get("control", report.get("software", {})))[:600])
+    end()
+
+
+if __name__ == "__main__":
+    main()
