@@ -28,6 +28,7 @@ except ImportError as missing:
 from errors import end, errors
 
 DOMAIN = 87
+DISCOVERY = "239.255.0.1"
 JOINTS = 22
 
 
@@ -92,13 +93,16 @@ class Program:
         expect(f"{name}{arguments}", got == code, f"code {got} in {1e3 * (time.monotonic() - begin):.2f} ms")
         return result
 
-    def write(self, targets, kp=80.0, kd=2.0, weight=1.0, torque=0.0):
+    def write(self, targets, weight=1.0):
+        """With the gains of the vendor's K1 for MuJoCo."""
+        legs, arms = [(350, 7.5), (350, 7.5), (180, 3), (350, 5.5), (250, 5), (250, 5)], [(40, 0.5), (50, 1.5), (20, 0.2), (20, 0.2)]
+        gains = [(40, 1.5)] * 2 + arms * 2 + legs * 2
         command = sdk.LowCmd()
         command.cmd_type = sdk.LowCmdType.SERIAL
         motors = []
-        for q in targets:
+        for q, (kp, kd) in zip(targets, gains):
             motor = sdk.MotorCmd()
-            motor.mode, motor.q, motor.dq, motor.tau, motor.kp, motor.kd, motor.weight = 0, q, 0.0, torque, kp, kd, weight
+            motor.mode, motor.q, motor.dq, motor.tau, motor.kp, motor.kd, motor.weight = 0, q, 0.0, 0.0, kp, kd, weight
             motors.append(motor)
         command.motor_cmd = motors
         self.commands.Write(command)
@@ -116,23 +120,34 @@ def median(values):
     return sorted(values)[len(values) // 2] if values else math.nan
 
 
-def listens_elsewhere(process):
-    """Sockets of the process that are bound to other addresses than 127.0.0.1; multicast groups of DDS are joined on loopback alone."""
+def hex_address(text):
+    """Of /proc/net: 0100007F:1CF2."""
+    number = int(text.split(":")[0], 16)
+    return ".".join(str(number >> shift & 255) for shift in (0, 8, 16, 24))
+
+
+def check_sockets(process):
+    """All sockets of the run are on 127.0.0.1, or hear the group of DDS's discovery, which only the loopback interface has joined."""
     inodes = set()
     for link in Path(f"/proc/{process}/fd").iterdir():
-        try:
-            target = os.readlink(link)
-        except OSError:
-            continue
+        target = os.readlink(link) if link.is_symlink() else ""
         if target.startswith("socket:["):
             inodes.add(target[8:-1])
-    found = []
-    for table in ("udp", "udp6", "tcp", "tcp6"):
+    found = set()
+    for table in ("udp", "tcp", "udp6", "tcp6"):
         for line in Path(f"/proc/{process}/net/{table}").read_text().splitlines()[1:]:
             fields = line.split()
             if fields[9] in inodes:
-                found.append((table, fields[1]))
-    return found
+                found.add(table if table.endswith("6") else hex_address(fields[1]))
+    expect("sockets", bool(found) and found <= {"127.0.0.1", DISCOVERY}, sorted(found))
+    interface, joined = "", set()
+    for line in Path(f"/proc/{process}/net/igmp").read_text().splitlines()[1:]:
+        fields = line.split()
+        if fields[0].isdigit():
+            interface = fields[1]
+        elif hex_address(fields[0]) == DISCOVERY:
+            joined.add(interface)
+    expect("interfaces that hear DDS's discovery", joined <= {"lo"}, sorted(joined))
 
 
 def check_questions(program):
@@ -146,6 +161,8 @@ def check_questions(program):
     program.call("Move", 0.3, 0.0, 0.0, code=409)
     program.call("Dance", sdk.DanceId.kNewYear, code=501)
     program.call("GetUp", code=409)
+    frame = program.call("GetFrameTransform", sdk.Frame.kBody, sdk.Frame.kLeftFoot)
+    expect("its left foot", frame and frame.position.z < -0.3 and frame.position.y > 0.02, frame and frame.to_json_str())
 
 
 def heading_and_way(program, seconds):
@@ -160,9 +177,13 @@ def check_walk(program):
     program.call("ResetOdometry")
     time.sleep(0.2)
     expect("odometry after the reset", math.hypot(*program.odometer[-1][:2]) < 0.02, program.odometer[-1])
-    program.call("Move", 0.3, 0.0, 0.0)
-    way, _ = heading_and_way(program, 8)
-    expect("walks 2 m forward", way > 2, f"{way:.2f} m in 8 s")
+    program.call("Move", 0.15, 0.0, 0.0)
+    begin = time.monotonic()
+    while time.monotonic() - begin < 40 and program.odometer[-1][0] < 2:  # it keeps its course by its odometry
+        _, y, heading = program.odometer[-1]
+        program.loco.Move(0.15, 0.0, max(-0.5, min(0.5, -heading - 0.5 * y)))
+        time.sleep(0.1)
+    expect("walks 2 m forward", program.odometer[-1][0] >= 2, f"in {time.monotonic() - begin:.1f} s: {program.odometer[-1]}")
     program.call("Move", 0.0, 0.0, 0.5)
     _, turn = heading_and_way(program, 4)
     expect("turns", turn > 1, f"{turn:.2f} rad in 4 s")
@@ -187,13 +208,12 @@ def check_low_level(program):
     stance = list(program.joints[-1])
     program.call("ChangeMode", sdk.RobotMode.kCustom)
     program.call("GetMode")
-    kp = [40.0] * 2 + [40.0, 50.0, 20.0, 20.0] * 2 + [350.0, 350.0, 180.0, 350.0, 250.0, 250.0] * 2
     trips = []
     for i in range(200):
         targets = list(stance)
         targets[4] = targets[8] = stance[4] + 0.4 * math.sin(0.03 * i)
         count, begin = len(program.stamps), time.monotonic()
-        program.write_gains(targets, kp) if hasattr(program, "write_gains") else program.write(targets, kp=200.0, kd=5.0)
+        program.write(targets)
         while len(program.stamps) <= count and time.monotonic() - begin < 0.2:
             time.sleep(0.0001)
         trips.append(time.monotonic() - begin)
@@ -234,15 +254,57 @@ def main_program():
     return program
 
 
+def check_log(robot, program):
+    """Every position that was sent is a row of the simulator's own log."""
+    with robot.log.open() as file:
+        names, *rows = list(csv.reader(file))
+    columns = [i for i, name in enumerate(names) if ".joint_position" in name]
+    log = [[float(row[i]) for i in columns] for row in rows]
+    expect("joints in the log", len(columns) == JOINTS, len(columns))
+    worst = 0.0
+    for joints in program.joints[500:-500:997]:
+        worst = max(worst, min(max(abs(a - b) for a, b in zip(joints, row)) for row in log))
+    expect("positions are those of the log", worst < 2e-6, worst)
+
+
+def write_for_ever():
+    """A program that is killed while it commands the robot."""
+    program = Program()
+    program.wait_for_state()
+    program.loco.ChangeMode(sdk.RobotMode.kCustom)
+    stance = list(program.joints[-1])
+    print("commands", flush=True)
+    while True:
+        program.write(stance)
+        time.sleep(0.002)
+
+
+def check_kill(program, folder):
+    robot = Robot(program, folder, 8)
+    child = subprocess.Popen([sys.executable, __file__, program, "--write"], stdout=subprocess.PIPE, text=True)
+    while "commands" not in child.stdout.readline():
+        if child.poll() is not None:
+            break
+    time.sleep(1)
+    child.send_signal(signal.SIGKILL)
+    child.wait()
+    report = robot.end()
+    said = [line["text"] for line in report["control"][0]["said"]]
+    print(said)
+    expect("its first line", said[:1] == ["a program with the robot's SDK has come"], said[:1])
+
+
 def main():
     program = sys.argv[1]
+    if "--write" in sys.argv:
+        write_for_ever()
     with tempfile.TemporaryDirectory() as folder:
-        robot = Robot(program, folder, 45)
-        main_program()
-        elsewhere = [place for place in listens_elsewhere(robot.process.pid)]
-        print("sockets:", sorted(set(elsewhere)))
-        report = robot.end()
-        print(json.dumps(report.get("control", report.get("software", {})))[:600])
+        robot = Robot(program, folder, 90)
+        seen = main_program()
+        check_sockets(robot.process.pid)
+        robot.end()
+        check_log(robot, seen)
+        check_kill(program, folder)
     end()
 
 

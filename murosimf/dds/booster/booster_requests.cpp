@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "murosimf/dds/booster/booster_software.h"
+#include "murosimf/math/quaternion.h"
 
 namespace murosimf::dds::booster {
 namespace {
@@ -16,6 +17,7 @@ enum Request : std::int64_t {
   wave_hand = 2005,
   lie_down = 2007,
   get_up = 2008,
+  get_frame_transform = 2011,
   get_mode = 2017,
   get_status = 2018,
   get_robot_info = 2022,
@@ -125,7 +127,22 @@ RpcAnswer BoosterSoftware::turn_head(const RpcParameters& given) {
   return {};
 }
 
+/// Pose of `dst` in the frame `src`: in which of both directions the real robot answers is not published.
+RpcAnswer BoosterSoftware::frame_transform(const RpcParameters& given) const {
+  const auto of = whole(given, "dst"), in = whole(given, "src");
+  if (!of || !in) return {Status::bad_request};
+  const std::optional<Transformd> pose = frames_.pose(*of, *in, sensing_.motors());
+  if (!pose) return {Status::bad_request};
+  const Quaterniond turn = from_matrix(pose->orientation);
+  const Vec3d& place = pose->position;
+  return {{},
+          fmt::format("{{\"position\":{{\"x\":{},\"y\":{},\"z\":{}}},"
+                      "\"orientation\":{{\"x\":{},\"y\":{},\"z\":{},\"w\":{}}}}}",
+                      place.x, place.y, place.z, turn.x, turn.y, turn.z, turn.w)};
+}
+
 void BoosterSoftware::handle_questions() {
+  handlers_[get_frame_transform] = [this](const RpcParameters& given) { return frame_transform(given); };
   handlers_[get_mode] = [this](const RpcParameters&) -> RpcAnswer {
     return {{}, fmt::format("{{\"mode\":{}}}", static_cast<int>(modes_.mode()))};
   };

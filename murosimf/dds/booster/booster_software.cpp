@@ -47,6 +47,7 @@ BoosterSoftware::BoosterSoftware(Setup& setup, control_software::RobotPort& port
       target_(setup.input(properties::joint_target, 0.0)),
       low_level_(port, joints_.places),
       sensing_(setup, port, joints_.places),
+      frames_(setup.model(), objects_),
       motions_(setup, port),
       outside_("dds:" + name_, outside, say_),
       modes_(first_mode_),

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "murosimf/control_software/control_software.h"
+#include "murosimf/dds/booster/body_frames.h"
 #include "murosimf/dds/booster/booster_link.h"
 #include "murosimf/dds/booster/booster_options.h"
 #include "murosimf/dds/booster/external_messages.h"
@@ -45,6 +46,7 @@ class BoosterSoftware final : public control_software::ControlSoftware {
   void handle_motions();
   void handle_questions();
   RpcAnswer turn_head(const RpcParameters& given);
+  [[nodiscard]] RpcAnswer frame_transform(const RpcParameters& given) const;
   void take(const Arrival& arrival);
   void take_low_command(LowCommand command);
   void answer(const RpcMessage& request);
@@ -62,10 +64,11 @@ class BoosterSoftware final : public control_software::ControlSoftware {
   std::chrono::nanoseconds longest_wait_;  // for a command; 0: none
   Mode first_mode_;
   PlacedJoints joints_;
-  std::vector<int> objects_;  // of the model, by joint
+  std::vector<int> objects_;        // of the model, by joint
   std::span<const double> target_;  // [rad] of all joints, by object
   LowLevel low_level_;
   RobotSensing sensing_;
+  BodyFrames frames_;
   MotionRequests motions_;
   RpcHandlers handlers_;
   std::unique_ptr<BoosterLink> link_;  // null: nothing is sent
