@@ -3,8 +3,9 @@
 
 Usage: booster_sdk.py MUROSIMF
 
-A program with the SDK stands the robot up, has it walk and turn by Move, and moves its joints by low-level commands; what it reads is compared with
-the simulator's own log. Garbage, wrong sizes, and a program that is killed do not end the run. Nothing listens beside 127.0.0.1.
+A program with the SDK has the robot walk and turn by Move, moves its joints by low-level commands, and has it get up after
+a fall; what it reads is compared with the simulator's own log. Commands of a wrong size, and a program that is killed, do
+not end the run. Nothing listens beside 127.0.0.1.
 Needs booster-robotics-sdk-python in this Python; without it, or in a build without DDS, it is skipped (exit code 77).
 """
 
@@ -18,6 +19,7 @@ import sys
 import tempfile
 import time
 from pathlib import Path
+from xml.etree import ElementTree
 
 try:
     import booster_robotics_sdk_python as sdk
@@ -28,8 +30,15 @@ except ImportError as missing:
 from errors import end, errors
 
 DOMAIN = 87
+MODEL = Path(__file__).resolve().parents[2] / "models" / "booster_k1.xml"
 DISCOVERY = "239.255.0.1"
-JOINTS = 22
+ARM, LEG = ("Shoulder_Pitch", "Shoulder_Roll", "Elbow_Pitch", "Elbow_Yaw"), (
+    "Hip_Pitch", "Hip_Roll", "Hip_Yaw", "Knee_Pitch", "Ankle_Pitch", "Ankle_Roll")
+# as the model names them, in the order of the SDK's JointIndexK1
+SIDES = ("Left", "Right")
+JOINT_NAMES = ["AAHead_yaw", "Head_pitch"] + [f"{side}_{joint}" for limb in (ARM, LEG) for side in SIDES for joint in limb]
+JOINT_NAMES = ["A" + name if name.endswith("Shoulder_Pitch") else name for name in JOINT_NAMES]
+JOINTS = len(JOINT_NAMES)
 
 
 def expect(what, good, got):
@@ -44,8 +53,8 @@ class Robot:
     def __init__(self, program, folder, duration, *more):
         self.log, self.report = Path(folder) / "log.csv", Path(folder) / "report.json"
         logged = ["k1.*.joint_position", "k1.*.odometry"]
-        command = [program, "run", "booster", "--booster", str(DOMAIN), "--speed", "1", "--duration", str(duration), "--no-cameras",
-                   "--json", str(self.report), "--out", str(self.log), "--log-rate", "500", *more]
+        command = [program, "run", "booster", "--booster", str(DOMAIN), "--speed", "1", "--duration", str(duration),
+                   "--no-cameras", "--json", str(self.report), "--out", str(self.log), "--log-rate", "500", *more]
         for name in logged:
             command += ["--log", name]
         self.process = subprocess.Popen(command, stdout=subprocess.DEVNULL)
@@ -94,13 +103,14 @@ class Program:
         return result
 
     def write(self, targets, weight=1.0):
-        """With the gains of the vendor's K1 for MuJoCo."""
-        legs, arms = [(350, 7.5), (350, 7.5), (180, 3), (350, 5.5), (250, 5), (250, 5)], [(40, 0.5), (50, 1.5), (20, 0.2), (20, 0.2)]
+        """With the gains of the model's file."""
+        legs = [(350, 7.5), (350, 7.5), (180, 3), (350, 5.5), (250, 5), (250, 5)]
+        arms = [(40, 0.5), (50, 1.5), (20, 0.2), (20, 0.2)]
         gains = [(40, 1.5)] * 2 + arms * 2 + legs * 2
         command = sdk.LowCmd()
         command.cmd_type = sdk.LowCmdType.SERIAL
         motors = []
-        for q, (kp, kd) in zip(targets, gains):
+        for q, (kp, kd) in zip(targets, gains, strict=False):  # a command may be too short
             motor = sdk.MotorCmd()
             motor.mode, motor.q, motor.dq, motor.tau, motor.kp, motor.kd, motor.weight = 0, q, 0.0, 0.0, kp, kd, weight
             motors.append(motor)
@@ -127,7 +137,7 @@ def hex_address(text):
 
 
 def check_sockets(process):
-    """All sockets of the run are on 127.0.0.1, or hear the group of DDS's discovery, which only the loopback interface has joined."""
+    """All sockets are on 127.0.0.1, or hear the group of DDS's discovery, which only the loopback interface has joined."""
     inodes = set()
     for link in Path(f"/proc/{process}/fd").iterdir():
         target = os.readlink(link) if link.is_symlink() else ""
@@ -258,12 +268,16 @@ def check_log(robot, program):
     """Every position that was sent is a row of the simulator's own log."""
     with robot.log.open() as file:
         names, *rows = list(csv.reader(file))
-    columns = [i for i, name in enumerate(names) if ".joint_position" in name]
+    place = {name.split(".")[1]: i for i, name in enumerate(names) if ".joint_position" in name}
+    # the log names a joint by the body that it moves
+    model = ElementTree.parse(MODEL)
+    bodies = {joint.get("name"): body.get("name") for body in model.iter("body") for joint in body.findall("joint")}
+    columns = [place[bodies[joint]] if bodies[joint] in place else place[joint] for joint in JOINT_NAMES]
     log = [[float(row[i]) for i in columns] for row in rows]
     expect("joints in the log", len(columns) == JOINTS, len(columns))
     worst = 0.0
     for joints in program.joints[500:-500:997]:
-        worst = max(worst, min(max(abs(a - b) for a, b in zip(joints, row)) for row in log))
+        worst = max(worst, min(max(abs(a - b) for a, b in zip(joints, row, strict=True)) for row in log))
     expect("positions are those of the log", worst < 2e-6, worst)
 
 
