@@ -13,6 +13,7 @@
 #include "apps/roboviz_arguments.h"
 #include "murosimf/catalog/controller_options.h"
 #include "murosimf/control_software/tcp/tcp_server.h"
+#include "murosimf/dds/participant.h"
 #include "murosimf/model/error.h"
 #include "murosimf/recording/state_file.h"
 
@@ -21,7 +22,7 @@ namespace {
 
 /// Of --booster. Throws SetupError.
 int read_domain(const std::string& text) {
-  constexpr int highest = 232;  // by the ports of DDS
+  constexpr int highest = dds::Participant::highest_domain;
   int domain = -1;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), domain);
   if (error == std::errc() && end == text.data() + text.size() && domain >= 0 && domain <= highest) return domain;

@@ -1,5 +1,7 @@
 #include "murosimf/catalog/controller_options.h"
 
+#include "murosimf/dds/participant.h"
+
 namespace murosimf::catalog {
 namespace {
 
@@ -77,9 +79,8 @@ const OptionTable<serial::SerialOptions>& serial_options() {
 
 const OptionTable<dds::booster::BoosterOptions>& booster_options() {
   using Options = dds::booster::BoosterOptions;
-  constexpr int highest_domain = 232;  // by the ports of DDS
   static const OptionTable<Options> table{
-      {"domain", &Options::domain, "", "of DDS; -1: that of --booster", -1, highest_domain},
+      {"domain", &Options::domain, "", "of DDS; -1: that of --booster", -1, dds::Participant::highest_domain},
       {"suffix", &Options::suffix, "", "behind the names of all topics, for several robots in a domain"},
       {"mode", &Options::mode, "", "at the start", {"damping", "prepare", "walking", "custom", "soccer"}},
       {"lock_step", &Options::lock_step, "s",

@@ -53,7 +53,10 @@ void BoosterSoftware::handle_modes() {
     if (!mode) return {Status::bad_request};
     const Mode before = modes_.mode();
     const Status status = modes_.change(*mode);
-    if (modes_.mode() != before) commands_.clear();  // those of another mode are over
+    if (modes_.mode() != before) {  // commands of another mode are over
+      commands_.clear();
+      upper_body_ = false;
+    }
     return {status};
   };
   const auto rise = [this](std::int64_t mode) {

@@ -120,6 +120,9 @@ bool BoosterSoftware::follows_low_level(std::size_t joint) const {
 
 void BoosterSoftware::command() {
   motions_.walk(modes_.velocity());
+  if (cycle_ == 0) {
+    for (std::size_t joint = 0; joint < held_.size(); ++joint) held_[joint] = target_[objects_[joint]];
+  }
   for (std::size_t joint = 0; joint < joints_.places.size(); ++joint) command_joint(joint);
 }
 

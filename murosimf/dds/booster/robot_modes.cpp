@@ -1,7 +1,5 @@
 #include "murosimf/dds/booster/robot_modes.h"
 
-#include <utility>
-
 namespace murosimf::dds::booster {
 
 Status RobotModes::change(std::int64_t mode) {
@@ -10,7 +8,7 @@ Status RobotModes::change(std::int64_t mode) {
   const Mode wanted{static_cast<std::int32_t>(mode)};
   // a robot on the ground stands up for get_up() alone
   if ((rising_ || lies_) && wanted != Mode::damping && wanted != Mode::custom) return Status::conflict;
-  rising_ = risen_ = lies_ = false;
+  rising_ = lies_ = false;
   velocity_ = {};
   mode_ = wanted;
   return Status::success;
@@ -28,7 +26,7 @@ Status RobotModes::get_up(std::int64_t mode, const Posture& posture) {
   if (!posture.fallen && !lies_) return Status::conflict;
   mode_ = wanted;
   rising_ = true;
-  risen_ = lies_ = false;
+  lies_ = false;
   velocity_ = {};
   return Status::success;
 }
@@ -42,8 +40,7 @@ Status RobotModes::lie_down() {
 
 void RobotModes::follow(const Posture& posture) {
   if (rising_) {
-    risen_ = risen_ || posture.gets_up;
-    if (risen_ && !posture.fallen && !posture.gets_up) rising_ = risen_ = false;
+    rising_ = posture.fallen || posture.gets_up;
     return;
   }
   if (!uses_motions() || !posture.fallen || lies_) return;

@@ -59,13 +59,12 @@ class RobotModes {
 
   template <class Archive>
   void state(Archive& archive) {
-    archive(mode_, rising_, risen_, lies_, velocity_.x, velocity_.y, velocity_.z);
+    archive(mode_, rising_, lies_, velocity_.x, velocity_.y, velocity_.z);
   }
 
  private:
   Mode mode_ = Mode::prepare;
   bool rising_ = false;  // asked to get up, and does not stand yet
-  bool risen_ = false;   // of that: the engine has begun
   bool lies_ = false;
   Vec3d velocity_;
 };

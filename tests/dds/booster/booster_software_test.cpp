@@ -221,6 +221,26 @@ TEST_F(BoosterSoftware, IsRepeatedFromARecording) {
   fixtures::expect_repeatable(fixtures::record("booster.mcap", run));
 }
 
+// In lock-step every cycle takes a command, however slowly a program writes them.
+TEST_F(BoosterSoftware, WaitsForCommandsInLockStep) {
+  Client client;
+  scene::Scene scene("booster", options({"k1.options.lock_step=2"}));
+  client.meet(scene);
+  EXPECT_EQ(client.ask(scene, 2000, R"({"mode":3})").header, R"({"status":0})");
+  constexpr int cycles = 30;
+  constexpr double step = 0.01;
+  std::thread program([&] {
+    for (int i = 1; i <= cycles + 5; ++i) {
+      std::this_thread::sleep_for(3ms);
+      client.command(joints, step * i);
+    }
+  });
+  scene.simulation().run(cycles * 2ms);
+  const double target = scene.simulation().world().entity("k1").object("AAHead_yaw").get(properties::joint_target);
+  EXPECT_GT(target, step * (cycles - 1.5)) << "one for each cycle, but the first, which began before";
+  program.join();
+}
+
 TEST(BoosterController, NamesRobotsThatAreNone) {
   try {
     scene::Scene scene("walk", {.overrides = {"walker.controller=booster"}, .cameras = false});

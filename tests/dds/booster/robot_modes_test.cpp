@@ -53,6 +53,17 @@ TEST(RobotModes, GoLimpAfterAFallUntilAskedToGetUp) {
   EXPECT_EQ(modes.body_control(), 5);
 }
 
+// At kinematic_walking robots neither fall nor lie.
+TEST(RobotModes, AreUpAtOnceWhereNothingFalls) {
+  RobotModes modes;
+  EXPECT_EQ(modes.lie_down(), Status::success);
+  modes.follow(up);
+  EXPECT_EQ(modes.get_up(walking, up), Status::success);
+  modes.follow(up);
+  EXPECT_FALSE(modes.rises());
+  EXPECT_EQ(modes.move({0.1, 0, 0}), Status::success);
+}
+
 TEST(RobotModes, LieWhereTheyWereAskedTo) {
   RobotModes modes;
   EXPECT_EQ(modes.lie_down(), Status::success);
