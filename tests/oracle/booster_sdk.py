@@ -237,6 +237,46 @@ def check_low_level(program):
     expect("its sequences are full", len(program.joints[-1]) == program.parallel == JOINTS, len(program.joints[-1]))
 
 
+def check_other_calls(program):
+    """In soccer mode: head, odometry, arms of the program's own, kick, lying down."""
+    program.call("ChangeMode", sdk.RobotMode.kSoccer)
+    time.sleep(1)
+    program.call("RotateHeadWithTime", 0.2, 0.4, 300)
+    program.call("ResetOdometryTo", 1.0, 2.0, 0.5)
+    time.sleep(0.5)
+    expect("its head", math.dist(program.joints[-1][:2], (0.4, 0.2)) < 0.05, program.joints[-1][:2])
+    expect("its odometry", math.dist(program.odometer[-1], (1, 2, 0.5)) < 0.02, program.odometer[-1])
+    program.call("MoveCommand", 0.1, 0.0, 0.0)
+    time.sleep(2)
+    program.call("Move", 0.0, 0.0, 0.0)
+    expect("it walks to where it looks", program.odometer[-1][0] > 1.05 and program.odometer[-1][1] > 2.02, program.odometer[-1])
+    program.call("UpperBodyCustomControl", True)
+    targets = list(program.joints[-1])
+    targets[4] += 0.5
+    for _ in range(100):
+        program.write(targets)
+        time.sleep(0.01)
+    expect("its elbow", abs(program.joints[-1][4] - targets[4]) < 0.05, (program.joints[-1][4], targets[4]))
+    program.call("UpperBodyCustomControl", False)
+    program.call("Shoot")
+    time.sleep(5)
+    expect("stands after a kick", program.fall[-1][0] == sdk.FallDownStateType.IS_READY, program.fall[-1])
+    program.call("VisualKick", False)
+    program.call("WaveHand", sdk.HandAction.kHandOpen, code=501)  # the model has no such motion
+    program.call("SwitchGait", sdk.GaitType.kHalfBodyHumanlikeGait, code=501)
+    program.call("LieDown")
+    time.sleep(5)
+    expect("lies", program.fall[-1][0] == sdk.FallDownStateType.HAS_FALLEN, program.fall[-1])
+    program.call("Move", 0.1, 0.0, 0.0, code=409)
+    program.call("GetUpWithMode", sdk.RobotMode.kSoccer)
+    begin = time.monotonic()
+    while time.monotonic() - begin < 15 and program.fall[-1][0] != sdk.FallDownStateType.IS_READY:
+        time.sleep(0.05)
+    expect("got up", program.fall[-1][0] == sdk.FallDownStateType.IS_READY, f"{time.monotonic() - begin:.1f} s")
+    time.sleep(0.5)
+    expect("is in soccer mode", program.states[-1] == (4, 5), program.states[-1])
+
+
 def check_fall(program):
     program.call("ChangeMode", sdk.RobotMode.kDamping)
     time.sleep(4)
@@ -260,6 +300,7 @@ def main_program():
     rate = (len(program.stamps) - count) / (time.monotonic() - begin)
     print(f"LowState at {rate:.1f} Hz")
     check_low_level(program)
+    check_other_calls(program)
     check_fall(program)
     return program
 
@@ -313,7 +354,7 @@ def main():
     if "--write" in sys.argv:
         write_for_ever()
     with tempfile.TemporaryDirectory() as folder:
-        robot = Robot(program, folder, 90)
+        robot = Robot(program, folder, 120)
         seen = main_program()
         check_sockets(robot.process.pid)
         robot.end()
