@@ -1,6 +1,8 @@
 #include "apps/run_options.h"
 
 #include <algorithm>
+#include <charconv>
+#include <map>
 #include <memory>
 
 #include <fmt/format.h>
@@ -9,12 +11,23 @@
 #include "apps/interruption.h"
 #include "apps/option_values.h"
 #include "apps/roboviz_arguments.h"
+#include "murosimf/catalog/controller_options.h"
 #include "murosimf/control_software/tcp/tcp_server.h"
+#include "murosimf/dds/participant.h"
 #include "murosimf/model/error.h"
 #include "murosimf/recording/state_file.h"
 
 namespace murosimf::app {
 namespace {
+
+/// Of --booster. Throws SetupError.
+int read_domain(const std::string& text) {
+  constexpr int highest = dds::Participant::highest_domain;
+  int domain = -1;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), domain);
+  if (error == std::errc() && end == text.data() + text.size() && domain >= 0 && domain <= highest) return domain;
+  throw SetupError(fmt::format("--booster: a DDS domain is a number from 0 to {}, not '{}'", highest, text));
+}
 
 std::shared_ptr<control_software::TcpServer> server_at(const std::string& where) {
   if (where.empty()) return nullptr;
@@ -64,10 +77,16 @@ void define_run(const Command& command, RunOptions& options) {
   add_supervision(command, options.supervision).excludes(pictures);
   command.add("--serial", options.serial,
               "Folder for links to the serial lines of robots with controller = \"serial\", one for each, named as it");
+  command
+      .add("--booster", options.booster,
+           "Let programs with the SDK of Booster, on this computer alone, control robots with controller = "
+           "\"booster\"; a value: DOMAIN of DDS")
+      .value_if_alone("0");
   add_no_cameras(command, options.no_cameras);
 }
 
 void check(const RunOptions& options) {
+  if (!options.booster.empty()) (void)read_domain(options.booster);
   (void)speed_of(options);
   if (options.duration) (void)read_duration(*options.duration);
   check(options.record, !options.supervision.where.empty());
@@ -93,6 +112,29 @@ void check_serial(const scene_file::SceneSpec& spec, const std::string& folder) 
   }
 }
 
+void check_booster(const scene_file::SceneSpec& spec, const std::string& domain) {
+  std::map<std::pair<int, std::string>, std::string> taken;  // robots by domain and suffix
+  for (const scene_file::RobotSpec& robot : spec.robots) {
+    if (robot.controller != "booster") continue;
+    if (domain.empty()) {
+      say_note(fmt::format("{}: no program can reach {}; to let programs with Booster's SDK in: --booster", robot.where,
+                           robot.name));
+      continue;
+    }
+    dds::booster::BoosterOptions options;
+    catalog::booster_options().apply(robot.options, options);
+    const int own = options.domain >= 0 ? options.domain : read_domain(domain);
+    const auto [place, fresh] = taken.try_emplace({own, options.suffix}, robot.name);
+    if (fresh) continue;
+    throw SetupError(
+        fmt::format("{}: {} and {} are in the same DDS domain, {}; give one another: options = {{domain = {}}}",
+                    robot.where, place->second, robot.name, own, own + 1));
+  }
+  if (!domain.empty() && taken.empty()) {
+    throw SetupError("--booster: no robot is controlled by Booster's SDK (controller = \"booster\")");
+  }
+}
+
 bool is_steered(const RunOptions& options) { return !options.web.web.empty() || !options.supervision.where.empty(); }
 
 std::string no_way_back(const RunOptions& options) {
@@ -112,6 +154,7 @@ scene::SceneOptions scene_options_of(const RunOptions& options) {
   all.cameras = !options.no_cameras;
   all.paths = !options.picture.empty();
   all.terminals = options.serial;
+  if (!options.booster.empty()) all.dds_domain = read_domain(options.booster);
   all.pushable = is_steered(options);
   if (!options.from.empty()) all.pushable = recording::was_pushable(options.from).value_or(all.pushable);
   all.software = server_at(options.listen);

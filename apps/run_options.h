@@ -29,6 +29,7 @@ struct RunOptions {
   std::string roboviz;             ///< [HOST:]PORT, empty: no other program draws
   RecordOptions record;
   std::string serial;                ///< folder for links to serial lines
+  std::string booster;               ///< domain of DDS; empty: none
   bool no_cameras = false;           ///< nothing is drawn for cameras
   std::string from, save_state;      ///< files
   std::vector<std::string> save_at;  ///< TIME:FILE
@@ -44,6 +45,8 @@ void check(const RunOptions& options);
 
 /// Serial lines need a place where programs find them, and a place needs lines. Throws SetupError.
 void check_serial(const scene_file::SceneSpec& spec, const std::string& folder);
+/// Throws SetupError: two robots of Booster in one domain, or a domain without such robots. Without a domain a note says that none is reached.
+void check_booster(const scene_file::SceneSpec& spec, const std::string& domain);
 /// Whether others steer the run: browsers, supervisors.
 [[nodiscard]] bool is_steered(const RunOptions& options);
 /// Why a steered run cannot go back in time; empty: it can.

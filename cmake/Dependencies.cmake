@@ -26,6 +26,12 @@ if(MUROSIMF_TCP)
     message(STATUS "TCP is off: Protobuf was not found (Debian and Ubuntu: libprotobuf-dev, protobuf-compiler)")
   endif()
 endif()
+if(MUROSIMF_DDS)
+  find_package(fastrtps QUIET)  # 2; its successor, fastdds 3 in Debian 13, has another interface
+  if(NOT TARGET fastrtps)
+    message(STATUS "DDS is off: Fast DDS 2 was not found (Debian 12 and Ubuntu 24.04: libfastrtps-dev)")
+  endif()
+endif()
 if(MUROSIMF_PICTURES)
   if(PkgConfig_FOUND)
     pkg_check_modules(cairo QUIET IMPORTED_TARGET GLOBAL cairo libpng)  # which cairo needs itself

@@ -4,11 +4,11 @@
 set(murosimf_folders_alone geometry ${MUROSIMF_FOLDERS_ALONE})
 set_source_files_properties(soccer/localize.cpp robot_formats/mjcf/mjcf_tendons.cpp robot/conversion_additions.cpp robot/robot_builder.cpp component_files/sensor_keys.cpp component_files/sensor_toml.cpp
   component_files/servo_description.cpp files/data_path.cpp robot_formats/mesh/obj_file.cpp robot_formats/urdf/urdf_joint.cpp
-  serial/line_rate.cpp locomotion/gait_clock.cpp dynamics/joint_stop.cpp robot/role_inference.cpp render/image_png.cpp render/opengl/gl_drawing.cpp web/server.cpp
+  serial/line_rate.cpp dds/participant.cpp locomotion/gait_clock.cpp dynamics/joint_stop.cpp robot/role_inference.cpp render/image_png.cpp render/opengl/gl_drawing.cpp web/server.cpp
   PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 
 # They read, check and write, and no step of a simulation runs through them: optimizing them fully is a fifth of their time.
-set(murosimf_cold_folders files robot_formats component_files robot catalog scene_file scene logging web)
+set(murosimf_cold_folders files robot_formats component_files dds robot catalog scene_file scene logging web)
 
 # Where the time of a step goes. Nine of their sources are compiled as one, so that what is inlined, and the counted instructions
 # (tests/instruction_counts.txt), do not change with the other folders. Of others eighteen are: an eighth to three tenths less to compile.

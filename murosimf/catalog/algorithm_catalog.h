@@ -104,6 +104,7 @@ struct ControllerOptions {
   std::shared_ptr<control_software::TcpServer> software;  ///< accepts the software of the controller "tcp"; null: none
   std::filesystem::path folder;     ///< folder of the scene's file, searched for files that it names
   std::filesystem::path terminals;  ///< folder for links to serial lines; empty: there are none
+  std::optional<int> dds_domain{};  ///< of robots of Booster that name no other; nothing: there is no DDS
   ExternalInputOptions outside;     ///< recording and repetition of external input
 };
 

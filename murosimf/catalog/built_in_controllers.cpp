@@ -14,6 +14,7 @@
 #include "murosimf/control_software/tcp/tcp_server.h"
 #include "murosimf/control_software/trajectory_file.h"
 #include "murosimf/control_software/trajectory_player.h"
+#include "murosimf/dds/booster/booster_software.h"
 #include "murosimf/files/data_path.h"
 #include "murosimf/locomotion/gait_seed.h"
 #include "murosimf/locomotion/keyframe_player.h"
@@ -232,6 +233,21 @@ void attach_serial(Simulation& simulation, Entity& robot, const ControllerOption
                   options);
 }
 
+/// A robot's own domain opens nothing by itself: only the command line does.
+void attach_booster(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
+  using dds::booster::BoosterSoftware;
+  dds::booster::BoosterOptions given;
+  booster_options().apply(options.own, given);
+  std::optional<int> domain = options.dds_domain;
+  if (domain && given.domain >= 0) domain = given.domain;
+  attach_missing_senses(simulation, robot);
+  const control_software::SoftwareMaker make = [&](Setup& setup, control_software::RobotPort& port,
+                                                   const control_software::SayLine& say) {
+    return std::make_unique<BoosterSoftware>(setup, port, say, given, domain, options.outside);
+  };
+  attach_software(simulation, robot, rate_of<BoosterSoftware>(options), make, {.software = "Booster SDK"}, options);
+}
+
 void attach_drive(Simulation& simulation, Entity& car, const ControllerOptions& options) {
   locomotion::DriveOptions drive;
   drive_options().apply(options.own, drive);
@@ -329,6 +345,9 @@ std::vector<ControllerType> built_in_controllers() {
                      "call_budget link", attach_tcp, tcp_options().infos()},
       ControllerType{"serial", "servos and IMU on a virtual serial line that speaks the Dynamixel protocols", "link",
                      attach_serial, serial_options().infos()},
+      ControllerType{"booster",
+                     "programs with the SDK of the robot's vendor, Booster, over DDS: murosimf run --booster", "link",
+                     attach_booster, booster_options().infos()},
       ControllerType{"drive", "drives a car with the speed and turning rate in walk_command", "command", attach_drive,
                      drive_options().infos(), false, drives_at},
       ControllerType{"ball_chaser", "turns to the ball, walks to it and pushes it to the goal, from ground truth", "",

@@ -1,5 +1,7 @@
 #include "murosimf/catalog/controller_options.h"
 
+#include "murosimf/dds/participant.h"
+
 namespace murosimf::catalog {
 namespace {
 
@@ -71,6 +73,18 @@ const OptionTable<serial::SerialOptions>& serial_options() {
       {"imu", &Options::imu, "", "sensor that is on the bus; not given: 'imu', if there is one"},
       {"imu_id", &Options::imu_id, "", "its id", 0, serial::first_no_id - 1},
       {"imu_ping", &Options::imu_ping, "", "it answers broadcast pings"},
+  };
+  return table;
+}
+
+const OptionTable<dds::booster::BoosterOptions>& booster_options() {
+  using Options = dds::booster::BoosterOptions;
+  static const OptionTable<Options> table{
+      {"domain", &Options::domain, "", "of DDS; -1: that of --booster", -1, dds::Participant::highest_domain},
+      {"suffix", &Options::suffix, "", "behind the names of all topics, for several robots in a domain"},
+      {"mode", &Options::mode, "", "at the start", {"damping", "prepare", "walking", "custom", "soccer"}},
+      {"lock_step", &Options::lock_step, "s",
+       "wall time that a cycle in custom mode waits for a command; 0: it does not", 0, longest_limit},
   };
   return table;
 }

@@ -28,21 +28,12 @@ constexpr std::string_view joint_target = "joint.target", joint_velocity_target 
                            walk_other_joints = "walk.other_joints", motion_velocity = "motion.velocity",
                            motion_play = "motion.play", motion_kick = "motion.kick", game_answer_name = "game.answer",
                            position_gain = "joint.position_gain", velocity_gain = "joint.velocity_gain",
-                           torque_limit = "joint.torque_limit", joint_led = "joint.led", robot_led = "robot.led";
-constexpr std::array command_names{joint_target,
-                                   joint_velocity_target,
-                                   joint_torque_enabled,
-                                   position_gain,
-                                   velocity_gain,
-                                   torque_limit,
-                                   joint_led,
-                                   robot_led,
-                                   walk_velocity,
-                                   walk_other_joints,
-                                   motion_velocity,
-                                   motion_play,
-                                   motion_kick,
-                                   game_answer_name};
+                           torque_limit = "joint.torque_limit", feed_forward = "joint.feed_forward",
+                           joint_led = "joint.led", robot_led = "robot.led", motion_joints = "motion.joints";
+constexpr std::array command_names{joint_target,  joint_velocity_target, joint_torque_enabled, position_gain,
+                                   velocity_gain, torque_limit,          feed_forward,         joint_led,
+                                   robot_led,     walk_velocity,         walk_other_joints,    motion_velocity,
+                                   motion_play,   motion_kick,           motion_joints,        game_answer_name};
 
 /// Start value of a servo's command and its upper limit.
 std::pair<double, double> start_and_most(const Servo& servo, std::string_view command) {
@@ -51,6 +42,7 @@ std::pair<double, double> start_and_most(const Servo& servo, std::string_view co
   if (command == position_gain) return {servo.position_gain, gains * servo.position_gain};
   if (command == velocity_gain) return {own, std::max(gains * own, longest * servo.position_gain)};
   const double most = servo.stall_torque > 0 ? servo.stall_torque : any_torque;
+  if (command == feed_forward) return {0, most};
   return {most, most};
 }
 
@@ -83,6 +75,12 @@ const std::vector<std::string>* PortCommands::labels(std::string_view name) cons
   return found == commands_.end() ? nullptr : &found->labels;
 }
 
+CommandRange PortCommands::range(std::string_view name) const {
+  const auto found = std::ranges::find(commands_, name, &Command::name);
+  MUROSIMF_ASSERT(found != commands_.end());
+  return {found->lowest, found->highest};
+}
+
 bool PortCommands::has(std::string_view command) const {
   return std::ranges::find(commands_, command, &Command::name) != commands_.end();
 }
@@ -90,7 +88,7 @@ bool PortCommands::has(std::string_view command) const {
 bool PortCommands::walks() const { return has(walk_velocity) || has(walk_other_joints); }
 
 bool PortCommands::uses_motions() const {
-  return !watched_.empty() || has(motion_velocity) || has(motion_play) || has(motion_kick);
+  return !watched_.empty() || has(motion_velocity) || has(motion_play) || has(motion_kick) || has(motion_joints);
 }
 
 void PortCommands::watch_motions(std::string_view signal) {
@@ -108,9 +106,12 @@ void PortCommands::check_mover(std::string_view name) const {
   const auto check = [&](std::string_view other) {
     const auto taken = mover_of(other);
     if (!wanted || !taken || *wanted == *taken) return;
+    if (has(motion_joints) && *wanted != 1 && *taken != 1) return;  // which of them moves a joint is said while it runs
     throw SetupError(
         fmt::format("'{}' and '{}' exclude each other: joints follow joint.target, the walk engine (walk.velocity; "
-                    "other joints: walk.other_joints) or the motion engine (motion.velocity)",
+                    "other joints: walk.other_joints) or the motion engine (motion.velocity); that and joint.target go "
+                    "together once "
+                    "motion.joints has been asked for",
                     other, name));
   };
   for (const Command& other : commands_) check(other.name);
@@ -141,22 +142,35 @@ PortCommands::Command& PortCommands::make(std::string_view name) {
 
 void PortCommands::connect(Command& command) {
   const std::string_view name = command.name;
-  if (name == joint_target) return connect_joints(command, properties::joint_target, any_target, false);
+  if (name == joint_target) {
+    connect_joints(command, properties::joint_target, any_target, false);
+    return leave_to_motions(command);
+  }
   if (name == joint_velocity_target) return connect_joints(command, properties::joint_velocity_target, any_rate, false);
   if (name == walk_other_joints) return connect_joints(command, properties::joint_target, any_target, true);
   if (name == position_gain) return connect_servos(command, properties::servo_position_gain);
   if (name == velocity_gain) return connect_servos(command, properties::servo_velocity_gain);
   if (name == torque_limit) return connect_servos(command, properties::servo_torque_limit);
+  if (name == feed_forward) return connect_servos(command, properties::servo_feed_forward);
   if (name == robot_led) return connect_led(command);
   if (name == walk_velocity || name == motion_velocity) return connect_walk(command);
   if (name == motion_play) return connect_motions(command);
   if (name == motion_kick) return connect_kick(command);
   if (name == game_answer_name) return connect_answer(command);
-  const bool enables = name == joint_torque_enabled;
-  if (!enables && name != joint_led)
+  connect_switch(command);
+}
+
+/// For all joints: on (1, the start value of all but the LEDs) or off.
+void PortCommands::connect_switch(Command& command) {
+  const std::string_view name = command.name;
+  if (name != joint_torque_enabled && name != joint_led && name != motion_joints)
     throw SetupError(unknown_name("command", name, {command_names.begin(), command_names.end()}));
-  connect_joints(command, enables ? properties::torque_enabled : properties::servo_led, 1, false);
-  if (enables) command.first.assign(command.places.size(), 1.0);
+  connect_joints(command,
+                 name == joint_led       ? properties::servo_led
+                 : name == motion_joints ? properties::motion_joints
+                                         : properties::torque_enabled,
+                 1, false);
+  if (name != joint_led) command.first.assign(command.places.size(), 1.0);
   std::ranges::fill(command.lowest, 0.0);
 }
 
@@ -168,9 +182,17 @@ void PortCommands::connect_servos(Command& command, const Property<double>& prop
     const Servo* servo = model_->find(properties::servo, model_->joints()[i]);
     const auto [start, most] = servo ? start_and_most(*servo, command.name) : std::pair(0.0, 0.0);
     command.first.push_back(start);
-    command.lowest[i] = 0;
+    command.lowest[i] = command.name == feed_forward ? -most : 0;
     command.highest[i] = most;
   }
+}
+
+/// Targets of joints that the motion engine moves are kept, not written.
+void PortCommands::leave_to_motions(Command& command) {
+  const auto found = std::ranges::find(commands_, motion_joints, &Command::name);
+  if (found == commands_.end()) return;
+  MUROSIMF_ASSERT(found->places.size() == command.places.size());
+  command.others.assign(found->places.begin(), found->places.end());
 }
 
 void PortCommands::connect_led(Command& command) {
@@ -261,7 +283,8 @@ void PortCommands::restart() noexcept {
   if (link_) link_->restart();
   for (Command& command : commands_) {
     for (std::size_t i = 0; i < command.staged.size(); ++i) {
-      command.staged[i] = command.accepted[i] = *command.places[i] = command.first[i];
+      command.staged[i] = command.accepted[i] = command.first[i];
+      command.write(i, command.first[i]);
     }
   }
 }
@@ -280,7 +303,7 @@ std::size_t PortCommands::accept(Duration now) noexcept {
         if (count++ == 0) refused_ = {&command, i, staged};
         staged = command.accepted[i];
       }
-      if (!link_) *command.places[i] = command.accepted[i];
+      if (!link_) command.write(i, command.accepted[i]);
     }
   }
   if (link_) send(now);
@@ -320,13 +343,13 @@ void PortCommands::deliver(Duration now) noexcept {
   if (!arrived) return;
   auto number = arrived->begin();
   for (const Command& command : commands_) {
-    for (double* const place : command.places) *place = *number++;
+    for (std::size_t i = 0; i < command.places.size(); ++i) command.write(i, *number++);
   }
 }
 
 void PortCommands::settle() noexcept {
   for (const Command& command : commands_) {
-    for (std::size_t i = 0; i < command.places.size(); ++i) *command.places[i] = command.accepted[i];
+    for (std::size_t i = 0; i < command.places.size(); ++i) command.write(i, command.accepted[i]);
   }
   if (link_) link_->restart();
 }

@@ -19,6 +19,11 @@
 
 namespace murosimf::control_software {
 
+/// Allowed numbers of a command, one after the other.
+struct CommandRange {
+  std::span<const double> lowest, highest;
+};
+
 class PortCommands {
  public:
   /// `setup` must live until close(), and the rows, to which it adds, as long as this.
@@ -27,6 +32,7 @@ class PortCommands {
   /// As RobotPort::command, labels, close, walks, restart, accept and refusal.
   [[nodiscard]] murosimf_command* find(std::string_view name);
   [[nodiscard]] const std::vector<std::string>* labels(std::string_view name) const;
+  [[nodiscard]] CommandRange range(std::string_view name) const;
   void close() { setup_ = nullptr; }
   [[nodiscard]] bool walks() const;
   [[nodiscard]] bool uses_motions() const;
@@ -60,8 +66,12 @@ class PortCommands {
     std::vector<double> accepted;         // the robot's
     std::vector<double> lowest, highest;  // allowed
     std::vector<double*> places;          // in columns
+    std::vector<const double*> others;    // not 0: another algorithm has this number now; empty: none ever has
     std::function<void(Setup&)> declare;  // that it is written
     const GuardedRow* row = nullptr;      // where they stand
+    void write(std::size_t i, double value) const noexcept {
+      if (others.empty() || *others[i] == 0) *places[i] = value;
+    }
   };
   struct Refused {
     const Command* command = nullptr;  // null: nothing was
@@ -74,6 +84,8 @@ class PortCommands {
   void connect_joints(Command& command, const Property<double>& property, double limit, bool beside_legs);
   void connect(Command& command);
   void connect_servos(Command& command, const Property<double>& property);
+  void connect_switch(Command& command);
+  void leave_to_motions(Command& command);
   void connect_led(Command& command);
   void connect_walk(Command& command);
   void connect_motions(Command& command);

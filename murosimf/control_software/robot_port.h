@@ -13,11 +13,12 @@
 ///     game.state, ...      last message of the referee (game_view.h); of a robot in a game
 /// To set (murosimf_command), zero until set; numbers that are not finite or out of range are refused and counted:
 ///     joint.target         [rad | m] of all joints, within their ranges
-///     joint.velocity_target [rad/s | m/s] of all joints, for wheels
+///     joint.velocity_target [rad/s | m/s] of all joints: what wheels follow; of others what their velocity gain damps to, where levels have servos
 ///     joint.torque_enabled [1] of all joints, 0 or 1 (the start value); where levels have servos
 ///     joint.position_gain  [N m/rad] of all joints' servos, 0 where there is none; starts with the model's; where levels have servos
 ///     joint.velocity_gain  [N m s/rad] likewise
 ///     joint.torque_limit   [N m] likewise, of the motor; starts with the stall torque, which is no limit
+///     joint.feed_forward   [N m] likewise, added to what the gains give; up to the stall torque
 ///     joint.led            [1] brightness of the LEDs at the servos, 0 to 1
 ///     robot.led            [1] red, green, blue of the robot's LED, 0 to 1
 ///     walk.velocity        [m/s, m/s, rad/s] command of the library's walk engine, which moves the legs
@@ -26,8 +27,11 @@
 ///     motion.play          [1] of each motion of the robot's file, by its name: a change to another number than 0 has it played once
 ///     motion.kick          [1, rad, 1, m, m] number, direction, side, ball_x, ball_y: a change to another number than 0 has the robot kick the
 ///                          ball in that direction (locomotion/motion_state.h, KickRequest)
+///     motion.joints        [1] of all joints: 1 (the start value): the motion engine moves it; 0: joint.target does, and nothing moves what is
+///                          left of the engine's joints unless it has all of the legs
 ///     game.answer          [1] answer to the referee, 0 to 4 (2, alive)
-/// The simulator's walk engine, its motion engine and joint.target exclude each other; reading motion.* selects the motion engine, too.
+/// The simulator's walk engine, its motion engine and joint.target exclude each other; reading motion.* selects the motion engine, too. Once
+/// motion.joints has been requested, both the motion engine and joint.target may be, and it says at any time which of them moves a joint.
 #pragma once
 
 #include <cstdint>
@@ -79,6 +83,9 @@ class RobotPort {
   [[nodiscard]] murosimf_command* command(std::string_view name) { return commands_.find(name); }
   /// Labels of the numbers of a requested signal or command; null if it is none of them.
   [[nodiscard]] const std::vector<std::string>* labels(std::string_view name) const;
+
+  /// Of a requested command: numbers outside are refused. Stays valid.
+  [[nodiscard]] CommandRange range(std::string_view command) const { return commands_.range(command); }
 
   /// Of a camera, likewise (port_pictures.h).
   [[nodiscard]] const murosimf_picture* picture(std::string_view name) { return pictures_.find(name); }

@@ -45,6 +45,7 @@ inline constexpr Property<double> rotor_rate       {{"rotor_rate", "rad/s", "joi
 inline constexpr Property<double> servo_position_gain {{"servo_position_gain", "N m/rad", "joint", "of a servo, set by control software that asks for it; starts with the servo's own"}};
 inline constexpr Property<double> servo_velocity_gain {{"servo_velocity_gain", "N m s/rad", "joint", "likewise"}};
 inline constexpr Property<double> servo_torque_limit {{"servo_torque_limit", "N m", "joint", "likewise, of the motor; its stall torque: none"}};
+inline constexpr Property<double> servo_feed_forward {{"servo_feed_forward", "N m", "joint", "torque that a servo adds to that of its gains, set by control software that asks for it"}};
 inline constexpr Property<double> servo_led        {{"servo_led", "1", "joint", "brightness of the LED at a servo, 0 to 1, set by control software"}};
 inline constexpr Property<double> torque_need      {{"torque_need", "N m | N", "joint", "joint_torque, smoothed over 20 ms"}};
 inline constexpr Property<Overload> overload       {{"overload", "N m, N m, rad/s, s", "joint", "where torque_need exceeded the servo the most: needed, given, rate, time"}};

@@ -12,7 +12,7 @@ constexpr std::array gait_entries{constant(given_walk),     variable(walk_comman
                                   constant(given_balance),  constant(given_motions),   constant(given_steps),
                                   constant(rest_position),  variable(gait_state),      variable(odometry),
                                   variable(motion_request), variable(kick_request),    variable(motion_state),
-                                  variable(motion_start)};
+                                  variable(motion_start),   variable(motion_joints)};
 
 }  // namespace
 

@@ -40,6 +40,7 @@ inline constexpr Property<locomotion::MotionRequests> motion_request {{"motion_r
 inline constexpr Property<locomotion::KickRequest> kick_request {{"kick_request", "1, rad, 1, m, m", "robot, x forward", "number, direction, side, ball: a change of the number to another than 0 asks for a kick", Scope::base}};
 inline constexpr Property<locomotion::MotionState> motion_state {{"motion_state", "-", "-", "what the motion engine does, and since when", Scope::base}};
 inline constexpr Property<double> motion_start       {{"motion_start", "rad | m", "joint", "targets from which the present motion began"}};
+inline constexpr Property<double> motion_joints      {{"motion_joints", "1", "joint", "1: the motion engine moves it; 0: control software that asks for this does"}};
 inline constexpr Property<Vec3d>  odometry           {{"odometry", "m, m, rad", "where the robot started", "how far the robot thinks that it has walked, and turned", Scope::base}};
 
 // clang-format on

@@ -53,6 +53,8 @@ MotionEngine::MotionEngine(Setup& setup, const Vec3d& command, const MotionEngin
       rates_(static_cast<std::size_t>(setup.model().size())),
       rest_(rest_positions(setup.model())),
       next_(rates_.size()),
+      own_(setup.entity().find(properties::motion_joints) ? setup.input(properties::motion_joints, 1.0)
+                                                          : std::span<const double>{}),
       dynamic_(setup.input(properties::dynamic, 1.0)[0]),
       requests_(setup.input(properties::motion_request, {})[0]),
       kick_request_(setup.input(properties::kick_request, {})[0]),
@@ -107,6 +109,7 @@ void MotionEngine::step(const Instant& instant) noexcept {
   const double dt = seconds(instant.period);
   // Order: sensors first, then requests and modes by what they report, then targets of the chosen mode.
   gait_.feel(dt, clock_, target_, senses_, gait_state_);
+  if (!has_legs()) return stand_aside();
   read_requests();
   choose(dt);
   state_.time += dt;
@@ -116,6 +119,20 @@ void MotionEngine::step(const Instant& instant) noexcept {
     play();
   }
   limit_rates(dt);
+}
+
+bool MotionEngine::has_legs() const noexcept {
+  const auto whole = [&](const Leg& leg) {
+    return std::ranges::all_of(leg.joints, [&](int joint) { return has(joint); });
+  };
+  return std::ranges::all_of(legs_, whole);
+}
+
+/// Every cycle without legs could be the last one: the walk begins again from the present targets, and requests are over.
+void MotionEngine::stand_aside() noexcept {
+  for (std::size_t i = 0; i < named_; ++i) state_.seen.number[i] = requests_.number[i];
+  state_.kick_seen = kick_request_.number;
+  begin(MotionMode::walk, -1);
 }
 
 void MotionEngine::read_requests() noexcept {
@@ -301,6 +318,7 @@ void MotionEngine::write_walk(const GaitPose& pose) noexcept {
 void MotionEngine::limit_rates(double dt) noexcept {
   MUROSIMF_ASSERT(dt > 0 && next_.size() == target_.size());
   for (const int joint : joints_) {
+    if (!has(joint)) continue;
     const double most = rates_[joint] * dt;
     target_[joint] += std::clamp(next_[joint] - target_[joint], -most, most);
   }

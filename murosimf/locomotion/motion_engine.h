@@ -11,6 +11,8 @@
 ///     get_up    plays get_up_front, _back, _left or _right by the side that it lies on, and again if it does not stand then
 /// A motion begins with a blend from the present joint targets, in the time that the slowest joint needs; targets never change by more than
 /// a joint's largest rate (dynamics/rate_limit.h).
+/// Control software may take joints from the engine, and give them back, at any time (`motion_joints`). While it has one of a leg, the engine moves
+/// none and answers no request; when all legs are the engine's again it stands up from the present targets, or gets up.
 /// At `kinematic_walking`, where robots cannot fall, a dive is a wide step to its side (wide_step.h), and motions for robots that fall or
 /// lie are not played.
 #pragma once
@@ -81,6 +83,9 @@ class MotionEngine final : public Algorithm {
   void write_motion(PlayedMotion& played, double time) noexcept;
   void write_walk(const GaitPose& pose) noexcept;
   void limit_rates(double dt) noexcept;
+  [[nodiscard]] bool has(int joint) const noexcept { return own_.empty() || own_[joint] != 0; }
+  [[nodiscard]] bool has_legs() const noexcept;
+  void stand_aside() noexcept;
   [[nodiscard]] double blend_time() const noexcept;
   [[nodiscard]] MotionMode mode() const noexcept { return static_cast<MotionMode>(state_.mode); }
   [[nodiscard]] bool rests() const noexcept;
@@ -96,10 +101,11 @@ class MotionEngine final : public Algorithm {
   std::size_t named_ = 0;              // number of the robot's own
   std::vector<KickChoice> kicks_;
   std::vector<int> joints_;
-  std::vector<double> rates_;  // [rad/s | m/s] by object
-  std::vector<double> rest_;   // [rad | m] by object
-  std::vector<double> next_;   // [rad | m] targets of this cycle, by object; made anew in each
-  const double& dynamic_;      // 0: at kinematic_walking, which cannot fall: sensors are ignored
+  std::vector<double> rates_;    // [rad/s | m/s] by object
+  std::vector<double> rest_;     // [rad | m] by object
+  std::vector<double> next_;     // [rad | m] targets of this cycle, by object; made anew in each
+  std::span<const double> own_;  // 0: control software moves it, by object; empty: no software can
+  const double& dynamic_;        // 0: at kinematic_walking, which cannot fall: sensors are ignored
   const MotionRequests& requests_;
   const KickRequest& kick_request_;
   GaitState& gait_state_;

@@ -1,7 +1,7 @@
 /// external_input_log.h - what has come into a run from outside of it, with the simulated instants at which it was taken: messages of
 /// software over TCP, bytes of serial lines, datagrams of referees and teams. A run that is given it again is the same run.
 ///
-/// Channels are "tcp:ROBOT", "serial:ROBOT", "game" and "team:TEAM".
+/// Channels are "tcp:ROBOT", "serial:ROBOT", "dds:ROBOT", "game" and "team:TEAM".
 #pragma once
 
 #include <cstddef>

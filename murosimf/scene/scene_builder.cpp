@@ -103,6 +103,7 @@ void build(SceneParts& parts, const SceneOptions& options) {
   parts.only_shown = options.only_shown;
   parts.software = options.software;
   parts.terminals = options.terminals;
+  parts.dds_domain = options.dds_domain;
   parts.outside = options.outside;
   if (!parts.outside.memory) parts.outside.memory = std::make_shared<ExternalInputHistory>();
   if (options.cameras) parts.cameras = std::make_unique<CameraRenderer>(parts);

@@ -87,6 +87,7 @@ struct SceneParts {
       std::make_shared<control_software::CrashNote>();    ///< of control software
   std::shared_ptr<control_software::TcpServer> software;  ///< accepts that of the controller "tcp"; null: none
   std::string terminals;                                  ///< folder for links to serial lines; empty: there are none
+  std::optional<int> dds_domain{};                        ///< for robots of Booster; nothing: they have no DDS
   ExternalInputOptions outside;                           ///< recording and repetition of external input
   bool libraries = false;                                 ///< whether libraries named by files are loaded
   bool only_shown = false;                                ///< SceneOptions::only_shown

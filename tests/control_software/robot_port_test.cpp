@@ -139,6 +139,46 @@ TEST(RobotPort, KnowsNamesAndSaysTheNearest) {
                              {"'joint.target' and 'motion.fallen' exclude each other"}));
 }
 
+// The engine itself: tests/dds/booster/booster_software_test.cpp.
+TEST(RobotPort, LeavesJointsToTheMotionEngine) {
+  double engine_has_second = 1, angle = 0.3;
+  ProgrammedRobot robot(
+      [&](RobotPort& port) {
+        murosimf_command *engine = port.command("motion.joints"), *target = port.command("joint.target");
+        (void)port.command("motion.velocity");
+        EXPECT_EQ(engine->values[0], 1);
+        EXPECT_TRUE(port.uses_motions());
+        return std::make_unique<Program>(nullptr, [&, engine, target](Duration) {
+          engine->values[0] = 0;
+          engine->values[1] = engine_has_second;
+          target->values[0] = target->values[1] = angle;
+        });
+      },
+      two_arms());
+  const auto targets = [&] {
+    robot.rig.run(0.02);
+    const auto& column = *robot.robot.find(properties::joint_target);
+    const std::span<const int> joints = robot.robot.model().joints();
+    return std::vector<double>{column.values[joints[0]], column.values[joints[1]]};
+  };
+  EXPECT_EQ(targets(), (std::vector<double>{0.3, 0}));
+  engine_has_second = 0;
+  EXPECT_EQ(targets(), (std::vector<double>{0.3, 0.3}));
+  engine_has_second = 1;
+  angle = 0.1;
+  EXPECT_EQ(targets(), (std::vector<double>{0.1, 0.3})) << "it stays where it was left";
+  EXPECT_TRUE(fixtures::says(refusal([](RobotPort& port) {
+                               (void)port.command("joint.target");
+                               return (void)port.command("motion.joints"), nothing_to_do();
+                             }),
+                             {"exclude each other", "once motion.joints has been asked for"}));
+  EXPECT_TRUE(fixtures::says(refusal([](RobotPort& port) {
+                               (void)port.command("motion.joints");
+                               return (void)port.command("walk.velocity"), nothing_to_do();
+                             }),
+                             {"'motion.joints' and 'walk.velocity' exclude each other"}));
+}
+
 TEST(RobotPort, AsksTheMotionEngineForMotionsByName) {
   std::vector<std::string> names;
   ProgrammedRobot robot([&](RobotPort& port) {

@@ -51,7 +51,8 @@ struct ServoSoftware final : ControlSoftware {
 
 struct BoltedArm {
   explicit BoltedArm(const Servo& servo, const std::vector<std::string>& names)
-      : robot(rig.add("robot", hanging_arm(servo))) {
+      : BoltedArm(hanging_arm(servo), names) {}
+  BoltedArm(const ModelPtr& model, const std::vector<std::string>& names) : robot(rig.add("robot", model)) {
     const SoftwareMaker make = [&](Setup&, RobotPort& port, const SayLine&) {
       for (const std::string& name : names) rows.push_back(port.command(name));
       return std::make_unique<ServoSoftware>([this] { set(); });
@@ -101,6 +102,54 @@ TEST(ServoCommands, AVelocityGainBrakes) {
   };
   EXPECT_GT(overshoot(0.02), 0.3);
   EXPECT_LT(overshoot(0.8), 1e-3);
+}
+
+// kp (target - q) + feed-forward = m g l sin(q)
+TEST(ServoCommands, AFeedForwardTorqueCarriesWhatTheGainNeedNot) {
+  for (const double torque : {0.5 * weight_torque, -0.3 * weight_torque}) {
+    BoltedArm arm(springy(), {"joint.target", "joint.feed_forward"});
+    arm.set = [&] {
+      arm.rows[0]->values[0] = 0.8;
+      arm.rows[1]->values[0] = torque;
+    };
+    arm.rig.run(8);
+    EXPECT_NEAR(springy().position_gain * (0.8 - arm.angle()) + torque, weight_torque * std::sin(arm.angle()), 1e-6);
+    EXPECT_EQ(arm.task->port().refusal(), "");
+  }
+  BoltedArm arm(springy(), {"joint.feed_forward"});
+  arm.set = [&] { arm.rows[0]->values[0] = -5.1; };
+  arm.rig.run(0.1);
+  EXPECT_EQ(arm.task->port().refusal(), "joint.feed_forward of arm is -5.1, not in -5 to 5");
+}
+
+// Without position gain I w' = kd (w_t - w) + feed-forward comes to w_t + feed-forward / kd; by implicit Euler the rest is divided by
+// 1 + h kd / I in each step.
+TEST(ServoCommands, AVelocityGainDampsToTheTargetRate) {
+  constexpr double inertia = turning_inertia + arm_mass * arm_length * arm_length, damping = 0.05, rate = 2,
+                   torque = 0.02;
+  for (const char* law : {"ideal_pd", "dc_motor"}) {
+    Servo servo = springy();
+    servo.law = law;
+    // a motor with so flat a speed-torque line that its own braking does not show
+    servo.no_load_speed = 1e12;
+    Chain chain;
+    chain.base("base").with(properties::mass, 1.0).with(properties::inertia, {0.01, 0.01, 0.01, 0, 0, 0});
+    chain.revolute("arm", {0, 0, 1})
+        .with(properties::mass, arm_mass)
+        .with(properties::center_of_mass, {arm_length, 0, 0})
+        .with(properties::inertia, {turning_inertia, turning_inertia, turning_inertia, 0, 0, 0})
+        .with(properties::servo, servo);
+    BoltedArm arm(std::make_shared<const Model>("turntable", chain),
+                  {"joint.position_gain", "joint.velocity_gain", "joint.velocity_target", "joint.feed_forward"});
+    arm.set = [&] {
+      for (const auto& [row, value] : {std::pair(0, 0.0), {1, damping}, {2, rate}, {3, torque}})
+        arm.rows[row]->values[0] = value;
+    };
+    constexpr int steps = 300;
+    const double h = 1 / arm.rig.rate, last = rate + torque / damping;
+    arm.rig.run(steps * h);
+    EXPECT_NEAR(arm.rate(), last * (1 - std::pow(1 + h * damping / inertia, -steps)), 1e-9) << law;
+  }
 }
 
 /// [J] of the arm under gravity and a torque that stays the same.
@@ -197,7 +246,8 @@ std::uint64_t hash_of_eight(bool lanes) {
     const SoftwareMaker make = [number](Setup&, RobotPort& port, const SayLine&) {
       murosimf_command* target = port.command("joint.target");
       std::vector<murosimf_command*> tuned;
-      for (const char* name : {"joint.position_gain", "joint.velocity_gain", "joint.torque_limit"}) {
+      for (const char* name : {"joint.position_gain", "joint.velocity_gain", "joint.torque_limit",
+                               "joint.velocity_target", "joint.feed_forward"}) {
         if (number > static_cast<int>(tuned.size())) tuned.push_back(port.command(name));
       }
       return std::make_unique<ServoSoftware>([target, tuned, number, cycle = 0]() mutable {

@@ -39,6 +39,8 @@ void JointDriveLanes::take_tuning(PoseLanes& poses, LaneMask lanes) noexcept {
       tuning.gain.set_lane(lane, input.gain);
       tuning.damping.set_lane(lane, input.damping);
       tuning.limit.set_lane(lane, input.limit);
+      tuning.target_rate.set_lane(lane, input.target_rate);
+      tuning.feed_forward.set_lane(lane, input.feed_forward);
     });
   }
 }
@@ -61,6 +63,8 @@ DriveOf<Pack8> JointDriveLanes::drive(std::size_t link, int object, const Pack8&
       input.gain = tuning.gain;
       input.damping = tuning.damping;
       input.limit = tuning.limit;
+      input.target_rate = tuning.target_rate;
+      input.feed_forward = tuning.feed_forward;
     }
     to.motor = joint.law->torque_in_lanes(input, dt);
     limit_rate(joint.rate_limit, input.enabled, qd, dt, to.motor);

@@ -25,7 +25,7 @@ class JointDriveLanes {
   std::vector<const JointDrives*> robots_;
   std::vector<Pack8> target_, supply_, enabled_;  // by link: [rad | m | rad/s], [V], [1]
   struct Tuning {
-    Pack8 gain = 1.0, damping{}, limit{};  // as of MotorInput
+    Pack8 gain = 1.0, damping{}, limit{}, target_rate{}, feed_forward{};  // as of MotorInput
   };
   std::vector<Tuning> tuning_;  // by link; empty: software cannot set gains and limits
 };

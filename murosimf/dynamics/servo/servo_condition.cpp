@@ -62,6 +62,8 @@ void ServoCondition::find_tuning(Setup& setup) {
   position_gain_ = wanted(properties::servo_position_gain);
   velocity_gain_ = wanted(properties::servo_velocity_gain);
   torque_limit_ = wanted(properties::servo_torque_limit);
+  feed_forward_ = wanted(properties::servo_feed_forward);
+  target_rate_ = wanted(properties::joint_velocity_target);
   for (const int i : setup.model().having(properties::servo)) {
     const Servo& servo = *setup.model().find(properties::servo, i);
     motors_[i].position_gain = servo.position_gain;
@@ -99,6 +101,8 @@ void ServoCondition::tune(int i, MotorInput& input) const noexcept {
     input.gain = position_gain_[i] / motor.position_gain;
   }
   if (!velocity_gain_.empty() && velocity_gain_[i] >= 0) input.damping = velocity_gain_[i] - motor.velocity_gain;
+  if (!target_rate_.empty() && std::isfinite(target_rate_[i])) input.target_rate = target_rate_[i];
+  if (!feed_forward_.empty() && std::isfinite(feed_forward_[i])) input.feed_forward = feed_forward_[i];
   if (torque_limit_.empty() || !(torque_limit_[i] >= 0)) return;
   if (motor.stall_torque <= 0 || torque_limit_[i] < motor.stall_torque) input.limit = torque_limit_[i];
 }

@@ -1,7 +1,7 @@
 /// servo_condition.h - conditions of a robot's motors: supply, whether torque is on, temperature.
 ///
 /// `supply_voltage` and `torque_enabled` are inputs: a battery, a user or control software may change them at any time.
-/// So are gains and torque limit, if control software that was attached earlier uses these properties.
+/// So are gains, torque limit, target rate and feed-forward torque, if control software that was attached earlier uses these properties.
 /// Temperature is simulated for servos with thermal numbers only (multibody/servo/servo_motor.h); it is kept if another level or
 /// law that has it takes over.
 #pragma once
@@ -27,9 +27,9 @@ class ServoCondition {
   void take_over() noexcept;
   /// Fills supply, conductance, heat and switch of a servo (an object of the model).
   void fill(int object, MotorInput& input) const noexcept;
-  /// Whether software may change gains or limits of its servos.
+  /// Whether software may change gains, limits, target rates or feed-forward torques of its servos.
   [[nodiscard]] bool tunes() const noexcept { return tunes_; }
-  /// Fills the gains and limit that software has set for a servo; nothing, if it has set none.
+  /// Fills what software has set for a servo of that; nothing, if it has set none.
   void tune(int object, MotorInput& input) const noexcept;
   [[nodiscard]] bool heats(int object) const noexcept { return motors_[static_cast<std::size_t>(object)].heats; }
   /// By object, empty without servos: [V], and 0 where torque is switched off.
@@ -54,8 +54,9 @@ class ServoCondition {
 
   std::vector<Motor> motors_;  // by object
   std::span<const double> supply_, enabled_;
-  std::span<double> temperature_;                                         // [C] empty if no servo heats
-  std::span<const double> position_gain_, velocity_gain_, torque_limit_;  // empty: no software sets it; NaN: not yet
+  std::span<double> temperature_;  // [C] empty if no servo heats
+  // empty: no software sets it; NaN: not yet
+  std::span<const double> position_gain_, velocity_gain_, torque_limit_, target_rate_, feed_forward_;
   bool tunes_ = false;
   bool fresh_ = true;  // the column of temperatures is new
 };

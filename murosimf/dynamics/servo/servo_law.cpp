@@ -43,7 +43,8 @@ class IdealPd final : public ServoLaw {
     const double error = by_rate_ ? 0 : position_error(in);
     // within the dead band the spring is slack
     const double stiffness = error == 0 && servo_.dead_band > 0 ? 0 : kp;
-    const double wanted = by_rate_ ? kd * (in.target - in.rate) : kp * error - kd * in.rate;
+    const double pd = by_rate_ ? kd * (in.target - in.rate) : kp * error - kd * (in.rate - in.target_rate);
+    const double wanted = pd + in.feed_forward;
     const multibody::TorqueLine<double> free{wanted - dt * stiffness * in.rate, dt * kd + dt * dt * stiffness};
     return {std::clamp(wanted, low, high), free, {high}, {low}};
   }

@@ -9,7 +9,8 @@
 /// their own, between which the joint's inertia decides (multibody/servo/torque_line.h): if decided at the beginning of the step, a stiff servo
 /// would drive a light limb from one limit to the other, for ever. With h = 0 `now` is the torque of this instant.
 ///
-/// ideal_pd:   tau = kp (target - q) - kd qd, between its shares of stall_torque if that is given; without kp, as a wheel's drive:
+/// ideal_pd:   tau = kp (target - q) + kd (target rate - qd) + feed-forward, between its shares of stall_torque if that is given; target rate and
+///             feed-forward torque are 0 until software sets them (ServoCondition). Without kp, as a wheel's drive:
 ///             tau = kd (rate target - qd). No motor: neither supply nor heat matter
 /// dc_motor:   firmware and motor of multibody/servo/servo_motor.h
 ///

@@ -5,11 +5,11 @@
 /// winding as a share of that at 25 C:
 ///
 ///     e = target - q, in whole steps of the encoder, reduced by the dead band firmware, P only
-///     tau_0 = (kp e - k_d w) s c                                              duty cycle times stall torque T s c
+///     tau_0 = (kp e + k_d (w_t - w) + tau_f) s c                              duty cycle times stall torque T s c
 ///     tau_m = tau_0 - d w,  d = c T/w_0                                       back-EMF: the speed-torque line
 ///
 /// The firmware can only move the duty, so the current limit clamps tau_0 to d w +- limit first and the duty limit, +-u T s c, last:
-/// at high rates the current is what it is. k_d is 0 until software sets it (firmware that takes the derivative of the position alone).
+/// at high rates the current is what it is. k_d, w_t and tau_f are 0 until software sets them (firmware that takes the derivative of the position alone).
 /// With torque switched off the bridge is open: tau_m is 0, nothing brakes.
 /// In a step of h, tau_m decreases with the acceleration by h d, and by h^2 kp s c more while no limit clamps the duty; at the
 /// current limit it is constant. The joint's inertia decides which of these holds (torque_line.h). The encoder's steps count by
@@ -60,6 +60,8 @@ struct MotorInput {
   S gain = 1.0;         ///< [1] factor of kp that software has set
   S damping{};          ///< [N m s/rad] k_d of software: velocity gain beyond the servo's own
   S limit = std::numeric_limits<double>::infinity();  ///< [N m] of the motor, by software
+  S target_rate{};                                    ///< [rad/s] w_t that the velocity gain drives to, by software
+  S feed_forward{};                                   ///< [N m] tau_f, by software
 };
 
 /// x limited to the range from low to high; NaN stays NaN.
@@ -96,7 +98,7 @@ template <class S>
   S slope = gain;
   if (motor.dead_band > 0) slope = select(error == S(0.0), S(0.0), gain);
   const S ahead = (h * slope) * in.rate;
-  const S wanted = gain * error - ahead - braking * in.rate;
+  const S wanted = gain * error - ahead - braking * (in.rate - in.target_rate) + strength * in.feed_forward;
   const S cool = select(in.allowed < S(1.0), in.allowed * motor.warm_limit, S(motor.torque_limit));
   const S range = select(in.limit < cool, in.limit, cool);
   const S high_current = back_emf + range, low_current = back_emf - range;

@@ -1,0 +1,74 @@
+/// messages.h - messages of Booster robots: topics, types and the order of their members, as the vendor's SDK sends and expects them.
+///
+/// Positions [rad], rates [rad/s], torques [N m], gains [N m/rad] and [N m s/rad].
+/// Source: messages of the vendor's SDK 1.6.3 (PyPI booster-robotics-sdk-python), as they go over the wire; tests/oracle/booster_sdk.py.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "murosimf/dds/cdr.h"
+
+namespace murosimf::dds::booster {
+
+struct ImuState {
+  std::array<float, 3> rpy{};   ///< [rad] roll, pitch, yaw
+  std::array<float, 3> gyro{};  ///< [rad/s]
+  std::array<float, 3> acc{};   ///< [m/s^2] specific force: +9.81 upward at rest
+};
+
+struct MotorState {
+  float q = 0, dq = 0, ddq = 0, tau = 0;
+  std::uint8_t temperature = 0;  ///< [C]
+};
+
+/// Without its `mode`, whose meaning is not published. Floats and nothing else, so that it can be saved.
+struct MotorCommand {
+  float q = 0, dq = 0, tau = 0, kp = 0, kd = 0;
+  float weight = 0;  ///< [1] 1: this command alone
+};
+
+struct LowCommand {
+  enum Kind : std::int32_t { parallel = 0, serial = 1 };
+  std::int32_t kind = serial;
+  std::vector<MotorCommand> motors;
+};
+
+struct Odometer {
+  float x = 0, y = 0, theta = 0;  ///< [m, m, rad]
+};
+
+enum class FallDown : std::int32_t { ready = 0, falling = 1, fallen = 2, getting_up = 3 };
+
+struct RobotStates {
+  std::int32_t mode = 0, body_control = 0;
+};
+
+struct Battery {
+  float voltage = 0, current = 0, charge = 0, average_voltage = 0;  ///< [V], [A], [%], [V]
+};
+
+/// A request to a service: JSON in header and body.
+struct RpcMessage {
+  std::string uuid, header, body;
+};
+
+inline constexpr std::uint32_t most_motors = 64;
+
+/// The motors are sent as "parallel" and as "serial", which is the same but for the cranks of real ankles.
+void write_low_state(CdrWriter& to, const ImuState& imu, std::span<const MotorState> motors);
+void write_odometer(CdrWriter& to, const Odometer& odometer);
+void write_fall_down(CdrWriter& to, FallDown state, bool can_recover);
+void write_robot_states(CdrWriter& to, const RobotStates& states);
+void write_battery(CdrWriter& to, const Battery& battery);
+void write_rpc(CdrWriter& to, const RpcMessage& message);
+
+/// Nothing: it is no such message, or a number in it is not finite.
+[[nodiscard]] std::optional<LowCommand> read_low_command(std::span<const std::uint8_t> bytes);
+[[nodiscard]] std::optional<RpcMessage> read_rpc(std::span<const std::uint8_t> bytes);
+
+}  // namespace murosimf::dds::booster
