@@ -64,9 +64,11 @@ CouplingForces::CouplingForces(Setup& setup)
   if (empty()) return;
   const Model& model = setup.model();
   if (!joints_.empty()) torque_ = setup.write(properties::coupling_torque);
+  if (!joints_.ties().empty()) tie_force_ = setup.write(properties::tie_force);
   if (!loops_.empty()) loop_force_ = setup.write(properties::loop_force);
   shift_stiffness_ = model.tree().mass * 9.81 / shift;
   turn_stiffness_ = 0.1 * model.tree().mass * 9.81 / bend;
+  mass_ = model.tree().mass;
   add_rods(model);
   coordinates_ = 5 + model.tree().links.size();
   rows_.resize(size() * coordinates_);
@@ -87,19 +89,65 @@ void CouplingForces::add_rods(const Model& model) {
   }
   for (const auto& tendon : joints_.tendons()) {
     Rod rod{joint(tendon.follower, 1), {}, 0, stiffness(model, tendon.follower), tendon_share};
-    for (const auto& part : tendon.parts) rod.leaders.push_back(joint(part.joint, part.coefficient));
+    for (std::size_t i = 0; i < tendon.joints.size(); ++i) {
+      rod.leaders.push_back(joint(tendon.joints[i], tendon.slopes[i]));
+    }
+    if (tendon.path) rod.path = &tendon;
     rods_.push_back(rod);
+  }
+  for (const auto& tie : joints_.ties()) {
+    Rod rod{joint(tie.follower, 1), {}, tie.by.at(0), stiffness(model, tie.follower)};
+    if (tie.leader >= 0) rod.leaders.push_back(joint(tie.leader, 0));
+    rod.tie = &tie.by;
+    rods_.push_back(rod);
+  }
+}
+
+/// The tangent of a spatial tendon's length at q.
+void CouplingForces::follow_path(Rod& rod, std::span<const double> q) const noexcept {
+  if (!rod.path) return;
+  rod.offset = rod.path->length(q);
+  for (std::size_t i = 0; i < rod.leaders.size(); ++i) {
+    rod.leaders[i].share = rod.path->slopes[i];
+    rod.offset -= rod.leaders[i].share * q[rod.leaders[i].object];
+  }
+}
+
+/// What a spatial tendon's slider takes along at the present tangent, and its trace.
+void CouplingForces::weigh(Rod& rod) const noexcept {
+  if (!rod.path) return;
+  rod.taken_along = 1 / mobility_along(rod);
+  if (rod.trace > 0) rod.trace = rod.lightest * rod.taken_along;
+}
+
+/// [1/(kg m^2) | 1/kg] Of a rod's leaders along it.
+double CouplingForces::mobility_along(const Rod& rod) const noexcept {
+  double mobility = 0;
+  for (const Joint& leader : rod.leaders) mobility += leader.share * leader.share / moved_[leader.link];
+  return rod.path ? std::max(mobility, 1 / mass_) : mobility;
+}
+
+void CouplingForces::assemble(PoseColumns& columns) {
+  followers_.assemble(columns.q);
+  for (Rod& rod : tendon_rods()) {
+    follow_path(rod, columns.q);
+    double length = rod.offset;
+    for (const Joint& leader : rod.leaders) length += leader.share * columns.q[leader.object];
+    columns.q[rod.follower.object] = length;
   }
 }
 
 void CouplingForces::start() noexcept {
   std::fill(torque_.begin(), torque_.end(), 0.0);
+  std::fill(tie_force_.begin(), tie_force_.end(), 0.0);
   std::fill(loop_force_.begin(), loop_force_.end(), Wrenchd{});
 }
 
-void CouplingForces::take_up(PoseColumns& columns) const noexcept {
-  for (const Rod& rod : std::span(rods_).subspan(joints_.pairs().size())) {
-    double length = 0, rate = 0;
+void CouplingForces::take_up(PoseColumns& columns) noexcept {
+  for (Rod& rod : tendon_rods()) {
+    follow_path(rod, columns.q);
+    weigh(rod);
+    double length = rod.offset, rate = 0;
     for (const Joint& leader : rod.leaders) {
       length += leader.share * columns.q[leader.object];
       rate += leader.share * columns.qd[leader.object];
@@ -108,6 +156,13 @@ void CouplingForces::take_up(PoseColumns& columns) const noexcept {
     columns.q[rod.follower.object] = length;
     columns.qd[rod.follower.object] = rate;
     torque_[rod.follower.object] = 0;
+  }
+  for (Rod& rod : ties()) {
+    if (rod.leaders.empty()) continue;
+    Joint& leader = rod.leaders[0];
+    const double x = columns.q[leader.object];
+    leader.share = rod.tie->slope(x);
+    rod.offset = rod.tie->at(x) - leader.share * x;
   }
 }
 
@@ -132,23 +187,27 @@ double& CouplingForces::force_of(const multibody::LoopRow& row) const noexcept {
   return *numbers[row.axis];
 }
 
-void CouplingForces::count_at_leaders(std::span<double> moved) noexcept {
+void CouplingForces::count_at_leaders(std::span<const double> q, std::span<double> moved) {
+  moved_.assign(moved.begin(), moved.end());
   for (Rod& rod : rods_) {
     MUROSIMF_ASSERT(static_cast<std::size_t>(rod.follower.link) < moved.size());
-    double mobility = 0;
-    for (const Joint& leader : rod.leaders) mobility += leader.share * leader.share / moved[leader.link];
+    if (rod.tie) continue;  // between sliders, which have their inertia by now
+    follow_path(rod, q);
+    const double mobility = mobility_along(rod);
+    if (rod.lightest == tendon_share) rod.taken_along = 1 / mobility;
     if (moved[rod.follower.link] > least_inertia || !(1 / mobility > least_inertia)) continue;
     rod.trace = rod.lightest / mobility;
-    moved[rod.follower.link] = 1 / mobility;
+    moved[rod.follower.link] = moved_[rod.follower.link] = 1 / mobility;
   }
 }
 
 void CouplingForces::drive(std::span<multibody::FrictionalJoint<double>> joints) const noexcept {
   for (const Rod& rod : rods_) {
     MUROSIMF_ASSERT(static_cast<std::size_t>(rod.follower.link) < joints.size());
-    const double torque = torque_[rod.follower.object];
+    const double torque = force_of(rod);
     joints[rod.follower.link].torque += torque;
     joints[rod.follower.link].inertia += rod.trace;
+    if (rod.taken_along > 0) joints[rod.follower.link].coupled = rod.taken_along;
     for (const Joint& leader : rod.leaders) joints[leader.link].torque -= leader.share * torque;
   }
 }
@@ -175,7 +234,7 @@ void CouplingForces::count_as_drive(std::span<multibody::FrictionalJoint<double>
   for (std::size_t i = 0; i < rods_.size(); ++i) {
     const Rod& rod = rods_[i];
     const double change = change_[i] / h_;
-    torque_[rod.follower.object] += change;
+    force_of(rod) += change;
     const auto move = [](multibody::FrictionalJoint<double>& joint, double torque) {
       joint.torque += torque;
       joint.drive += torque;
@@ -237,7 +296,9 @@ void CouplingForces::fill_right_side(const MovingTree& tree, std::span<const mul
       rate -= leader.share * next_rate(leader);
     }
     const double softness = 1 / (rod.stiffness * h * (h + damping_time));
-    change_[i] = -(rate + e / (h + damping_time) + softness * h * torque_[rod.follower.object]);
+    const double most = fastest_shift * (h + damping_time);  // a robot may start with tendons that are not tied yet
+    if (rod.tie) e = std::clamp(e, -most, most);
+    change_[i] = -(rate + e / (h + damping_time) + softness * h * force_of(rod));
     fill_matrix(i, softness);
   }
   for (std::size_t i = 0; i < loops_.rows().size(); ++i) {

@@ -4,6 +4,8 @@
 
 #include "murosimf/model/fixed_base.h"
 #include "murosimf/multibody/joint_tendon.h"
+#include "murosimf/multibody/spatial_tendon.h"
+#include "murosimf/multibody/tendon_tie.h"
 
 namespace murosimf::properties {
 namespace {
@@ -16,12 +18,15 @@ constexpr std::array motion_entries{constant(joint_damping),
                                     constant(joint_spring_reference),
                                     constant(joint_coupling),
                                     constant(joint_tendon),
+                                    constant(spatial_tendon),
+                                    constant(tendon_tie),
                                     constant(fixed_base),
                                     variable(joint_load),
                                     constant(loop_closure),
                                     constant(loop_commanded),
                                     variable(coupling_torque),
                                     variable(loop_force),
+                                    variable(tie_force),
                                     variable(felt_acceleration),
                                     variable(sent_target),
                                     variable(sent_target_age),

@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/robot_formats/mjcf/mjcf_spatial_tendons.h"
+#include "murosimf/robot_formats/tendon_path.h"
+
 namespace murosimf::robot_formats::mjcf {
 namespace {
 
@@ -19,15 +22,17 @@ const JointDescription* find_joint(const robot_formats::RobotDescription& descri
 }
 
 /// The tendon's length where each joint stands at one of its numbers.
-double length_at(double JointDescription::*number, const Parts& parts,
+double length_at(double JointDescription::*number, const MjcfTendon& tendon,
                  const robot_formats::RobotDescription& description) {
+  if (!tendon.path.empty()) return robot_formats::path_length(description, tendon.path, number);
   double length = 0;
-  for (const auto& [joint, coefficient] : parts) length += coefficient * (find_joint(description, joint)->*number);
+  for (const auto& [joint, coefficient] : tendon.parts)
+    length += coefficient * (find_joint(description, joint)->*number);
   return length;
 }
 
-void read_spring(const MjcfAttributes& attributes, const Parts& parts, robot_formats::RobotDescription& description,
-                 JointDescription& joint) {
+void read_spring(const MjcfAttributes& attributes, const MjcfTendon& tendon,
+                 robot_formats::RobotDescription& description, JointDescription& joint) {
   joint.stiffness = tendon_number(attributes, "stiffness");
   const auto lengths = attributes.numbers("springlength", 1, 2);
   if (lengths.size() == 2 && lengths[0] != lengths[1] && joint.stiffness > 0) {
@@ -37,7 +42,7 @@ void read_spring(const MjcfAttributes& attributes, const Parts& parts, robot_for
                     joint.where, joint.name)));
   }
   const bool as_built = lengths.empty() || lengths[0] < 0;
-  joint.spring_reference = as_built ? length_at(&JointDescription::spring_reference, parts, description) : lengths[0];
+  joint.spring_reference = as_built ? length_at(&JointDescription::spring_reference, tendon, description) : lengths[0];
 }
 
 JointDescription read_slider(const MjcfTendon& tendon, const MjcfAttributes& attributes, const MjcfCompiler& compiler,
@@ -47,8 +52,8 @@ JointDescription read_slider(const MjcfTendon& tendon, const MjcfAttributes& att
   joint.where = tendon.element.where();
   joint.kind = Kind::prismatic;
   joint.axis = {0, 0, 1};
-  joint.reference = length_at(&JointDescription::reference, tendon.parts, description);
-  read_spring(attributes, tendon.parts, description, joint);
+  joint.reference = length_at(&JointDescription::reference, tendon, description);
+  read_spring(attributes, tendon, description, joint);
   joint.damping = tendon_number(attributes, "damping");
   joint.friction = tendon_number(attributes, "frictionloss");
   joint.armature = tendon_number(attributes, "armature");
@@ -93,13 +98,14 @@ void add_joint_tendons(std::map<std::string, MjcfTendon>& tendons, const MjcfDef
                                [&](const auto& part) { return !find_joint(description, part.first); });
   });
   for (const auto& [name, tendon] : tendons) {
-    if (tendon.parts.empty()) continue;
+    if (!tendon.has_slider()) continue;
+    check_path(tendon.element, tendon.path, description);
     JointDescription joint = read_slider(tendon, defaults.resolve(tendon.element), compiler, description);
     if (const auto found = actuators.by_joint.find(tendon.joint); found != actuators.by_joint.end()) {
       joint.servo = found->second.servo;
       joint.target_range = found->second.target_range;
     }
-    if (does_something(joint)) description.tendons.push_back({joint, tendon.parts});
+    if (tendon.tied || does_something(joint)) description.tendons.push_back({joint, tendon.parts, tendon.path});
   }
 }
 

@@ -20,6 +20,7 @@
 #include "murosimf/robot_formats/mjcf/mjcf_relations.h"
 #include "murosimf/robot_formats/mjcf/mjcf_replicate.h"
 #include "murosimf/robot_formats/mjcf/mjcf_schema.h"
+#include "murosimf/robot_formats/mjcf/mjcf_tendon_ties.h"
 #include "murosimf/robot_formats/mjcf/mjcf_tendons.h"
 #include "murosimf/robot_formats/mjcf/mjcf_trees.h"
 
@@ -104,6 +105,7 @@ robot_formats::RobotDescription read_mjcf(const std::filesystem::path& file,
   resolve_spring_dampers(springs, description);
   add_joint_tendons(tendons, defaults, compiler, actuators, description);
   apply_tendons(tendons, defaults, compiler, description);
+  read_ties(root, tendons, description);
   robot_formats::resolve_damping_ratios(description);
   drop_idle_controls(actuators, description);
   name_idle_relations(root, context, tendons, description);
