@@ -3,6 +3,7 @@
 #include <array>
 
 #include "murosimf/model/fixed_base.h"
+#include "murosimf/motion/passive_joint.h"
 #include "murosimf/multibody/joint_tendon.h"
 #include "murosimf/multibody/spatial_tendon.h"
 #include "murosimf/multibody/tendon_tie.h"
@@ -16,6 +17,7 @@ constexpr std::array motion_entries{constant(joint_damping),
                                     constant(joint_stiffness),
                                     constant(joint_rate_limit),
                                     constant(joint_spring_reference),
+                                    constant(joint_spring_slack),
                                     constant(joint_coupling),
                                     constant(joint_tendon),
                                     constant(spatial_tendon),

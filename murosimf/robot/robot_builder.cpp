@@ -15,6 +15,7 @@
 #include "murosimf/model/keyframe.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
+#include "murosimf/motion/passive_joint.h"
 #include "murosimf/motion/servo_law.h"
 #include "murosimf/multibody/joint_tendon.h"
 #include "murosimf/multibody/spatial_tendon.h"
@@ -202,6 +203,7 @@ class Builder {
     if (joint.stiffness > 0) {
       chain.with(properties::joint_stiffness, joint.stiffness);
       chain.with(properties::joint_spring_reference, joint.spring_reference);
+      if (joint.spring_slack > 0) chain.with(properties::joint_spring_slack, joint.spring_slack);
     }
     for (const robot_formats::MimicDescription& mimic : description_.mimics) {
       if (mimic.joint == joint.name) {

@@ -37,6 +37,7 @@ struct JointDescription {
   double friction = 0;          ///< [N m | N] dry
   double stiffness = 0;         ///< [N m/rad | N/m] of a spring at the joint
   double spring_reference = 0;  ///< [rad | m] joint position at which that spring is at rest
+  double spring_slack = 0;      ///< [rad | m] up to this much beyond it, too
   /// [N m | N] The file's own limit of the drive (URDF effort, MJCF actuatorfrcrange); 0: none.
   double effort_limit = 0;
   std::optional<Vec3d> effort_range;  ///< [N m | N] lowest, highest, 0: where that limit differs between directions

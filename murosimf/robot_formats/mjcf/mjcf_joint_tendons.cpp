@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/robot_formats/mjcf/mjcf_joint.h"
 #include "murosimf/robot_formats/mjcf/mjcf_spatial_tendons.h"
 #include "murosimf/robot_formats/tendon_path.h"
 
@@ -35,14 +36,12 @@ void read_spring(const MjcfAttributes& attributes, const MjcfTendon& tendon,
                  robot_formats::RobotDescription& description, JointDescription& joint) {
   joint.stiffness = tendon_number(attributes, "stiffness");
   const auto lengths = attributes.numbers("springlength", 1, 2);
-  if (lengths.size() == 2 && lengths[0] != lengths[1] && joint.stiffness > 0) {
-    joint.stiffness = 0;
-    description.warnings.push_back(files::one_line(
-        fmt::format("{}: the spring of tendon '{}' does not act: its springlength is a range; give one length",
-                    joint.where, joint.name)));
+  if (lengths.size() == 2 && !(lengths[0] <= lengths[1])) {
+    attributes.source("springlength").fail("springlength of a tendon ends below its beginning; swap both");
   }
   const bool as_built = lengths.empty() || lengths[0] < 0;
   joint.spring_reference = as_built ? length_at(&JointDescription::spring_reference, tendon, description) : lengths[0];
+  if (!as_built && lengths.size() == 2) joint.spring_slack = lengths[1] - lengths[0];
 }
 
 JointDescription read_slider(const MjcfTendon& tendon, const MjcfAttributes& attributes, const MjcfCompiler& compiler,
@@ -100,10 +99,12 @@ void add_joint_tendons(std::map<std::string, MjcfTendon>& tendons, const MjcfDef
   for (const auto& [name, tendon] : tendons) {
     if (!tendon.has_slider()) continue;
     check_path(tendon.element, tendon.path, description);
-    JointDescription joint = read_slider(tendon, defaults.resolve(tendon.element), compiler, description);
+    const MjcfAttributes attributes = defaults.resolve(tendon.element);
+    JointDescription joint = read_slider(tendon, attributes, compiler, description);
     if (const auto found = actuators.by_joint.find(tendon.joint); found != actuators.by_joint.end()) {
       joint.servo = found->second.servo;
       joint.target_range = found->second.target_range;
+      limit_effort(attributes, compiler, joint);
     }
     if (tendon.tied || does_something(joint)) description.tendons.push_back({joint, tendon.parts, tendon.path});
   }

@@ -22,7 +22,7 @@ namespace murosimf::robot_formats::mjcf {
                                                                            const MjcfNames& names);
 
 /// Once the bodies are read: adds to `description` the tendons with sliders that do something. Those with a ball are taken out of
-/// `tendons`. A spring with a dead band is a warning. Throws SetupError for impossible numbers, and paths around what is neither a sphere nor a cylinder.
+/// `tendons`.  Throws SetupError for impossible numbers, and paths around what is neither a sphere nor a cylinder.
 void add_joint_tendons(std::map<std::string, MjcfTendon>& tendons, const MjcfDefaults& defaults,
                        const MjcfCompiler& compiler, const MjcfActuators& actuators,
                        robot_formats::RobotDescription& description);

@@ -28,7 +28,7 @@ namespace murosimf::robot_formats::mjcf {
 namespace {
 
 /// Whether parts of this kind are reported one by one, with more than their kind, which is all that the schema has.
-bool is_named_one_by_one(const std::string& word) { return word == "geom" || word == "site" || is_idle_relation(word); }
+bool is_named_one_by_one(const std::string& word) { return word == "geom" || word == "site" || is_idle_actuator(word); }
 
 void name_world(const files::XmlElement& world, bool bolted, std::vector<robot_formats::Unused>& unused) {
   for (const char* tag : {"geom", "site"}) {

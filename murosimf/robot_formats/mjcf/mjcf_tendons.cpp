@@ -81,9 +81,12 @@ class Joints {
 };
 
 std::optional<MjcfTendon> read_tendon(const files::XmlElement& element, const MjcfDefaults& defaults,
-                                      const Joints& joints) {
+                                      const MjcfCompiler& compiler, const Joints& joints) {
+  const MjcfAttributes settings = defaults.resolve(element);
+  // The joint's own actuators have another limit.
+  if (is_limited(settings, "actuatorfrclimited", "actuatorfrcrange", compiler)) return std::nullopt;
   // Two different lengths are a dead band, which a linear spring at the joint does not have.
-  const auto lengths = defaults.resolve(element).numbers("springlength", 1, 2);
+  const auto lengths = settings.numbers("springlength", 1, 2);
   if (lengths.size() == 2 && lengths[0] != lengths[1]) return std::nullopt;
   MjcfTendon tendon{element, {}, 0, {}};
   for (const files::XmlElement& part : element.children("joint")) {
@@ -152,7 +155,7 @@ std::map<std::string, MjcfTendon> find_tendons(const files::XmlElement& root, co
       const auto name = element.attribute("name");
       const bool is_tied = name && tied.contains(*name);
       std::optional<MjcfTendon> tendon;
-      if (element.tag() == "fixed" && !is_tied) tendon = read_tendon(element, defaults, joints);
+      if (element.tag() == "fixed" && !is_tied) tendon = read_tendon(element, defaults, compiler, joints);
       if (!tendon) tendon = read_over_joints(element, name.value_or(fmt::format("tendon.{}", tendons.size())), names);
       if (!tendon) continue;
       tendon->tied = is_tied;

@@ -32,8 +32,8 @@ struct MjcfTendon {
   [[nodiscard]] bool has_slider() const { return !parts.empty() || !path.empty(); }
 };
 
-/// By name, all whose joints are the robot's. Couplings with an offset, joints with `ref` or `springref` of their own, and dead bands of
-/// springs (`springlength` of two numbers) are beyond what acts at one joint.
+/// By name, all whose joints are the robot's. Couplings with an offset, joints with `ref` or `springref` of their own, dead bands of
+/// springs (`springlength` of two numbers) and limits of actuators together (`actuatorfrcrange`) are beyond what acts at one joint.
 [[nodiscard]] std::map<std::string, MjcfTendon> find_tendons(const files::XmlElement& root,
                                                              const MjcfDefaults& defaults, const MjcfCompiler& compiler,
                                                              const MjcfNames& names);

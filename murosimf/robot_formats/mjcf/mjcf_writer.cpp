@@ -227,7 +227,9 @@ class Writer {
       xml_.number_unless(0, "armature", joint.armature).number_unless(0, "damping", joint.damping);
       xml_.number_unless(0, "frictionloss", joint.friction).number_unless(0, "stiffness", joint.stiffness);
       // a negative length means something else: such a spring can only be one of the pose of the file
-      if (joint.stiffness > 0 && joint.spring_reference >= 0) xml_.numbers("springlength", {joint.spring_reference});
+      if (joint.stiffness > 0 && joint.spring_reference >= 0) {
+        xml_.numbers("springlength", {joint.spring_reference, joint.spring_reference + joint.spring_slack});
+      }
       for (const auto& [name, coefficient] : tendon.parts) {
         xml_.begin("joint").text("joint", name).numbers("coef", {coefficient}).end();
       }

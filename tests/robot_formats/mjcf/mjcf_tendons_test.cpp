@@ -121,12 +121,18 @@ TEST(MjcfTendons, ThatOnlyMeasureAreNoJoints) {
   EXPECT_TRUE(robot.tendons.empty());
 }
 
-TEST(MjcfTendons, NameWhatDoesNotAct) {
-  const auto slack = read(fixed("stiffness='5' damping='1' springlength='0 1'", both));
-  EXPECT_TRUE(any_contains(slack.warnings, "the spring of tendon 't' does not act: its springlength is a range"));
+TEST(MjcfTendons, HaveSpringsWithADeadBand) {
+  const auto slack = read(fixed("stiffness='5' damping='1' springlength='.25 1'", both));
+  EXPECT_TRUE(slack.warnings.empty());
   ASSERT_EQ(slack.tendons.size(), 1U);
-  EXPECT_EQ(slack.tendons[0].joint.stiffness, 0);
-  EXPECT_EQ(slack.tendons[0].joint.damping, 1);
+  const auto& slider = slack.tendons[0].joint;
+  EXPECT_EQ(slider.stiffness, 5);
+  EXPECT_EQ(slider.damping, 1);
+  EXPECT_EQ(slider.spring_reference, .25);
+  EXPECT_EQ(slider.spring_slack, .75);
+  const auto complaint =
+      fixtures::error_of([&] { (void)read(fixed("stiffness='5' springlength='1 .5'", both), "", false); });
+  EXPECT_TRUE(fixtures::says(complaint, {"tendons.xml:1: springlength of a tendon ends below its beginning"}));
 }
 
 TEST(MjcfTendons, NeedARangeThatTheirJointHas) {
