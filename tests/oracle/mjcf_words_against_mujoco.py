@@ -20,7 +20,7 @@ import joint_motion
 from comparison import Worst
 
 # [rad] Steps of 1 ms here and of 0.1 ms there; joints swing by 1 rad in 0.1 s, so a millisecond is 10 mrad at the worst.
-TOLERANCES = {"joint position": 0.012, "mass": 1e-9, "place": 1e-9, "spring": 1e-6, "damper": 1e-6}
+TOLERANCES = {"joint position": 0.012, "mass": 1e-9, "place": 1e-9, "spring": 1e-6, "damper": 1e-6, "length": 1e-9}
 TIMES = [0.05, 0.2, 1.0]  # [s]
 
 ARM = """<mujoco><compiler angle="radian"/>{before}<worldbody><body name="b" pos="0 0 1">{free}<geom size=".1"/>
@@ -82,6 +82,10 @@ COPIES = {
 <replicate count="2" offset="0 1 0" euler="40 0 0"><replicate count="3" sep="-" offset="1 0 0" euler="0 50 0">
 <body name="l" pos="0 0 .3"><joint name="j" axis="0 1 0"/><geom type="box" size=".1 .2 .3" pos=".1 0 0"/></body>
 </replicate></replicate></body></worldbody></mujoco>""",
+    "replicate with tendons": """<mujoco><worldbody><body name="b"><freejoint/><geom size=".1"/><site name="o"/>
+<replicate count="3" offset="0 1 0" euler="40 0 0"><body name="l" pos="0 0 .3"><joint name="j" axis="0 1 0"/><geom size=".1"/>
+<site name="e" pos=".2 0 0"/></body></replicate></body></worldbody><tendon><spatial name="t" stiffness="3"><site site="o"/>
+<site site="e"/></spatial></tendon><actuator><motor name="m" tendon="t" forcerange="-1 1"/></actuator></mujoco>""",
     "attach": """<mujoco><compiler angle="radian"/><asset><model name="arm" file="arm.xml"/></asset><worldbody><body name="b">
 <freejoint/><geom size=".1"/><frame pos="0 .1 0" euler="0 0 1"><attach model="arm" body="up" prefix="l_"/></frame>
 <attach model="arm" body="up" prefix="r_"/></body></worldbody></mujoco>""",
@@ -98,11 +102,25 @@ COPIES = {
 ATTACHED = """<mujoco><compiler angle="degree"/><default><geom density="500"/></default><worldbody>
 <body name="up" pos="0 0 1" euler="0 30 0"><joint name="j" axis="0 1 0" range="-90 90"/><geom size=".1"/>
 <body name="low" pos="0 0 -.2" euler="0 0 45"><joint name="k" axis="1 0 0"/><geom type="box" size=".05 .1 .2" pos=".1 0 0"/>
-</body></body></worldbody></mujoco>"""
+<site name="e" pos="0 .2 -.3"/></body><geom name="ball" size=".1" pos="0 .1 -.2"/><site name="s" pos=".2 0 0"/></body></worldbody>
+<tendon><spatial name="t" stiffness="3"><site site="s"/><geom geom="ball" sidesite="s"/><site site="e"/></spatial>
+<fixed name="u"><joint joint="j" coef="1"/><joint joint="k" coef="2"/></fixed></tendon>
+<equality><tendon tendon1="t" tendon2="u"/></equality></mujoco>"""
 
 
 def joint_names(model):
     return [model.joint(i).name for i in range(model.njnt) if model.jnt_type[i] != mujoco.mjtJoint.mjJNT_FREE]
+
+
+def compare_tendons(case, theirs, ours, worst):
+    """Their names, lengths and equalities; of pairs of a model and its state."""
+    (one, there), (other, here) = theirs, ours
+    if (one.ntendon, one.neq, one.nu) != (other.ntendon, other.neq, other.nu):
+        sys.exit(f"{case}: {other.ntendon} tendons, {other.neq} equalities, {other.nu} actuators; "
+                 f"not {one.ntendon}, {one.neq}, {one.nu}")
+    for i in range(one.ntendon):
+        name = one.tendon(i).name
+        worst.note("length", f"{case} {name}", abs(there.ten_length[i] - here.ten_length[other.tendon(name).id]))
 
 
 def compare_copies(program, folder, worst):
@@ -123,6 +141,7 @@ def compare_copies(program, folder, worst):
         worst.note("mass", case, abs(theirs.body_subtreemass[0] - ours.body_subtreemass[0]))
         worst.note("spring", case, np.max(np.abs(theirs.jnt_stiffness - ours.jnt_stiffness), initial=0))
         worst.note("damper", case, np.max(np.abs(theirs.dof_damping - ours.dof_damping), initial=0))
+        compare_tendons(case, (theirs, there), (ours, here), worst)
         free = theirs.jnt_type[0] == mujoco.mjtJoint.mjJNT_FREE  # then it is placed by scenes
         origins = [state.xpos[1] if free else np.zeros(3) for state in (there, here)]
         for i in range(1, theirs.nbody):
