@@ -23,8 +23,8 @@
 /// A follower that moves no inertia has the trace 1e-6 / sum(r_l^2 / J_l) of its leaders' inertias J, a tendon 1e-3: the factors need some,
 /// and the coupling, which is settled with it, makes the leaders one part in a million heavier, along a tendon one in a thousand: with
 /// less, whether its friction slips is decided anew in every pass; the rate to which friction lets it slip is predicted with what it takes
-/// along. A spatial tendon counts as one that moves no more than the robot's mass,
-/// so that its slider stays light where no joint changes its length.
+/// along. A spatial tendon counts as one that moves no more than the robot's mass, so that its slider stays light where no joint changes
+/// its length.
 /// Impulses inside an island come after that. What holds answers them in the same step: with y = F^-1 Jc^T of a contact and R = F^-1 J^T of
 /// the rows, whose inverse mass is then 1 - R (A + C)^-1 R^T between F^-1 and F^-T, an impulse has the numbers
 ///
@@ -40,7 +40,7 @@
 
 #include "murosimf/collision/impulse_response.h"
 #include "murosimf/math/assert.h"
-#include "murosimf/motion/mimic_joints.h"
+#include "murosimf/motion/coupling_rods.h"
 #include "murosimf/motion/moving_tree.h"
 #include "murosimf/multibody/articulated_body.h"
 #include "murosimf/multibody/friction_solver.h"
@@ -56,8 +56,7 @@ class CouplingForces {
   explicit CouplingForces(Setup& setup);
 
   [[nodiscard]] bool empty() const { return joints_.empty() && loops_.empty(); }
-  /// Moves the passive joints of loops to where the loops close: positions [rad | m] by object.
-  /// Puts tendons where their joints say.
+  /// Moves the passive joints of loops to where the loops close, then tendons to where their joints say.
   void assemble(PoseColumns& columns);
   /// Sets all torques to zero.
   void start() noexcept;
@@ -93,31 +92,12 @@ class CouplingForces {
   [[nodiscard]] std::span<const double> held(std::span<const double> z) noexcept;
 
  private:
-  struct Joint {
-    int object = 0, link = 0;
-    double share = 1;  // r
-  };
-  struct Rod {
-    Joint follower;
-    std::vector<Joint> leaders;
-    double offset = 0;                          // [rad | m]
-    double stiffness = 0;                       // [N m/rad | N/m] k
-    double lightest = 0;                        // [1] trace over the inertia that it takes along
-    double trace = 0;                           // [kg m^2 | kg] inertia of a follower that moves none
-    double taken_along = 0;                     // [kg m^2 | kg] by the slider of a tendon
-    const MimicJoints::Tendon* path = nullptr;  // of a spatial tendon
-    const TendonTie* tie = nullptr;
-  };
-  void add_rods(const Model& model);
-  [[nodiscard]] std::span<Rod> tendon_rods() noexcept {
+  [[nodiscard]] std::span<CouplingRod> tendon_rods() noexcept {
     return std::span(rods_).subspan(joints_.pairs().size(), joints_.tendons().size());
   }
-  [[nodiscard]] std::span<Rod> ties() noexcept { return std::span(rods_).last(joints_.ties().size()); }
-  void follow_path(Rod& rod, std::span<const double> q) const noexcept;
-  void weigh(Rod& rod) const noexcept;
-  [[nodiscard]] double mobility_along(const Rod& rod) const noexcept;
+  [[nodiscard]] std::span<CouplingRod> ties() noexcept { return std::span(rods_).last(joints_.ties().size()); }
   /// [N m | N] lambda of a rod, in its column.
-  [[nodiscard]] double& force_of(const Rod& rod) const noexcept {
+  [[nodiscard]] double& force_of(const CouplingRod& rod) const noexcept {
     return (rod.tie ? tie_force_ : torque_)[rod.follower.object];
   }
   [[nodiscard]] double& force_of(const multibody::LoopRow& row) const noexcept;
@@ -151,7 +131,7 @@ class CouplingForces {
   double turn_stiffness_ = 0;      // [N m/rad]
   double mass_ = 0;                // [kg] of the robot
   std::vector<double> moved_;      // [kg m^2 | kg] inertia that each joint moves by itself, by link
-  std::vector<Rod> rods_;          // of each pair, then of each tendon, then of each tie
+  std::vector<CouplingRod> rods_;  // of each pair, then of each tendon, then of each tie
   std::size_t coordinates_ = 0;
   std::vector<double> rows_;    // F^-1 J^T, of rod i at i * coordinates; then those of loops
   std::vector<double> matrix_;  // A + C, i and j at i * size() + j; then its Cholesky factor

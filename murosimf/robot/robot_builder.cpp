@@ -18,11 +18,9 @@
 #include "murosimf/motion/passive_joint.h"
 #include "murosimf/motion/servo_law.h"
 #include "murosimf/multibody/joint_tendon.h"
-#include "murosimf/multibody/spatial_tendon.h"
-#include "murosimf/multibody/tendon_tie.h"
 #include "murosimf/robot/robot_soles.h"
+#include "murosimf/robot/tendon_properties.h"
 #include "murosimf/robot_formats/robot_visuals.h"
-#include "murosimf/robot_formats/tendon_path.h"
 
 namespace murosimf::robot {
 namespace {
@@ -100,41 +98,15 @@ class Builder {
     chain.prismatic(tendon.joint.name, tendon.joint.axis);
     add_joint_constants(chain, tendon.joint);
     if (!tendon.path.empty()) {
-      chain.with(properties::spatial_tendon, path_of(tendon));
+      const auto object = [&](const std::string& body) { return object_of(body); };
+      chain.with(properties::spatial_tendon, spatial_tendon_of(description_, tendon, object));
     } else {
       JointTendon over;
       for (const auto& [joint, coefficient] : tendon.parts) over.parts.push_back({joint, coefficient});
       chain.with(properties::joint_tendon, over);
     }
-    if (tendon.tie) {
-      const auto other =
-          std::ranges::find(description_.tendons, tendon.tie->other, [](const auto& one) { return one.joint.name; });
-      const double start = other == description_.tendons.end() ? 0 : other->joint.reference;
-      chain.with(properties::tendon_tie, {tendon.tie->other, tendon.joint.reference, start, tendon.tie->polynomial});
-    }
+    if (tendon.tie) chain.with(properties::tendon_tie, tie_of(description_, tendon));
     return chain;
-  }
-
-  [[nodiscard]] SpatialTendon path_of(const robot_formats::TendonDescription& tendon) const {
-    const auto on = [&](std::size_t body, const Transformd& place) {
-      return SpatialTendon::Place{object_of(description_.bodies[body].name), place};
-    };
-    SpatialTendon path;
-    for (const robot_formats::TendonBranchDescription& branch : tendon.path) {
-      auto& parts = path.branches.emplace_back(branch.divisor).parts;
-      for (const robot_formats::TendonPartDescription& one : branch.parts) {
-        const auto found = robot_formats::find_part(description_, one);
-        MUROSIMF_ASSERT(found.has_value());
-        SpatialTendon::Part part{on(found->body, found->part.place)};
-        part.radius = found->part.obstacle.radius;
-        part.cylinder = found->part.obstacle.cylinder;
-        if (found->side_body >= 0) {
-          part.side = on(static_cast<std::size_t>(found->side_body), {found->side, {}});
-        }
-        parts.push_back(part);
-      }
-    }
-    return path;
   }
 
   [[nodiscard]] static std::vector<Step> steps(const robot_formats::BodyDescription& body) {
