@@ -37,7 +37,7 @@ ArticulatedDynamics::ArticulatedDynamics(Setup& setup, const MovingTreeOptions& 
 
 void ArticulatedDynamics::initialize() {
   drives_.initialize(tree_.columns.q, tree_.columns.qd);
-  couplings_.assemble(tree_.columns.q);
+  couplings_.assemble(tree_.columns);
   tree_.start();
   start_loads();
   check_inertias();
@@ -67,7 +67,7 @@ void ArticulatedDynamics::check_inertias() {
   std::vector<double> moved(links.size());
   multibody::moved_inertias(tree_.columns.model.tree(), tree_.links, moved);
   for (std::size_t l = 1; l < links.size(); ++l) moved[l] += drives_.firm_inertia(links[l].object);
-  couplings_.count_at_leaders(moved);
+  couplings_.count_at_leaders(tree_.columns.q, moved);
   for (std::size_t l = links.size() - 1; l > 0; --l) {
     if (moved[l] > least_inertia) continue;
     throw SetupError(

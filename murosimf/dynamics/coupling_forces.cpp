@@ -10,38 +10,10 @@
 namespace murosimf::dynamics {
 namespace {
 
-constexpr double bend = 0.2e-3;          // [rad] deflection under T; these numbers are explained in the header
-constexpr double shift = 0.02e-3;        // [m] deflection under T
 constexpr double damping_time = 0.5e-3;  // [s] d / k
 constexpr double fastest_shift = 0.5;    // [m/s] rate at which a gap closes at most
 constexpr double fastest_turn_back = 5;  // [rad/s]
 constexpr double far_away = 0.05;        // [m] more than a tendon gives way
-constexpr double trace_share = 1e-6;     // [1] of the leader's inertia: enough for the factors, too little to be seen
-constexpr double tendon_share = 1e-3;    // [1] of the inertia along a tendon
-
-double stall_torque(const Model& model, int joint) {
-  const Servo* servo = model.find(properties::servo, joint);
-  return servo ? servo->stall_torque : 0;
-}
-
-double stiffness(const Model& model, const MimicJoints::Pair& pair) {
-  MUROSIMF_ASSERT(pair.ratio != 0);
-  const double weight = model.tree().mass * 9.81;
-  const bool slider = model.objects()[pair.follower].kind == Kind::prismatic;
-  const double servos =
-      std::max(stall_torque(model, pair.follower), stall_torque(model, pair.leader) / std::abs(pair.ratio));
-  return slider ? std::max(servos, weight) / shift : std::max(servos, 0.1 * weight) / bend;
-}
-
-/// The slider of a tendon.
-double stiffness(const Model& model, int tendon) {
-  constexpr double stiffer = 1000;  // than what pulls along the tendon
-  const double weight = model.tree().mass * 9.81;
-  const double* spring = model.find(properties::joint_stiffness, tendon);
-  const Servo* servo = model.find(properties::servo, tendon);
-  const double pulls = (spring ? *spring : 0) + (servo ? servo->position_gain : 0);
-  return std::max(std::max(stall_torque(model, tendon), weight) / shift, stiffer * pulls);
-}
 
 double product(std::span<const double> a, std::span<const double> b) {
   MUROSIMF_ASSERT(a.size() == b.size());
@@ -64,10 +36,12 @@ CouplingForces::CouplingForces(Setup& setup)
   if (empty()) return;
   const Model& model = setup.model();
   if (!joints_.empty()) torque_ = setup.write(properties::coupling_torque);
+  if (!joints_.ties().empty()) tie_force_ = setup.write(properties::tie_force);
   if (!loops_.empty()) loop_force_ = setup.write(properties::loop_force);
-  shift_stiffness_ = model.tree().mass * 9.81 / shift;
-  turn_stiffness_ = 0.1 * model.tree().mass * 9.81 / bend;
-  add_rods(model);
+  shift_stiffness_ = model.tree().mass * 9.81 / shift_under_load;
+  turn_stiffness_ = 0.1 * model.tree().mass * 9.81 / bend_under_load;
+  mass_ = model.tree().mass;
+  rods_ = coupling_rods(model, joints_);
   coordinates_ = 5 + model.tree().links.size();
   rows_.resize(size() * coordinates_);
   matrix_.resize(size() * size());
@@ -79,36 +53,33 @@ CouplingForces::CouplingForces(Setup& setup)
   answer_.resize(size());
 }
 
-void CouplingForces::add_rods(const Model& model) {
-  const auto joint = [&](int object, double share) { return Joint{object, model.tree().link_of[object], share}; };
-  for (const auto& pair : joints_.pairs()) {
-    rods_.push_back(
-        {joint(pair.follower, 1), {joint(pair.leader, pair.ratio)}, pair.offset, stiffness(model, pair), trace_share});
-  }
-  for (const auto& tendon : joints_.tendons()) {
-    Rod rod{joint(tendon.follower, 1), {}, 0, stiffness(model, tendon.follower), tendon_share};
-    for (const auto& part : tendon.parts) rod.leaders.push_back(joint(part.joint, part.coefficient));
-    rods_.push_back(rod);
+void CouplingForces::assemble(PoseColumns& columns) {
+  followers_.assemble(columns.q);
+  for (CouplingRod& rod : tendon_rods()) {
+    rod.follow(columns.q);
+    columns.q[rod.follower.object] = rod.place(columns.q);
   }
 }
 
 void CouplingForces::start() noexcept {
   std::fill(torque_.begin(), torque_.end(), 0.0);
+  std::fill(tie_force_.begin(), tie_force_.end(), 0.0);
   std::fill(loop_force_.begin(), loop_force_.end(), Wrenchd{});
 }
 
-void CouplingForces::take_up(PoseColumns& columns) const noexcept {
-  for (const Rod& rod : std::span(rods_).subspan(joints_.pairs().size())) {
-    double length = 0, rate = 0;
-    for (const Joint& leader : rod.leaders) {
-      length += leader.share * columns.q[leader.object];
-      rate += leader.share * columns.qd[leader.object];
-    }
+void CouplingForces::take_up(PoseColumns& columns) noexcept {
+  for (CouplingRod& rod : tendon_rods()) {
+    rod.follow(columns.q);
+    rod.weigh(moved_, mass_);
+    const double length = rod.place(columns.q);
     if (std::abs(columns.q[rod.follower.object] - length) < far_away) continue;
+    double rate = 0;
+    for (const CouplingRod::Joint& leader : rod.leaders) rate += leader.share * columns.qd[leader.object];
     columns.q[rod.follower.object] = length;
     columns.qd[rod.follower.object] = rate;
     torque_[rod.follower.object] = 0;
   }
+  for (CouplingRod& rod : ties()) rod.follow(columns.q);
 }
 
 void CouplingForces::look(const MovingTree& tree) noexcept {
@@ -132,24 +103,28 @@ double& CouplingForces::force_of(const multibody::LoopRow& row) const noexcept {
   return *numbers[row.axis];
 }
 
-void CouplingForces::count_at_leaders(std::span<double> moved) noexcept {
-  for (Rod& rod : rods_) {
+void CouplingForces::count_at_leaders(std::span<const double> q, std::span<double> moved) {
+  moved_.assign(moved.begin(), moved.end());
+  for (CouplingRod& rod : rods_) {
     MUROSIMF_ASSERT(static_cast<std::size_t>(rod.follower.link) < moved.size());
-    double mobility = 0;
-    for (const Joint& leader : rod.leaders) mobility += leader.share * leader.share / moved[leader.link];
+    if (rod.tie) continue;  // between sliders, which have their inertia by now
+    rod.follow(q);
+    const double mobility = rod.mobility(moved_, mass_);
+    if (rod.tendon) rod.taken_along = 1 / mobility;
     if (moved[rod.follower.link] > least_inertia || !(1 / mobility > least_inertia)) continue;
     rod.trace = rod.lightest / mobility;
-    moved[rod.follower.link] = 1 / mobility;
+    moved[rod.follower.link] = moved_[rod.follower.link] = 1 / mobility;
   }
 }
 
 void CouplingForces::drive(std::span<multibody::FrictionalJoint<double>> joints) const noexcept {
-  for (const Rod& rod : rods_) {
+  for (const CouplingRod& rod : rods_) {
     MUROSIMF_ASSERT(static_cast<std::size_t>(rod.follower.link) < joints.size());
-    const double torque = torque_[rod.follower.object];
+    const double torque = force_of(rod);
     joints[rod.follower.link].torque += torque;
     joints[rod.follower.link].inertia += rod.trace;
-    for (const Joint& leader : rod.leaders) joints[leader.link].torque -= leader.share * torque;
+    if (rod.taken_along > 0) joints[rod.follower.link].coupled = rod.taken_along;
+    for (const CouplingRod::Joint& leader : rod.leaders) joints[leader.link].torque -= leader.share * torque;
   }
 }
 
@@ -173,16 +148,16 @@ void CouplingForces::count_as_drive(std::span<multibody::FrictionalJoint<double>
   MUROSIMF_ASSERT(h_ > 0);
   // the change has acted as a load in the accelerations; from now on it is part of the drive, so the sum p stays the same
   for (std::size_t i = 0; i < rods_.size(); ++i) {
-    const Rod& rod = rods_[i];
+    const CouplingRod& rod = rods_[i];
     const double change = change_[i] / h_;
-    torque_[rod.follower.object] += change;
+    force_of(rod) += change;
     const auto move = [](multibody::FrictionalJoint<double>& joint, double torque) {
       joint.torque += torque;
       joint.drive += torque;
       joint.load -= torque;
     };
     move(joints[rod.follower.link], change);
-    for (const Joint& leader : rod.leaders) move(joints[leader.link], -leader.share * change);
+    for (const CouplingRod::Joint& leader : rod.leaders) move(joints[leader.link], -leader.share * change);
   }
   for (std::size_t i = 0; i < loops_.rows().size(); ++i) force_of(loops_.rows()[i]) += change_[rods_.size() + i] / h_;
 }
@@ -205,7 +180,8 @@ void CouplingForces::fill_row(std::size_t rod, const MovingTree& tree,
   const std::span row(rows_.data() + rod * coordinates_, coordinates_);
   std::fill(row.begin(), row.end(), 0.0);
   add_response(rods_[rod].follower.link, 1, {}, tree, bodies, roots, row);
-  for (const Joint& leader : rods_[rod].leaders) add_response(leader.link, -leader.share, {}, tree, bodies, roots, row);
+  for (const CouplingRod::Joint& leader : rods_[rod].leaders)
+    add_response(leader.link, -leader.share, {}, tree, bodies, roots, row);
 }
 
 /// Adds the response F^-1 of a torque in a link's joint and a force on the link: the joints on the path to the base, then the base.
@@ -226,18 +202,20 @@ void CouplingForces::fill_right_side(const MovingTree& tree, std::span<const mul
   MUROSIMF_ASSERT(h > 0);
   const PoseColumns& columns = tree.columns;
   for (std::size_t i = 0; i < rods_.size(); ++i) {
-    const Rod& rod = rods_[i];
-    const auto next_rate = [&](const Joint& joint) {
+    const CouplingRod& rod = rods_[i];
+    const auto next_rate = [&](const CouplingRod::Joint& joint) {
       return columns.qd[joint.object] + h * bodies[joint.link].joint_acceleration;
     };
     // implicit Euler of spring and damper: the error at the end of the step, see the header
     double e = columns.q[rod.follower.object] - rod.offset, rate = next_rate(rod.follower);
-    for (const Joint& leader : rod.leaders) {
+    for (const CouplingRod::Joint& leader : rod.leaders) {
       e -= leader.share * columns.q[leader.object];
       rate -= leader.share * next_rate(leader);
     }
     const double softness = 1 / (rod.stiffness * h * (h + damping_time));
-    change_[i] = -(rate + e / (h + damping_time) + softness * h * torque_[rod.follower.object]);
+    const double most = fastest_shift * (h + damping_time);  // a robot may start with tendons that are not tied yet
+    if (rod.tie) e = std::clamp(e, -most, most);
+    change_[i] = -(rate + e / (h + damping_time) + softness * h * force_of(rod));
     fill_matrix(i, softness);
   }
   for (std::size_t i = 0; i < loops_.rows().size(); ++i) {

@@ -8,9 +8,11 @@
 ///
 ///     (A + C) h dlambda = -(e' + e / (h + d/k) + C h lambda),   C = 1 / (h^2 k + h d)
 ///
+/// Where a position follows by a curve, q_f = L(q) of a spatial tendon (spatial_tendon.h) or a tie of tendons (tendon_tie.h), r and offset
+/// are those of its tangent at the beginning of the step; what the curve departs from it within a step is part of the next one's e.
 /// A joint that friction holds has no part in A. k = T / 0.2 mrad (T / 0.02 mm) at the follower, T the largest of both
 /// servos' stall torques there and the robot's weight times 0.1 m (its weight, for a slider), and at least a thousand times the stiffness
-/// of a tendon's own spring and servo; d = k * 0.5 ms.
+/// of a tendon's own spring and servo; d = k * 0.5 ms. Ties of tendons have the k of their first tendon.
 /// The rows of loops (multibody/loop_rows.h) are such springs, too, settled in the same system: e is the gap, and e' its mean rate over
 /// the step, J (qd + h qdd) + h/2 (dJ/dt) qd, so that e + h e' is the gap at its end to second order. That is SHAKE with a soft
 /// constraint: it has the force at the place where the step begins and the gap where it ends, and the slow motion of a linkage neither
@@ -20,7 +22,9 @@
 ///
 /// A follower that moves no inertia has the trace 1e-6 / sum(r_l^2 / J_l) of its leaders' inertias J, a tendon 1e-3: the factors need some,
 /// and the coupling, which is settled with it, makes the leaders one part in a million heavier, along a tendon one in a thousand: with
-/// less, whether its friction slips is decided anew in every pass.
+/// less, whether its friction slips is decided anew in every pass; the rate to which friction lets it slip is predicted with what it takes
+/// along. A spatial tendon counts as one that moves no more than the robot's mass, so that its slider stays light where no joint changes
+/// its length.
 /// Impulses inside an island come after that. What holds answers them in the same step: with y = F^-1 Jc^T of a contact and R = F^-1 J^T of
 /// the rows, whose inverse mass is then 1 - R (A + C)^-1 R^T between F^-1 and F^-T, an impulse has the numbers
 ///
@@ -35,7 +39,7 @@
 #include <vector>
 
 #include "murosimf/collision/contact_laws/impulse_response.h"
-#include "murosimf/dynamics/mimic_joints.h"
+#include "murosimf/dynamics/coupling_rods.h"
 #include "murosimf/dynamics/moving_tree.h"
 #include "murosimf/math/assert.h"
 #include "murosimf/multibody/articulated_body.h"
@@ -52,17 +56,19 @@ class CouplingForces {
   explicit CouplingForces(Setup& setup);
 
   [[nodiscard]] bool empty() const { return joints_.empty() && loops_.empty(); }
-  /// Moves the passive joints of loops to where the loops close: positions [rad | m] by object.
-  void assemble(std::span<double> q) { followers_.assemble(q); }
+  /// Moves the passive joints of loops to where the loops close, then tendons to where their joints say.
+  void assemble(PoseColumns& columns);
   /// Sets all torques to zero.
   void start() noexcept;
 
   /// `moved`: inertias [kg m^2 | kg] that the joints move by themselves, by link. A follower that moves none counts as a part of its
   /// leader, and moves in `moved` what that one does, at its ratio.
-  void count_at_leaders(std::span<double> moved) noexcept;
-  /// Joints were put elsewhere from outside: tendons that are far from where these say go there, since they have no place of their own.
-  void take_up(PoseColumns& columns) const noexcept;
-  /// To be called first in a step: how loops stand.
+  /// q: positions [rad | m] by object.
+  void count_at_leaders(std::span<const double> q, std::span<double> moved);
+  /// To be called first in a step: how curves run at the present positions. Where joints were put elsewhere from outside, tendons that are
+  /// far from where these say go there, since they have no place of their own.
+  void take_up(PoseColumns& columns) noexcept;
+  /// To be called in each step, too: how loops stand.
   void look(const MovingTree& tree) noexcept;
   /// Adds the present forces of loops to the loads of their links.
   void add_loads(std::span<multibody::ArticulatedLink<double>> bodies) const noexcept;
@@ -86,19 +92,14 @@ class CouplingForces {
   [[nodiscard]] std::span<const double> held(std::span<const double> z) noexcept;
 
  private:
-  struct Joint {
-    int object = 0, link = 0;
-    double share = 1;  // r
-  };
-  struct Rod {
-    Joint follower;
-    std::vector<Joint> leaders;
-    double offset = 0;     // [rad | m]
-    double stiffness = 0;  // [N m/rad | N/m] k
-    double lightest = 0;   // [1] trace over the inertia that it takes along
-    double trace = 0;      // [kg m^2 | kg] inertia of a follower that moves none
-  };
-  void add_rods(const Model& model);
+  [[nodiscard]] std::span<CouplingRod> tendon_rods() noexcept {
+    return std::span(rods_).subspan(joints_.pairs().size(), joints_.tendons().size());
+  }
+  [[nodiscard]] std::span<CouplingRod> ties() noexcept { return std::span(rods_).last(joints_.ties().size()); }
+  /// [N m | N] lambda of a rod, in its column.
+  [[nodiscard]] double& force_of(const CouplingRod& rod) const noexcept {
+    return (rod.tie ? tie_force_ : torque_)[rod.follower.object];
+  }
   [[nodiscard]] double& force_of(const multibody::LoopRow& row) const noexcept;
   [[nodiscard]] double stiffness_of(const multibody::LoopRow& row) const noexcept {
     return row.is_turn() ? turn_stiffness_ : shift_stiffness_;
@@ -124,10 +125,13 @@ class CouplingForces {
   multibody::LoopRows loops_;
   multibody::LoopJoints followers_;
   std::span<double> torque_;       // [N m | N] lambda, by object
+  std::span<double> tie_force_;    // [N] the same of ties, by object of the follower
   std::span<Wrenchd> loop_force_;  // [N m, N] the same of loops
   double shift_stiffness_ = 0;     // [N/m] k
   double turn_stiffness_ = 0;      // [N m/rad]
-  std::vector<Rod> rods_;          // of each pair, then of each tendon
+  double mass_ = 0;                // [kg] of the robot
+  std::vector<double> moved_;      // [kg m^2 | kg] inertia that each joint moves by itself, by link
+  std::vector<CouplingRod> rods_;  // of each pair, then of each tendon, then of each tie
   std::size_t coordinates_ = 0;
   std::vector<double> rows_;    // F^-1 J^T, of rod i at i * coordinates; then those of loops
   std::vector<double> matrix_;  // A + C, i and j at i * size() + j; then its Cholesky factor

@@ -11,16 +11,21 @@
 #include "murosimf/dynamics/servo/servo_law.h"
 #include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/multibody/joint_tendon.h"
 
 namespace murosimf::dynamics {
 namespace {
+
+using multibody::is_tendon;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 [[noreturn]] void refuse(const Model& model, int follower, const std::string& why) {
   throw SetupError(
       fmt::format("model '{}', coupled joint '{}': {}", model.name(), model.objects()[follower].name, why));
+}
+
+[[noreturn]] void refuse_tendon(const Model& model, int follower, const std::string& why) {
+  throw SetupError(fmt::format("model '{}', tendon '{}': {}", model.name(), model.objects()[follower].name, why));
 }
 
 /// The leader of a coupling; rejects couplings without a sensible leader and numbers.
@@ -57,26 +62,72 @@ MimicJoints::MimicJoints(const Model& model)
   for (const int i : model.having(properties::joint_coupling)) pairs_.push_back(pair(model, i));
   narrow(model);
   for (const int i : model.having(properties::joint_tendon)) tendons_.push_back(tendon(model, i));
+  for (const int i : model.having(properties::spatial_tendon)) tendons_.push_back(spatial_tendon(model, i));
+  for (const int i : model.having(properties::tendon_tie)) ties_.push_back(tie(model, i));
+}
+
+double MimicJoints::Tendon::length(std::span<const double> q) const noexcept {
+  if (path) return path->look(q, slopes);
+  double length = 0;
+  for (std::size_t i = 0; i < joints.size(); ++i) length += slopes[i] * q[joints[i]];
+  return length;
+}
+
+double MimicJoints::Tendon::rate(std::span<const double> qd) const noexcept {
+  double rate = 0;
+  for (std::size_t i = 0; i < joints.size(); ++i) rate += slopes[i] * qd[joints[i]];
+  return rate;
 }
 
 MimicJoints::Tendon MimicJoints::tendon(const Model& model, int follower) const {
-  const auto refuse = [&](const std::string& why) {
-    throw SetupError(fmt::format("model '{}', tendon '{}': {}", model.name(), model.objects()[follower].name, why));
-  };
+  const auto refuse = [&](const std::string& why) { refuse_tendon(model, follower, why); };
   if (!model.objects()[follower].is_joint()) refuse("it is no joint");
   Tendon tendon{follower, {}};
   for (const auto& [name, coefficient] : model.find(properties::joint_tendon, follower)->parts) {
     const int joint = with_context(fmt::format("tendon '{}'", model.objects()[follower].name),
                                    [&, &other = name] { return model.object_index(other); });
     if (!model.objects()[joint].is_joint()) refuse(fmt::format("'{}' is no joint", name));
-    if (model.find(properties::joint_tendon, joint)) refuse(fmt::format("'{}' is a tendon itself", name));
+    if (is_tendon(model, joint)) refuse(fmt::format("'{}' is a tendon itself", name));
     if (!std::isfinite(coefficient) || coefficient == 0) {
       refuse(fmt::format("the coefficient {} of '{}' must be finite and not zero", coefficient, name));
     }
-    tendon.parts.push_back({joint, coefficient});
+    tendon.joints.push_back(joint);
+    tendon.slopes.push_back(coefficient);
   }
-  if (tendon.parts.empty()) refuse("it runs over no joint");
+  if (tendon.joints.empty()) refuse("it runs over no joint");
   return tendon;
+}
+
+MimicJoints::Tendon MimicJoints::spatial_tendon(const Model& model, int follower) const {
+  if (!model.objects()[follower].is_joint()) refuse_tendon(model, follower, "it is no joint");
+  if (model.find(properties::joint_tendon, follower)) refuse_tendon(model, follower, "it has joints and points");
+  const std::string context = fmt::format("model '{}', tendon '{}'", model.name(), model.objects()[follower].name);
+  Tendon tendon{follower, {}};
+  tendon.path = with_context(context, [&] {
+    return multibody::TendonPath(model, *model.find(properties::spatial_tendon, follower));
+  });
+  const auto joints = tendon.path->joints();
+  tendon.joints.assign(joints.begin(), joints.end());
+  tendon.slopes.resize(joints.size());
+  if (joints.empty()) refuse_tendon(model, follower, "no joint is between its points");
+  return tendon;
+}
+
+MimicJoints::Tie MimicJoints::tie(const Model& model, int follower) const {
+  Tie tie{follower, -1, *model.find(properties::tendon_tie, follower)};
+  if (!is_tendon(model, follower)) refuse_tendon(model, follower, "only tendons are tied");
+  if (!tie.by.other.empty()) {
+    tie.leader = with_context(fmt::format("tendon '{}'", model.objects()[follower].name),
+                              [&] { return model.object_index(tie.by.other); });
+    if (!is_tendon(model, tie.leader) || tie.leader == follower) {
+      refuse_tendon(model, follower, fmt::format("it is tied to '{}', which is no other tendon", tie.by.other));
+    }
+  }
+  if (!std::isfinite(tie.by.start + tie.by.other_start) ||
+      !std::ranges::all_of(tie.by.polynomial, [](double number) { return std::isfinite(number); })) {
+    refuse_tendon(model, follower, "numbers of its tie must be finite");
+  }
+  return tie;
 }
 
 MimicJoints::Pair MimicJoints::pair(const Model& model, int follower) const {
@@ -143,13 +194,8 @@ void MimicJoints::follow(std::span<double> q, std::span<double> qd) const noexce
     qd[pair.follower] = pair.ratio * qd[pair.leader];
   }
   for (const Tendon& tendon : tendons_) {
-    double length = 0, rate = 0;
-    for (const auto& [joint, coefficient] : tendon.parts) {
-      length += coefficient * q[joint];
-      rate += coefficient * qd[joint];
-    }
-    q[tendon.follower] = length;
-    qd[tendon.follower] = rate;
+    q[tendon.follower] = tendon.length(q);
+    qd[tendon.follower] = tendon.rate(qd);
   }
 }
 

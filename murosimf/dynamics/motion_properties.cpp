@@ -3,7 +3,10 @@
 #include <array>
 
 #include "murosimf/model/fixed_base.h"
+#include "murosimf/motion/passive_joint.h"
 #include "murosimf/multibody/joint_tendon.h"
+#include "murosimf/multibody/spatial_tendon.h"
+#include "murosimf/multibody/tendon_tie.h"
 
 namespace murosimf::properties {
 namespace {
@@ -14,14 +17,18 @@ constexpr std::array motion_entries{constant(joint_damping),
                                     constant(joint_stiffness),
                                     constant(joint_rate_limit),
                                     constant(joint_spring_reference),
+                                    constant(joint_spring_slack),
                                     constant(joint_coupling),
                                     constant(joint_tendon),
+                                    constant(spatial_tendon),
+                                    constant(tendon_tie),
                                     constant(fixed_base),
                                     variable(joint_load),
                                     constant(loop_closure),
                                     constant(loop_commanded),
                                     variable(coupling_torque),
                                     variable(loop_force),
+                                    variable(tie_force),
                                     variable(felt_acceleration),
                                     variable(sent_target),
                                     variable(sent_target_age),

@@ -34,6 +34,7 @@ inline constexpr Property<JointCoupling> joint_coupling {{"joint_coupling", "-",
 // ---- variable: of every object ----
 inline constexpr Property<double> joint_load       {{"joint_load", "N m | N", "joint", "all that a joint feels besides its own servo, friction, damper, spring, coupling and end"}};
 inline constexpr Property<double> coupling_torque  {{"coupling_torque", "N m | N", "joint", "on a joint that follows another one, by the coupling"}};
+inline constexpr Property<double> tie_force        {{"tie_force", "N", "joint", "on the slider of a tendon that is tied to another one, by the tie"}};
 inline constexpr Property<Wrenchd> loop_force     {{"loop_force", "N, N m", "world, where the loop closes", "on the frame that closes a loop (loop_closure), by the other one"}};
 inline constexpr Property<Twistd> felt_acceleration {{"felt_acceleration", "rad/s^2, m/s^2", "world, at the base's origin", "of a link: what forces add to its gravity and velocity products"}};
 inline constexpr Property<double> sent_target      {{"sent_target", "rad | m", "joint", "target that went over the bus last"}};

@@ -20,7 +20,13 @@ double number(const Model& model, const Property<double>& property, int joint) {
 PassiveJoint passive_joint(const Model& model, int joint) {
   const PassiveJoint passive{number(model, properties::joint_damping, joint),
                              number(model, properties::joint_stiffness, joint),
-                             number(model, properties::joint_spring_reference, joint)};
+                             number(model, properties::joint_spring_reference, joint),
+                             number(model, properties::joint_spring_slack, joint)};
+  if (!(passive.slack >= 0) || !std::isfinite(passive.slack)) {
+    throw SetupError(
+        fmt::format("model '{}', joint '{}': its spring is slack over {} rad (m); that must be finite and at least 0",
+                    model.name(), model.objects()[joint].name, passive.slack));
+  }
   if (!(passive.stiffness >= 0) || !std::isfinite(passive.stiffness) || !std::isfinite(passive.rest)) {
     throw SetupError(
         fmt::format("model '{}', joint '{}': a spring of {} N m/rad (N/m) about {} rad (m) is none; its stiffness "

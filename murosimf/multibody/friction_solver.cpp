@@ -90,7 +90,7 @@ MUROSIMF_INLINE Axle<S> decide(FrictionalJoint<S>& j, const S& rest, Loads loads
     return {1.0 / select(sticks, S(locked), D), select(sticks, stop, torque - sign * j.budget + j.own_load)};
   }
   // in all other cases friction is a damper with the right torque at the predicted rate: it can brake but never drive
-  const S end_rate = (size - j.budget) * dt / D;
+  const S end_rate = (size - j.budget) * dt / (D + j.coupled);
   const S damping = j.budget / select(end_rate < S(slow), S(slow), end_rate);
   return {1.0 / select(sticks, S(locked), D + dt * damping),
           select(sticks, stop, torque - damping * j.rate + j.own_load)};

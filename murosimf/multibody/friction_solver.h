@@ -13,7 +13,7 @@
 /// the end by then; with the stop added, the motor's line is chosen again. a'_p is known only after the sweep: the sweep
 /// takes that of the last pass. If with the true a'_p the friction of some joint is off by more than a quarter of F, the
 /// pass has to be repeated; with a smaller error, the next step corrects it. In a repeated pass a sliding joint has the
-/// torque -b (rate after the step), b = F over its predicted final rate: if the number of passes is exhausted before all
+/// torque -b (rate after the step), b = F over its predicted final rate, to which what a coupling takes along (coupling_forces.h) counts: if the number of passes is exhausted before all
 /// joints agree, friction has not driven any joint.
 ///
 /// Inside an island of touching robots (collision/contact_laws/impulse_response.h) there is one pass, and contact forces are added
@@ -41,6 +41,7 @@ struct FrictionalJoint {
   RangeEnd<S> end;                     ///< of its range; in
   S torque{};                          ///< [N m | N] all other torques except dry friction; in
   S inertia{};                         ///< [kg m^2 | kg] all other inertia; in
+  S coupled{};                         ///< [kg m^2 | kg] inertia that its coupling takes along; in
   TorqueLine<S> line;                  ///< line that the motor follows; out
   S D{};                               ///< [kg m^2 | kg] inertia of the joint with that line; out
   S load{};                            ///< tau_e [N m | N]; in for `Loads::of_last_step`; out

@@ -10,6 +10,7 @@
 #include "murosimf/model/properties.h"
 #include "murosimf/multibody/loops.h"
 #include "murosimf/robot/robot_checks.h"
+#include "murosimf/robot_formats/tendon_path.h"
 
 namespace murosimf::robot {
 namespace {
@@ -84,7 +85,7 @@ std::vector<std::string> idle_joints(const robot_formats::RobotDescription& desc
   for (const robot_formats::MimicDescription& mimic : description.mimics) coupled.insert(mimic.joint);
   for (const robot_formats::TendonDescription& tendon : description.tendons) {
     if (!tendon.joint.servo) continue;
-    for (const auto& [joint, coefficient] : tendon.parts) coupled.insert(joint);
+    for (const std::string& joint : robot_formats::joints_of(description, tendon)) coupled.insert(joint);
   }
   const auto loops = multibody::loops_of(model);
   std::vector<std::string> idle;

@@ -12,6 +12,7 @@
 #include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/multibody/spatial_tendon.h"
 #include "murosimf/robot/finding_groups.h"
 
 namespace murosimf::robot {
@@ -81,6 +82,7 @@ std::vector<LimbReport> make_limbs(const Model& model) {
   for (std::size_t l = 1; l < tree.links.size(); ++l) {
     const int parent = tree.links[l].parent;
     MUROSIMF_ASSERT(tree.links[l].parent >= 0 && tree.links[l].parent < static_cast<int>(l));
+    if (parent == 0 && multibody::is_tendon(model, tree.links[l].object)) continue;
     if (parent == 0) {
       limb_of[l] = static_cast<int>(limbs.size());
       limbs.push_back({model.objects()[tree.links[l].object].name, 0, 0});
@@ -245,7 +247,8 @@ ModelReport make_report(const Model& model, std::vector<Finding> findings, std::
   ModelReport report;
   report.name = model.name();
   report.total_mass_kg = model.tree().mass;
-  report.joints = static_cast<int>(model.joints().size());
+  const auto is_joint = [&](int joint) { return !multibody::is_tendon(model, joint); };
+  report.joints = static_cast<int>(std::ranges::count_if(model.joints(), is_joint));
   report.bodies = static_cast<int>(model.bodies().size());
   report.objects = model.size();
   for (const int object : model.having(properties::sole)) report.soles.push_back(model.objects()[object].name);

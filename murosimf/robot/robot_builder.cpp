@@ -16,8 +16,10 @@
 #include "murosimf/model/fixed_base.h"
 #include "murosimf/model/keyframe.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/dynamics/passive_joint.h"
 #include "murosimf/multibody/joint_tendon.h"
 #include "murosimf/robot/robot_soles.h"
+#include "murosimf/robot/tendon_properties.h"
 #include "murosimf/robot_formats/robot_visuals.h"
 
 namespace murosimf::robot {
@@ -95,9 +97,15 @@ class Builder {
     Chain chain;
     chain.prismatic(tendon.joint.name, tendon.joint.axis);
     add_joint_constants(chain, tendon.joint);
-    JointTendon over;
-    for (const auto& [joint, coefficient] : tendon.parts) over.parts.push_back({joint, coefficient});
-    chain.with(properties::joint_tendon, over);
+    if (!tendon.path.empty()) {
+      const auto object = [&](const std::string& body) { return object_of(body); };
+      chain.with(properties::spatial_tendon, spatial_tendon_of(description_, tendon, object));
+    } else {
+      JointTendon over;
+      for (const auto& [joint, coefficient] : tendon.parts) over.parts.push_back({joint, coefficient});
+      chain.with(properties::joint_tendon, over);
+    }
+    if (tendon.tie) chain.with(properties::tendon_tie, tie_of(description_, tendon));
     return chain;
   }
 
@@ -167,6 +175,7 @@ class Builder {
     if (joint.stiffness > 0) {
       chain.with(properties::joint_stiffness, joint.stiffness);
       chain.with(properties::joint_spring_reference, joint.spring_reference);
+      if (joint.spring_slack > 0) chain.with(properties::joint_spring_slack, joint.spring_slack);
     }
     for (const robot_formats::MimicDescription& mimic : description_.mimics) {
       if (mimic.joint == joint.name) {

@@ -8,6 +8,7 @@
 /// and then moved by its joints in their order; a body without joints is welded to its parent (lump_fixed_joints).
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -36,6 +37,7 @@ struct JointDescription {
   double friction = 0;          ///< [N m | N] dry
   double stiffness = 0;         ///< [N m/rad | N/m] of a spring at the joint
   double spring_reference = 0;  ///< [rad | m] joint position at which that spring is at rest
+  double spring_slack = 0;      ///< [rad | m] up to this much beyond it, too
   /// [N m | N] The file's own limit of the drive (URDF effort, MJCF actuatorfrcrange); 0: none.
   double effort_limit = 0;
   std::optional<Vec3d> effort_range;  ///< [N m | N] lowest, highest, 0: where that limit differs between directions
@@ -54,11 +56,34 @@ struct MimicDescription {
   double offset = 0;  ///< [rad | m]
 };
 
-/// A tendon over several joints, whose length is the sum of their positions times coefficients (multibody/joint_tendon.h).
+/// A site that a string runs through, or a sphere or cylinder that it runs around, between two sites.
+struct TendonPartDescription {
+  std::string site;   ///< a frame of this kind; with a shape: on which side of it the string is, or empty
+  std::string shape;  ///< ShapeDescription::name, or empty
+};
+
+/// A part of a spatial tendon from one pulley to the next.
+struct TendonBranchDescription {
+  double divisor = 1;  ///< [1] of its length
+  std::vector<TendonPartDescription> parts;
+};
+
+/// A tendon that is held at the length that another one says: polynomial of that one's; both are counted from their lengths in the pose of
+/// the file.
+struct TieDescription {
+  std::string other;  ///< slider of the other tendon; empty: none
+  std::array<double, 5> polynomial{0, 1, 0, 0, 0};
+};
+
+/// A tendon over several joints, whose length is the sum of their positions times coefficients (multibody/joint_tendon.h), or through sites
+/// (multibody/spatial_tendon.h).
 struct TendonDescription {
   JointDescription
       joint;  ///< what acts along it: a slider without a body; its reference is the length in the pose of the file
-  std::vector<std::pair<std::string, double>> parts;  ///< joints and coefficients [m/rad | 1]
+  std::vector<std::pair<std::string, double>>
+      parts{};                                  ///< joints and coefficients [m/rad | 1]; of one through sites none
+  std::vector<TendonBranchDescription> path{};  ///< of one through sites
+  std::optional<TieDescription> tie{};
 };
 
 /// Two frames of the robot that stand in one place, which closes a loop of its bodies.

@@ -15,7 +15,7 @@
 #include "murosimf/math/assert.h"
 #include "murosimf/model/fixed_base.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/multibody/joint_tendon.h"
+#include "murosimf/multibody/spatial_tendon.h"
 #include "murosimf/scene_file/setting_targets.h"
 #include "murosimf/scene_file/unused_settings.h"
 
@@ -183,7 +183,7 @@ std::string why_no_target(const Model& model, int joint, const std::vector<const
   if (model.find(properties::joint_coupling, joint)) return "this joint follows another one";
   if (model.find(properties::loop_commanded, joint)) return {};
   const auto needs_servo = [](const catalog::LevelType* level) { return catalog::has_word(level->keys, "servo_law"); };
-  if (model.find(properties::joint_tendon, joint) && (!servo || std::ranges::none_of(levels, needs_servo))) {
+  if (multibody::is_tendon(model, joint) && (!servo || std::ranges::none_of(levels, needs_servo))) {
     return "this is the length of a tendon, which nothing pulls here: its joints say what it is";
   }
   if (!servo && std::ranges::all_of(levels, needs_servo)) return "this joint has no servo and hangs free";

@@ -119,7 +119,7 @@ std::vector<bool> driven_joints(const Model& model) {
   for (const int i : model.having(properties::servo)) driven.insert(leader[i]);
   for (const auto& tendon : coupled.tendons()) {
     if (model.find(properties::servo, tendon.follower)) {
-      for (const auto& part : tendon.parts) driven.insert(leader[part.joint]);
+      for (const int joint : tendon.joints) driven.insert(leader[joint]);
     }
     driven.insert(tendon.follower);  // it moves nothing itself
   }

@@ -43,6 +43,27 @@ TEST(PassiveJoint, PullsBackToItsRestAndBrakes) {
   EXPECT_EQ(joint.torque(-0.3, 0), 0);
 }
 
+// Slack from -0.3 to 0.2, and pulled back over what is beyond.
+TEST(PassiveJoint, IsSlackOverARange) {
+  const PassiveJoint joint{.damping = 0, .stiffness = 5, .rest = -0.3, .slack = 0.5};
+  EXPECT_NEAR(joint.torque(-0.5, 0), 1, 1e-15);
+  EXPECT_EQ(joint.torque(-0.3, 0), 0);
+  EXPECT_EQ(joint.torque(0.1, 0), 0);
+  EXPECT_NEAR(joint.torque(0.6, 0), -2, 1e-15);
+  const auto error = [](double slack) {
+    const Model model("arm", Chain{}
+                                 .base("base")
+                                 .revolute("elbow", {0, 1, 0})
+                                 .with(properties::joint_stiffness, 1.0)
+                                 .with(properties::joint_spring_slack, slack));
+    return fixtures::error_of([&] { (void)passive_joint(model, 1); });
+  };
+  EXPECT_EQ(error(0.5), "no error");
+  for (const double slack : {-0.1, infinity, std::nan("")}) {
+    EXPECT_TRUE(fixtures::says(error(slack), {"model 'arm', joint 'elbow': its spring is slack over"})) << slack;
+  }
+}
+
 TEST(PassiveJoint, WhatIsNoSpringIsRefused) {
   const auto error = [](double stiffness, double rest) {
     const Model model("arm", Chain{}

@@ -5,8 +5,6 @@ keys, by where a joint is after a while; copies and attached models, by masses a
 Usage: mjcf_words_against_mujoco.py <murosimf>
 Exit: 0 all agree, 1 some differ, 77 MuJoCo is not installed (test is skipped).
 """
-import csv
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
@@ -18,10 +16,11 @@ except ImportError as missing:
     print(f"skipped: {missing}; pip install mujoco")
     sys.exit(77)
 
+import joint_motion
 from comparison import Worst
 
 # [rad] Steps of 1 ms here and of 0.1 ms there; joints swing by 1 rad in 0.1 s, so a millisecond is 10 mrad at the worst.
-TOLERANCES = {"joint position": 0.012, "mass": 1e-9, "place": 1e-9, "spring": 1e-6, "damper": 1e-6}
+TOLERANCES = {"joint position": 0.012, "mass": 1e-9, "place": 1e-9, "spring": 1e-6, "damper": 1e-6, "length": 1e-9}
 TIMES = [0.05, 0.2, 1.0]  # [s]
 
 ARM = """<mujoco><compiler angle="radian"/>{before}<worldbody><body name="b" pos="0 0 1">{free}<geom size=".1"/>
@@ -57,56 +56,14 @@ CASES = {
     "reference and spring": ("ref='.8' springref='-.3' stiffness='6'", actuator("<motor joint='j'/>"), 0, None),
     "key": (WIDE, actuator(f"<position {PD}/>") + "<keyframe><key name='k' qpos='{base}.7' ctrl='-.4'/></keyframe>", None, None),
 }
-SCENE = """duration = {end}
-rate = 1000
-[field]
-goals = false
-[[robots]]
-name = "a"
-model = "robot.xml"
-level = "articulated_dynamics"
-controller = "none"
-position = [0, 0, 1]
-"""
-
-
-def expected(text, control):
-    """Positions at TIMES in MuJoCo, whose base is fixed; from the first key, if there is one."""
-    model = mujoco.MjModel.from_xml_string(text)
-    model.opt.timestep = 1e-4
-    data = mujoco.MjData(model)
-    if model.nkey:
-        mujoco.mj_resetDataKeyframe(model, data, 0)
-    elif control is not None:
-        data.ctrl[:] = control
-    rows = []
-    for time in TIMES:
-        while data.time < time - 0.5e-4:
-            mujoco.mj_step(model, data)
-        rows.append(data.qpos[0])
-    return rows
-
-
 def found(program, folder, text, target):
-    """The same here, with a base that the scene bolts to the world if it has a free joint, else by the file itself."""
-    scene, log = folder / "scene.toml", folder / "log.csv"
-    (folder / "robot.xml").write_text(text, encoding="utf-8")
-    words = SCENE.format(end=TIMES[-1] + 0.01)
-    if "<freejoint/>" in text:
-        words += "fixed_base = true\n"
+    """Positions at TIMES here, with a base that the scene bolts to the world if it has a free joint, else by the file itself."""
+    keys = "fixed_base = true\n" if "<freejoint/>" in text else ""
     if "<key " in text:
-        words += 'keyframe = "k"\n'
-    if target is not None:
-        wanted = "joint_velocity_target" if "<velocity" in text else "joint_target"
-        words += f'[[events]]\ntime = 0\nset = ["a.j.{wanted}=[{target}]"]\n'
-    scene.write_text(words, encoding="utf-8")
-    done = subprocess.run([program, "run", str(scene), "--log", "a.j.joint_position", "--out", str(log)],
-                          capture_output=True, text=True)
-    if done.returncode != 0:
-        sys.exit(done.stderr)
-    rows = list(csv.reader(log.read_text(encoding="utf-8").splitlines()))[1:]
-    times, values = np.array([[float(cell) for cell in row[:2]] for row in rows]).T
-    return np.interp(TIMES, times, values)
+        keys += 'keyframe = "k"\n'
+    wanted = "joint_velocity_target" if "<velocity" in text else "joint_target"
+    setting = None if target is None else f"a.j.{wanted}=[{target}]"
+    return joint_motion.here(program, folder, text, ["j"], TIMES, keys, setting)[:, 0]
 
 
 def compare_motion(program, folder, worst):
@@ -114,7 +71,7 @@ def compare_motion(program, folder, worst):
     for case, (joint, sections, control, target) in CASES.items():
         theirs = ARM.format(before="", free="", joint=joint, after=sections.replace("{base}", ""))
         freed = ARM.format(before="", free="<freejoint/>", joint=joint, after=sections.replace("{base}", "0 0 1 1 0 0 0 "))
-        there = expected(theirs, control)
+        there = joint_motion.in_mujoco(theirs, ["j"], TIMES, control)[:, 0]  # with a fixed base
         for kind, ours in (("bolted by the scene", freed), ("bolted by the file", theirs)):
             for time, x, y in zip(TIMES, found(program, folder, ours, target), there, strict=True):
                 worst.note("joint position", f"{case}, {kind}, at {time} s: {x:.4f}, not {y:.4f}", abs(x - y))
@@ -125,6 +82,10 @@ COPIES = {
 <replicate count="2" offset="0 1 0" euler="40 0 0"><replicate count="3" sep="-" offset="1 0 0" euler="0 50 0">
 <body name="l" pos="0 0 .3"><joint name="j" axis="0 1 0"/><geom type="box" size=".1 .2 .3" pos=".1 0 0"/></body>
 </replicate></replicate></body></worldbody></mujoco>""",
+    "replicate with tendons": """<mujoco><worldbody><body name="b"><freejoint/><geom size=".1"/><site name="o"/>
+<replicate count="3" offset="0 1 0" euler="40 0 0"><body name="l" pos="0 0 .3"><joint name="j" axis="0 1 0"/><geom size=".1"/>
+<site name="e" pos=".2 0 0"/></body></replicate></body></worldbody><tendon><spatial name="t" stiffness="3"><site site="o"/>
+<site site="e"/></spatial></tendon><actuator><motor name="m" tendon="t" forcerange="-1 1"/></actuator></mujoco>""",
     "attach": """<mujoco><compiler angle="radian"/><asset><model name="arm" file="arm.xml"/></asset><worldbody><body name="b">
 <freejoint/><geom size=".1"/><frame pos="0 .1 0" euler="0 0 1"><attach model="arm" body="up" prefix="l_"/></frame>
 <attach model="arm" body="up" prefix="r_"/></body></worldbody></mujoco>""",
@@ -141,11 +102,25 @@ COPIES = {
 ATTACHED = """<mujoco><compiler angle="degree"/><default><geom density="500"/></default><worldbody>
 <body name="up" pos="0 0 1" euler="0 30 0"><joint name="j" axis="0 1 0" range="-90 90"/><geom size=".1"/>
 <body name="low" pos="0 0 -.2" euler="0 0 45"><joint name="k" axis="1 0 0"/><geom type="box" size=".05 .1 .2" pos=".1 0 0"/>
-</body></body></worldbody></mujoco>"""
+<site name="e" pos="0 .2 -.3"/></body><geom name="ball" size=".1" pos="0 .1 -.2"/><site name="s" pos=".2 0 0"/></body></worldbody>
+<tendon><spatial name="t" stiffness="3"><site site="s"/><geom geom="ball" sidesite="s"/><site site="e"/></spatial>
+<fixed name="u"><joint joint="j" coef="1"/><joint joint="k" coef="2"/></fixed></tendon>
+<equality><tendon tendon1="t" tendon2="u"/></equality></mujoco>"""
 
 
 def joint_names(model):
     return [model.joint(i).name for i in range(model.njnt) if model.jnt_type[i] != mujoco.mjtJoint.mjJNT_FREE]
+
+
+def compare_tendons(case, theirs, ours, worst):
+    """Their names, lengths and equalities; of pairs of a model and its state."""
+    (one, there), (other, here) = theirs, ours
+    if (one.ntendon, one.neq, one.nu) != (other.ntendon, other.neq, other.nu):
+        sys.exit(f"{case}: {other.ntendon} tendons, {other.neq} equalities, {other.nu} actuators; "
+                 f"not {one.ntendon}, {one.neq}, {one.nu}")
+    for i in range(one.ntendon):
+        name = one.tendon(i).name
+        worst.note("length", f"{case} {name}", abs(there.ten_length[i] - here.ten_length[other.tendon(name).id]))
 
 
 def compare_copies(program, folder, worst):
@@ -154,7 +129,7 @@ def compare_copies(program, folder, worst):
     for case, text in COPIES.items():
         source, out = folder / f"{case}.xml", folder / f"{case}_converted.xml"
         source.write_text(text, encoding="utf-8")
-        subprocess.run([program, "convert", str(source), "--out", str(out), "--force"], check=True, capture_output=True)
+        joint_motion.convert(program, source, out)
         theirs, ours = (mujoco.MjModel.from_xml_path(str(file)) for file in (source, out))
         if joint_names(theirs) != joint_names(ours):
             sys.exit(f"{case}: the joints are others: {joint_names(ours)}, not {joint_names(theirs)}")
@@ -166,6 +141,7 @@ def compare_copies(program, folder, worst):
         worst.note("mass", case, abs(theirs.body_subtreemass[0] - ours.body_subtreemass[0]))
         worst.note("spring", case, np.max(np.abs(theirs.jnt_stiffness - ours.jnt_stiffness), initial=0))
         worst.note("damper", case, np.max(np.abs(theirs.dof_damping - ours.dof_damping), initial=0))
+        compare_tendons(case, (theirs, there), (ours, here), worst)
         free = theirs.jnt_type[0] == mujoco.mjtJoint.mjJNT_FREE  # then it is placed by scenes
         origins = [state.xpos[1] if free else np.zeros(3) for state in (there, here)]
         for i in range(1, theirs.nbody):

@@ -27,8 +27,10 @@ void damp(DriveOf<S>& drive, double damping, const S& qd, double dt) {
 template <class S>
 void pull(DriveOf<S>& drive, const PassiveJoint& spring, const S& q, double dt) {
   MUROSIMF_ASSERT(dt >= 0);
-  drive.torque = drive.torque - spring.stiffness * (q - spring.rest);
-  drive.inertia = drive.inertia + 0.25 * dt * dt * spring.stiffness;
+  const S stretch = spring.stretch_as(q);
+  drive.torque = drive.torque - spring.stiffness * stretch;
+  const S stiffer = S(0.25 * dt * dt * spring.stiffness);
+  drive.inertia = drive.inertia + (spring.slack > 0 ? select(stretch == S(0.0), S(0.0), stiffer) : stiffer);
 }
 
 /// The end of the range that the joint approaches in a step of `dt` [s] > 0.

@@ -146,9 +146,9 @@ class Attachment {
     return sections;
   }
 
-  /// Adds copies of elements that refer to an attached part.
+  /// Adds copies of elements that refer to an attached part; tendons first: others may refer to them.
   static void add_relations(const Model& model, MjcfReferences& names, std::vector<files::XmlTree>& sections) {
-    for (const char* tag : {"actuator", "contact", "equality", "sensor"}) {
+    for (const char* tag : {"tendon", "actuator", "contact", "equality", "sensor"}) {
       for (const files::XmlElement& section : model.root.children(tag)) {
         files::XmlTree relations{tag, {}, section, {}};
         for (const files::XmlElement& element : section.children()) {

@@ -1,7 +1,7 @@
 /// mjcf_attach.h - `attach` elements of an MJCF file: a body of another file, with everything that belongs to it.
 ///
 /// The body, or the other worldbody except its lights, replaces `attach`; meshes, materials and default classes of that
-/// file, and its actuators, sensors, contacts and equalities that refer to a part of it, are added to this one. All names, those of classes
+/// file, and its tendons, actuators, sensors, contacts and equalities that refer to a part of it, are added to this one. All names, those of classes
 /// included, begin with `prefix`. Angles, euler sequences and autolimits are those of the other file.
 /// Differs: keys of the other file are ignored, and other settings of its compiler must equal those of this file.
 /// Source: MuJoCo documentation, XML reference, "attach"; orders and names as MuJoCo 4.0 writes such a file.

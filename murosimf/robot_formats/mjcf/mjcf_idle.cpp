@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "murosimf/robot_formats/mjcf/mjcf_tendon_ties.h"
+
 namespace murosimf::robot_formats::mjcf {
 namespace {
 
@@ -72,7 +74,7 @@ void name_equality(const files::XmlElement& element, const MjcfNames& names,
   const std::string what = files::one_line(fmt::format("{} of {}", element.tag(), ends_of(element)));
   if (element.attribute("active") == "false") {
     description.unused.push_back({what, fmt::format("{}: {} is not active", element.where(), what)});
-  } else if (ends_outside(element, names) < 2) {
+  } else if (element.tag() == "tendon" || ends_outside(element, names) < 2) {
     description.warnings.push_back(
         fmt::format("{}: {} does not act: nothing holds them together", element.where(), what));
   }
@@ -81,7 +83,7 @@ void name_equality(const files::XmlElement& element, const MjcfNames& names,
 }  // namespace
 
 bool is_idle_equality(const files::XmlElement& element, const MjcfNames& names) {
-  return element.tag() == "tendon" || element.attribute("active") == "false" || ends_outside(element, names) > 0;
+  return element.attribute("active") == "false" || ends_outside(element, names) > 0;
 }
 
 void name_idle_relations(const files::XmlElement& root, const MjcfContext& context,
@@ -91,16 +93,18 @@ void name_idle_relations(const files::XmlElement& root, const MjcfContext& conte
     for (const files::XmlElement& element : section.children()) {
       const std::string name = element.attribute("name").value_or(element.where());
       const bool acts = tendons.contains(name);
-      if (acts && has_actuator(root, name)) continue;  // in use: neither idle nor only a measurement
+      // in use: neither idle nor only a measurement
+      if (acts && (has_actuator(root, name) || tendons.at(name).tied)) continue;
       name_tendon(element, context.defaults, context.compiler, acts, description);
     }
   }
   for (const files::XmlElement& section : root.children("equality")) {
     for (const files::XmlElement& element : section.children()) {
       const std::string tag = element.tag();
-      if ((tag == "connect" || tag == "weld" || tag == "tendon") && is_idle_equality(element, context.names)) {
-        name_equality(element, context.names, description);
-      }
+      const bool idle = tag == "tendon"                     ? is_idle_tie(element, tendons)
+                        : tag == "connect" || tag == "weld" ? is_idle_equality(element, context.names)
+                                                            : false;
+      if (idle) name_equality(element, context.names, description);
     }
   }
 }

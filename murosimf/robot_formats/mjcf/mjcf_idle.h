@@ -1,7 +1,7 @@
 /// mjcf_idle.h - parts of an MJCF file that would change the motion and do not act here: one warning each.
 ///
-/// Spatial tendons, and those over joints outside of the robot, with a spring, a damper, friction, a rotor or a limit; equalities that hold
-/// tendons together, or the robot to other objects. A tendon without such effects only measures a length and is a line in `unused`.
+/// Tendons with joints, sites or geoms outside of the robot and a spring, a damper, friction, a rotor or a limit; equalities of such
+/// tendons, or of the robot with other objects. A tendon without such effects only measures a length and is a line in `unused`.
 #pragma once
 
 #include "murosimf/robot_formats/mjcf/mjcf_context.h"
@@ -10,7 +10,7 @@
 
 namespace murosimf::robot_formats::mjcf {
 
-/// Whether a `connect`, `weld` or `tendon` of `equality` has no effect here: of tendons, not active, or with an end that is not part of the
+/// Whether a `connect` or `weld` of `equality` has no effect here: not active, or with an end that is not part of the
 /// robot (a body that floats or that software moves, the world of a robot that floats).
 [[nodiscard]] bool is_idle_equality(const files::XmlElement& element, const MjcfNames& names);
 

@@ -38,10 +38,11 @@ void read_spring(const MjcfAttributes& attributes, robot_formats::JointDescripti
   joint.spring_reference = read_coordinate(attributes, "springref", joint.kind, context);
 }
 
-/// Limits the torque of all actuators of the joint together.
-void limit_effort(const MjcfAttributes& attributes, robot_formats::JointDescription& joint,
-                  const MjcfContext& context) {
-  if (!is_limited(attributes, "actuatorfrclimited", "actuatorfrcrange", context.compiler)) return;
+}  // namespace
+
+void limit_effort(const MjcfAttributes& attributes, const MjcfCompiler& compiler,
+                  robot_formats::JointDescription& joint) {
+  if (!is_limited(attributes, "actuatorfrclimited", "actuatorfrcrange", compiler)) return;
   const auto range = attributes.numbers("actuatorfrcrange", 2, 2);
   joint.effort_limit = std::max(std::abs(range[0]), std::abs(range[1]));
   if (range[0] != -range[1]) joint.effort_range = Vec3d{range[0], range[1], 0};
@@ -53,6 +54,8 @@ void limit_effort(const MjcfAttributes& attributes, robot_formats::JointDescript
   // The servo cannot give more than either limit allows.
   set_torque_range(servo, std::clamp(lowest, range[0], range[1]), std::clamp(highest, range[0], range[1]));
 }
+
+namespace {
 
 /// Sets the range of the joint's targets.
 void limit_target(const MjcfActuator& actuator, const files::XmlElement& element,
@@ -104,7 +107,7 @@ robot_formats::JointDescription read_single(const MjcfChild& child, const MjcfAt
     joint.damping_ratio = found->second.damping_ratio;
     limit_target(found->second, child.element, joint);
   }
-  limit_effort(attributes, joint, context);
+  limit_effort(attributes, context.compiler, joint);
   return joint;
 }
 

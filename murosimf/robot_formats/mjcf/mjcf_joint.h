@@ -17,6 +17,10 @@ namespace murosimf::robot_formats::mjcf {
 void read_joints(const MjcfChild& child, const MjcfContext& context,
                  std::vector<robot_formats::JointDescription>& joints);
 
+/// Limits the forces of all actuators of a joint or tendon together: its servo gives no more (actuatorfrcrange).
+void limit_effort(const MjcfAttributes& attributes, const MjcfCompiler& compiler,
+                  robot_formats::JointDescription& joint);
+
 /// The three angles [rad] of the hinges of a ball joint for an orientation; the third is 0 where they are not unique.
 [[nodiscard]] Vec3d ball_angles(const Mat3d& turn);
 

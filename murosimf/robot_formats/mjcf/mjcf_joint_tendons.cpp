@@ -4,6 +4,10 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/robot_formats/mjcf/mjcf_joint.h"
+#include "murosimf/robot_formats/mjcf/mjcf_spatial_tendons.h"
+#include "murosimf/robot_formats/tendon_path.h"
+
 namespace murosimf::robot_formats::mjcf {
 namespace {
 
@@ -19,25 +23,25 @@ const JointDescription* find_joint(const robot_formats::RobotDescription& descri
 }
 
 /// The tendon's length where each joint stands at one of its numbers.
-double length_at(double JointDescription::*number, const Parts& parts,
+double length_at(double JointDescription::*number, const MjcfTendon& tendon,
                  const robot_formats::RobotDescription& description) {
+  if (!tendon.path.empty()) return robot_formats::path_length(description, tendon.path, number);
   double length = 0;
-  for (const auto& [joint, coefficient] : parts) length += coefficient * (find_joint(description, joint)->*number);
+  for (const auto& [joint, coefficient] : tendon.parts)
+    length += coefficient * (find_joint(description, joint)->*number);
   return length;
 }
 
-void read_spring(const MjcfAttributes& attributes, const Parts& parts, robot_formats::RobotDescription& description,
-                 JointDescription& joint) {
+void read_spring(const MjcfAttributes& attributes, const MjcfTendon& tendon,
+                 robot_formats::RobotDescription& description, JointDescription& joint) {
   joint.stiffness = tendon_number(attributes, "stiffness");
   const auto lengths = attributes.numbers("springlength", 1, 2);
-  if (lengths.size() == 2 && lengths[0] != lengths[1] && joint.stiffness > 0) {
-    joint.stiffness = 0;
-    description.warnings.push_back(files::one_line(
-        fmt::format("{}: the spring of tendon '{}' does not act: its springlength is a range; give one length",
-                    joint.where, joint.name)));
+  if (lengths.size() == 2 && !(lengths[0] <= lengths[1])) {
+    attributes.source("springlength").fail("springlength of a tendon ends below its beginning; swap both");
   }
   const bool as_built = lengths.empty() || lengths[0] < 0;
-  joint.spring_reference = as_built ? length_at(&JointDescription::spring_reference, parts, description) : lengths[0];
+  joint.spring_reference = as_built ? length_at(&JointDescription::spring_reference, tendon, description) : lengths[0];
+  if (!as_built && lengths.size() == 2) joint.spring_slack = lengths[1] - lengths[0];
 }
 
 JointDescription read_slider(const MjcfTendon& tendon, const MjcfAttributes& attributes, const MjcfCompiler& compiler,
@@ -47,8 +51,8 @@ JointDescription read_slider(const MjcfTendon& tendon, const MjcfAttributes& att
   joint.where = tendon.element.where();
   joint.kind = Kind::prismatic;
   joint.axis = {0, 0, 1};
-  joint.reference = length_at(&JointDescription::reference, tendon.parts, description);
-  read_spring(attributes, tendon.parts, description, joint);
+  joint.reference = length_at(&JointDescription::reference, tendon, description);
+  read_spring(attributes, tendon, description, joint);
   joint.damping = tendon_number(attributes, "damping");
   joint.friction = tendon_number(attributes, "frictionloss");
   joint.armature = tendon_number(attributes, "armature");
@@ -93,13 +97,16 @@ void add_joint_tendons(std::map<std::string, MjcfTendon>& tendons, const MjcfDef
                                [&](const auto& part) { return !find_joint(description, part.first); });
   });
   for (const auto& [name, tendon] : tendons) {
-    if (tendon.parts.empty()) continue;
-    JointDescription joint = read_slider(tendon, defaults.resolve(tendon.element), compiler, description);
+    if (!tendon.has_slider()) continue;
+    check_path(tendon.element, tendon.path, description);
+    const MjcfAttributes attributes = defaults.resolve(tendon.element);
+    JointDescription joint = read_slider(tendon, attributes, compiler, description);
     if (const auto found = actuators.by_joint.find(tendon.joint); found != actuators.by_joint.end()) {
       joint.servo = found->second.servo;
       joint.target_range = found->second.target_range;
+      limit_effort(attributes, compiler, joint);
     }
-    if (does_something(joint)) description.tendons.push_back({joint, tendon.parts});
+    if (tendon.tied || does_something(joint)) description.tendons.push_back({joint, tendon.parts, tendon.path});
   }
 }
 

@@ -1,8 +1,9 @@
-/// mjcf_joint_tendons.h - fixed tendons over several joints, as sliders that stand at their lengths (multibody/joint_tendon.h).
+/// mjcf_joint_tendons.h - tendons over several joints, and spatial ones, as sliders that stand at their lengths (multibody/joint_tendon.h,
+/// multibody/spatial_tendon.h).
 ///
-/// L = sum c_i q_i, with the positions of the file (`ref` counts). Stiffness, damping, frictionloss, armature and range are those of the
+/// L = sum c_i q_i, with the positions of the file (`ref` counts), or the length of the path. Stiffness, damping, frictionloss, armature and range are those of the
 /// slider; without `springlength` its spring is slack where all joints stand at their `springref`.
-/// Source: MuJoCo documentation, XML reference, "tendon", "fixed".
+/// Source: MuJoCo documentation, XML reference, "tendon", "fixed" and "spatial".
 #pragma once
 
 #include <map>
@@ -20,8 +21,8 @@ namespace murosimf::robot_formats::mjcf {
 [[nodiscard]] std::vector<std::pair<std::string, double>> joints_of_tendon(const files::XmlElement& tendon,
                                                                            const MjcfNames& names);
 
-/// Once the bodies are read: adds to `description` the tendons over several joints that do something. Those with a ball are taken out of
-/// `tendons`. A spring with a dead band is a warning. Throws SetupError for impossible numbers.
+/// Once the bodies are read: adds to `description` the tendons with sliders that do something. Those with a ball are taken out of
+/// `tendons`.  Throws SetupError for impossible numbers, and paths around what is neither a sphere nor a cylinder.
 void add_joint_tendons(std::map<std::string, MjcfTendon>& tendons, const MjcfDefaults& defaults,
                        const MjcfCompiler& compiler, const MjcfActuators& actuators,
                        robot_formats::RobotDescription& description);

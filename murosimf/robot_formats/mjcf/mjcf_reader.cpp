@@ -20,6 +20,7 @@
 #include "murosimf/robot_formats/mjcf/mjcf_relations.h"
 #include "murosimf/robot_formats/mjcf/mjcf_replicate.h"
 #include "murosimf/robot_formats/mjcf/mjcf_schema.h"
+#include "murosimf/robot_formats/mjcf/mjcf_tendon_ties.h"
 #include "murosimf/robot_formats/mjcf/mjcf_tendons.h"
 #include "murosimf/robot_formats/mjcf/mjcf_trees.h"
 
@@ -27,7 +28,7 @@ namespace murosimf::robot_formats::mjcf {
 namespace {
 
 /// Whether parts of this kind are reported one by one, with more than their kind, which is all that the schema has.
-bool is_named_one_by_one(const std::string& word) { return word == "geom" || word == "site" || is_idle_relation(word); }
+bool is_named_one_by_one(const std::string& word) { return word == "geom" || word == "site" || is_idle_actuator(word); }
 
 void name_world(const files::XmlElement& world, bool bolted, std::vector<robot_formats::Unused>& unused) {
   for (const char* tag : {"geom", "site"}) {
@@ -104,6 +105,7 @@ robot_formats::RobotDescription read_mjcf(const std::filesystem::path& file,
   resolve_spring_dampers(springs, description);
   add_joint_tendons(tendons, defaults, compiler, actuators, description);
   apply_tendons(tendons, defaults, compiler, description);
+  read_ties(root, tendons, description);
   robot_formats::resolve_damping_ratios(description);
   drop_idle_controls(actuators, description);
   name_idle_relations(root, context, tendons, description);

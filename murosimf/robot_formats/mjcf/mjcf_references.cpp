@@ -7,18 +7,19 @@
 namespace murosimf::robot_formats::mjcf {
 namespace {
 
-/// Kind of an element's tag: a motor is an actuator, a freejoint a joint.
+/// Kind of an element's tag: a motor is an actuator, a freejoint a joint, a spatial tendon a tendon.
 std::string kind_of_element(const std::string& tag) {
   if (is_actuator(tag)) return "actuator";
+  if (tag == "fixed" || tag == "spatial") return "tendon";
   return tag == "freejoint" ? "joint" : tag;
 }
 
 /// Kind of the object that an attribute refers to; empty: none.
 std::string kind_of_reference(const files::XmlTree& tree, const std::string& attribute) {
-  for (const char* kind : {"joint", "body", "geom", "site", "camera", "actuator"}) {
+  for (const char* kind : {"joint", "body", "geom", "site", "camera", "actuator", "tendon"}) {
     if (attribute == kind || attribute == std::string(kind) + "1" || attribute == std::string(kind) + "2") return kind;
   }
-  if (attribute == "refsite") return "site";
+  if (attribute == "refsite" || attribute == "sidesite") return "site";
   if (attribute == "mesh" || attribute == "material" || attribute == "texture") return attribute;
   if (attribute != "objname" && attribute != "refname") return {};
   const std::string type = attribute == "objname" ? "objtype" : "reftype";
@@ -46,7 +47,8 @@ bool MjcfReferences::refers(const files::XmlTree& tree, const files::XmlAttribut
 }
 
 bool MjcfReferences::mentioned_in(const files::XmlTree& tree) const {
-  return std::ranges::any_of(tree.attributes, [&](const auto& attribute) { return refers(tree, attribute); });
+  return std::ranges::any_of(tree.attributes, [&](const auto& attribute) { return refers(tree, attribute); }) ||
+         std::ranges::any_of(tree.children, [&](const files::XmlTree& child) { return mentioned_in(child); });
 }
 
 void MjcfReferences::rename(files::XmlTree& tree, const std::string& prefix, const std::string& suffix) const {

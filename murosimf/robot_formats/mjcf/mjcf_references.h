@@ -21,7 +21,7 @@ class MjcfReferences {
   /// Adds the name of this element alone.
   void add(const files::XmlTree& tree);
 
-  /// Whether an attribute of the element refers to one of these parts.
+  /// Whether an attribute of the element or of its contents refers to one of these parts.
   [[nodiscard]] bool mentioned_in(const files::XmlTree& tree) const;
 
   /// Puts `prefix` before and `suffix` behind the names of the element and its contents, and behind references to these parts.

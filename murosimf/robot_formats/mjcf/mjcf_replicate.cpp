@@ -83,9 +83,9 @@ class Expansion {
     repeat_references(replicate, names);
   }
 
-  /// Repeats elements that refer to a copy; actuators first: sensors may refer to them.
+  /// Repeats elements that refer to a copy; tendons, then actuators first: others may refer to them.
   void repeat_references(const Replicate& replicate, MjcfReferences& names) {
-    for (const char* section : {"actuator", "contact", "equality", "sensor"}) {
+    for (const char* section : {"tendon", "actuator", "contact", "equality", "sensor"}) {
       for (const files::XmlElement& element : root_.children(section)) repeat(element, replicate, names);
     }
   }
@@ -98,8 +98,8 @@ class Expansion {
       (names.mentioned_in(tree) ? repeated : others.children).push_back(std::move(tree));
     }
     if (repeated.empty()) return;
-    if (section.tag() == "actuator") {
-      for (const files::XmlTree& actuator : repeated) names.add(actuator);
+    if (section.tag() == "actuator" || section.tag() == "tendon") {
+      for (const files::XmlTree& one : repeated) names.add(one);
     }
     for (int i = 0; i < replicate.count; ++i) {
       for (files::XmlTree tree : repeated) {

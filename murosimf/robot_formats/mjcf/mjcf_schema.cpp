@@ -15,6 +15,22 @@ files::XmlWords operator+(files::XmlWords a, const files::XmlWords& b) {
   return a;
 }
 
+void add_tendon_rules(files::XmlVocabulary& rules) {
+  const files::XmlWords own{"name", "class"};
+  const files::XmlWords used{"range",    "limited",      "stiffness",        "springlength",      "damping",
+                             "armature", "frictionloss", "actuatorfrcrange", "actuatorfrclimited"};
+  const files::XmlWords unused{"group",          "user",           "margin", "solreflimit", "solimplimit",
+                               "solreffriction", "solimpfriction", "width",  "material",    "rgba"};
+  rules["tendon"] = {.children = {"fixed", "spatial"}};
+  rules["default/tendon"] = {.used = used, .unused = unused};
+  rules["fixed"] = {.used = own + used, .unused = unused, .children = {"joint"}};
+  rules["spatial"] = {.used = own + used, .unused = unused, .children = {"site", "geom", "pulley"}};
+  rules["fixed/joint"] = {.used = {"joint", "coef"}};
+  rules["spatial/site"] = {.used = {"site"}};
+  rules["spatial/geom"] = {.used = {"geom", "sidesite"}};
+  rules["pulley"] = {.used = {"divisor"}};
+}
+
 /// Adds the rules of sensors that become sensors of the robot, by their objects, and of others.
 void add_sensor_rules(files::XmlVocabulary& rules) {
   const files::XmlWords signal{"name", "noise", "cutoff"};
@@ -57,8 +73,8 @@ files::XmlVocabulary make_rules() {
   files::XmlVocabulary rules;
   rules["mujoco"] = {.used = {"model"},
                      .children = {"compiler", "default", "asset", "worldbody", "actuator", "contact", "equality",
-                                  "sensor", "keyframe"},
-                     .unused_children = {"option", "size", "visual", "statistic", "custom", "extension", "tendon"},
+                                  "sensor", "keyframe", "tendon"},
+                     .unused_children = {"option", "size", "visual", "statistic", "custom", "extension"},
                      .unsupported_children = {"deformable"}};
   rules["compiler"] = {.used = {"angle", "eulerseq", "autolimits", "inertiafromgeom", "coordinate", "meshdir",
                                 "assetdir", "strippath", "inertiagrouprange", "boundmass", "boundinertia",
@@ -69,8 +85,9 @@ files::XmlVocabulary make_rules() {
                        .unused_children = {"lengthrange"}};
   rules["default"] = {.used = {"class"},
                       .children =
-                          files::XmlWords{"default", "geom", "joint", "site", "mesh", "material", "camera"} + actuators,
-                      .unused_children = files::XmlWords{"light", "pair", "equality", "tendon"} + idle_actuators};
+                          files::XmlWords{"default", "geom", "joint", "site", "mesh", "material", "camera", "tendon"} +
+                          actuators,
+                      .unused_children = files::XmlWords{"light", "pair", "equality"} + idle_actuators};
   rules["asset"] = {.children = {"mesh", "material", "model", "texture"}, .unused_children = {"hfield", "skin"}};
   rules["texture"] = {.used = {"name", "builtin", "rgb1", "rgb2"},
                       .unused = {"type",      "file",     "content_type", "gridsize",   "gridlayout",
@@ -111,6 +128,7 @@ files::XmlVocabulary make_rules() {
   rules["keyframe"] = {.children = {"key"}};
   rules["key"] = {.used = {"name", "qpos", "ctrl"}, .unused = {"time", "qvel", "act", "mpos", "mquat", "plastic"}};
   add_sensor_rules(rules);
+  add_tendon_rules(rules);
   rules["camera"] = {.used = placed + files::XmlWords{"mode", "fovy", "resolution", "focal", "focalpixel", "principal",
                                                       "principalpixel", "sensorsize", "orthographic", "projection"},
                      .unused = {"target", "ipd", "output", "user"}};
@@ -121,11 +139,12 @@ files::XmlVocabulary make_rules() {
                               "margin"},
                    .unsupported = {"adhesion"}};
   const files::XmlWords ends{"active", "body1", "body2", "site1", "site2", "anchor"};
-  rules["equality"] = {.children = {"joint", "connect", "weld"},
-                       .unused_children = {"tendon"},
+  rules["equality"] = {.children = {"joint", "connect", "weld", "tendon"},
                        .unsupported_children = {"flex", "flexvert", "flexstrain", "plugin"}};
   rules["equality/joint"] = {.used = {"joint1", "joint2", "polycoef", "active"},
                              .unused = {"name", "class", "solref", "solimp"}};
+  rules["equality/tendon"] = {.used = {"tendon1", "tendon2", "polycoef", "active"},
+                              .unused = {"name", "class", "solref", "solimp"}};
   rules["connect"] = {.used = ends + files::XmlWords{"name"}, .unused = {"class", "solref", "solimp"}};
   rules["weld"] = {.used = ends + files::XmlWords{"name", "relpose"},
                    .unused = {"class", "solref", "solimp", "torquescale"}};
@@ -176,9 +195,7 @@ files::XmlVocabulary make_rules() {
 
 bool is_actuator(std::string_view tag) { return std::ranges::find(actuators, tag) != actuators.end(); }
 
-bool is_idle_relation(std::string_view tag) {
-  return tag == "tendon" || std::ranges::find(idle_actuators, tag) != idle_actuators.end();
-}
+bool is_idle_actuator(std::string_view tag) { return std::ranges::find(idle_actuators, tag) != idle_actuators.end(); }
 
 const files::XmlVocabulary& mjcf_schema() {
   static const files::XmlVocabulary rules = make_rules();

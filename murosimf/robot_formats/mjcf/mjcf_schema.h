@@ -9,8 +9,8 @@ namespace murosimf::robot_formats::mjcf {
 
 [[nodiscard]] const files::XmlVocabulary& mjcf_schema();
 
-/// Whether the tag is one of actuators and of relations of bodies or tendons that have no effect here except a warning.
-[[nodiscard]] bool is_idle_relation(std::string_view tag);
+/// Whether the tag is one of actuators that have no effect here except a warning.
+[[nodiscard]] bool is_idle_actuator(std::string_view tag);
 
 /// Whether the tag is one of the actuators that the reader supports.
 [[nodiscard]] bool is_actuator(std::string_view tag);

@@ -10,6 +10,8 @@
 #include "murosimf/math/assert.h"
 #include "murosimf/robot_formats/mjcf/mjcf_children.h"
 #include "murosimf/robot_formats/mjcf/mjcf_joint_tendons.h"
+#include "murosimf/robot_formats/mjcf/mjcf_spatial_tendons.h"
+#include "murosimf/robot_formats/mjcf/mjcf_tendon_ties.h"
 
 namespace murosimf::robot_formats::mjcf {
 namespace {
@@ -79,9 +81,12 @@ class Joints {
 };
 
 std::optional<MjcfTendon> read_tendon(const files::XmlElement& element, const MjcfDefaults& defaults,
-                                      const Joints& joints) {
+                                      const MjcfCompiler& compiler, const Joints& joints) {
+  const MjcfAttributes settings = defaults.resolve(element);
+  // The joint's own actuators have another limit.
+  if (is_limited(settings, "actuatorfrclimited", "actuatorfrcrange", compiler)) return std::nullopt;
   // Two different lengths are a dead band, which a linear spring at the joint does not have.
-  const auto lengths = defaults.resolve(element).numbers("springlength", 1, 2);
+  const auto lengths = settings.numbers("springlength", 1, 2);
   if (lengths.size() == 2 && lengths[0] != lengths[1]) return std::nullopt;
   MjcfTendon tendon{element, {}, 0, {}};
   for (const files::XmlElement& part : element.children("joint")) {
@@ -94,12 +99,14 @@ std::optional<MjcfTendon> read_tendon(const files::XmlElement& element, const Mj
   return tendon.gear == 0 ? std::nullopt : std::optional(tendon);
 }
 
-/// One over several joints, which gets a joint of its own.
+/// One over several joints or through sites, which gets a joint of its own.
 std::optional<MjcfTendon> read_over_joints(const files::XmlElement& element, const std::string& name,
                                            const MjcfNames& names) {
-  const auto parts = joints_of_tendon(element, names);
-  if (parts.empty()) return std::nullopt;
-  return MjcfTendon{element, names.is_joint(name) ? name + ".tendon" : name, 1, parts};
+  const bool spatial = element.tag() == "spatial";
+  MjcfTendon tendon{element, names.is_joint(name) ? name + ".tendon" : name, 1, {}};
+  if (spatial) tendon.path = path_of_tendon(element, names);
+  if (!spatial) tendon.parts = joints_of_tendon(element, names);
+  return tendon.has_slider() ? std::optional(tendon) : std::nullopt;
 }
 
 /// Adds a second spring at the joint: stiffnesses add up, and the rest position is where both together have no torque.
@@ -142,12 +149,17 @@ std::map<std::string, MjcfTendon> find_tendons(const files::XmlElement& root, co
                                                const MjcfCompiler& compiler, const MjcfNames& names) {
   std::map<std::string, MjcfTendon> tendons;
   const Joints joints(root, defaults, compiler, names);
+  const std::set<std::string> tied = tied_tendons(root);
   for (const files::XmlElement& section : root.children("tendon")) {
-    for (const files::XmlElement& element : section.children("fixed")) {
+    for (const files::XmlElement& element : section.children()) {
       const auto name = element.attribute("name");
-      auto tendon = read_tendon(element, defaults, joints);
+      const bool is_tied = name && tied.contains(*name);
+      std::optional<MjcfTendon> tendon;
+      if (element.tag() == "fixed" && !is_tied) tendon = read_tendon(element, defaults, compiler, joints);
       if (!tendon) tendon = read_over_joints(element, name.value_or(fmt::format("tendon.{}", tendons.size())), names);
-      if (tendon) tendons.emplace(name.value_or(element.where()), *tendon);
+      if (!tendon) continue;
+      tendon->tied = is_tied;
+      tendons.emplace(name.value_or(element.where()), *tendon);
     }
   }
   return tendons;
@@ -156,7 +168,7 @@ std::map<std::string, MjcfTendon> find_tendons(const files::XmlElement& root, co
 void apply_tendons(const std::map<std::string, MjcfTendon>& tendons, const MjcfDefaults& defaults,
                    const MjcfCompiler& compiler, robot_formats::RobotDescription& description) {
   for (const auto& [name, tendon] : tendons) {
-    if (!tendon.parts.empty()) continue;
+    if (tendon.has_slider()) continue;
     const MjcfAttributes attributes = defaults.resolve(tendon.element);
     for (robot_formats::BodyDescription& body : description.bodies) {
       const auto joint = std::ranges::find(body.joints, tendon.joint, &robot_formats::JointDescription::name);

@@ -1,10 +1,10 @@
-/// mjcf_tendons.h - which fixed tendons act, and those whose length hangs on one joint: what they do is done at that joint.
+/// mjcf_tendons.h - which tendons act, and those whose length hangs on one joint: what they do is done at that joint.
 ///
 /// A fixed tendon has the length L = sum c_i q_i of its joints. Where these are one, or all follow one joint q by linear couplings
 /// (equality/joint), L = gear q, so that a force F along it is a torque gear F about that joint: its spring, damper, friction, rotor and
 /// limit are gear^2 k, gear^2 d, |gear| f, gear^2 a and a range at the joint, its actuators such with the gear of the tendon. Exactly so,
-/// since the coupling holds. Those over several joints are joints of their own (mjcf_joint_tendons.h). Spatial ones do not act
-/// (mjcf_idle.h).
+/// since the coupling holds. Those over several joints, those that an equality holds, and spatial ones are joints of their own
+/// (mjcf_joint_tendons.h). One with a part outside of the robot does not act (mjcf_idle.h).
 /// Source: MuJoCo documentation, "Tendon", and XML reference, "fixed".
 #pragma once
 
@@ -26,10 +26,14 @@ struct MjcfTendon {
   double gear = 0;    ///< [1 | m/rad] L over the position of that joint; not 0
   std::vector<std::pair<std::string, double>>
       parts;  ///< of one over several joints: these, with coefficients [1 | m/rad]
+  std::vector<robot_formats::TendonBranchDescription> path{};  ///< of a spatial one
+  bool tied = false;                                           ///< an equality holds it
+
+  [[nodiscard]] bool has_slider() const { return !parts.empty() || !path.empty(); }
 };
 
-/// By name, all whose joints are the robot's. Couplings with an offset, joints with `ref` or `springref` of their own, and dead bands of
-/// springs (`springlength` of two numbers) are beyond what acts at one joint.
+/// By name, all whose joints are the robot's. Couplings with an offset, joints with `ref` or `springref` of their own, dead bands of
+/// springs (`springlength` of two numbers) and limits of actuators together (`actuatorfrcrange`) are beyond what acts at one joint.
 [[nodiscard]] std::map<std::string, MjcfTendon> find_tendons(const files::XmlElement& root,
                                                              const MjcfDefaults& defaults, const MjcfCompiler& compiler,
                                                              const MjcfNames& names);

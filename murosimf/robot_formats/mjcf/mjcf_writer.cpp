@@ -194,7 +194,9 @@ class Writer {
   }
 
   void write_couplings() {
-    if (description_.mimics.empty() && description_.loops.empty()) return;
+    const bool tied =
+        std::ranges::any_of(description_.tendons, [](const auto& tendon) { return tendon.tie.has_value(); });
+    if (description_.mimics.empty() && description_.loops.empty() && !tied) return;
     xml_.begin("equality");
     for (const robot_formats::MimicDescription& mimic : description_.mimics) {
       xml_.begin("joint").text("joint1", mimic.joint).text("joint2", mimic.leader);
@@ -207,25 +209,50 @@ class Writer {
       xml_.begin(loop.welded ? "weld" : "connect").text("name", loop.name);
       xml_.text("site1", loop.frame1).text("site2", loop.frame2).end();
     }
+    for (const robot_formats::TendonDescription& tendon : description_.tendons) {
+      if (!tendon.tie) continue;
+      const auto& [other, a] = *tendon.tie;
+      xml_.begin("tendon").text("tendon1", tendon.joint.name).text_unless_empty("tendon2", other);
+      xml_.numbers("polycoef", {a[0], a[1], a[2], a[3], a[4]}).end();
+    }
     xml_.end();
   }
 
   void write_tendons() {
     if (description_.tendons.empty()) return;
     xml_.begin("tendon");
-    for (const auto& [joint, parts] : description_.tendons) {
-      xml_.begin("fixed").text("name", joint.name);
+    for (const robot_formats::TendonDescription& tendon : description_.tendons) {
+      const robot_formats::JointDescription& joint = tendon.joint;
+      xml_.begin(tendon.path.empty() ? "fixed" : "spatial").text("name", joint.name);
       if (joint.range) xml_.numbers("range", {joint.range->x, joint.range->y});
       xml_.number_unless(0, "armature", joint.armature).number_unless(0, "damping", joint.damping);
       xml_.number_unless(0, "frictionloss", joint.friction).number_unless(0, "stiffness", joint.stiffness);
       // a negative length means something else: such a spring can only be one of the pose of the file
-      if (joint.stiffness > 0 && joint.spring_reference >= 0) xml_.numbers("springlength", {joint.spring_reference});
-      for (const auto& [name, coefficient] : parts) {
+      if (joint.stiffness > 0 && joint.spring_reference >= 0) {
+        xml_.numbers("springlength", {joint.spring_reference, joint.spring_reference + joint.spring_slack});
+      }
+      for (const auto& [name, coefficient] : tendon.parts) {
         xml_.begin("joint").text("joint", name).numbers("coef", {coefficient}).end();
       }
+      for (const robot_formats::TendonBranchDescription& branch : tendon.path) write_branch(branch, tendon);
       xml_.end();
     }
     xml_.end();
+  }
+
+  void write_branch(const robot_formats::TendonBranchDescription& branch,
+                    const robot_formats::TendonDescription& tendon) {
+    const bool pulley = &branch != &tendon.path.front() || branch.divisor != 1;
+    if (pulley) xml_.begin("pulley").numbers("divisor", {branch.divisor}).end();
+    for (const robot_formats::TendonPartDescription& part : branch.parts) {
+      if (part.shape.empty()) {
+        xml_.begin("site").text("site", part.site).end();
+      } else {
+        xml_.begin("geom").text("geom", part.shape);
+        if (!part.site.empty()) xml_.text("sidesite", part.site);
+        xml_.end();
+      }
+    }
   }
 
   void write_actuators() {

@@ -17,7 +17,10 @@
 #include "murosimf/model/keyframe.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/model/visual_mesh.h"
+#include "murosimf/dynamics/passive_joint.h"
 #include "murosimf/multibody/loops.h"
+#include "murosimf/multibody/spatial_tendon.h"
+#include "murosimf/multibody/tendon_tie.h"
 #include "murosimf/robot_formats/mjcf/mjcf_schema.h"
 #include "tests/temp_folder.h"
 
@@ -48,6 +51,30 @@ std::string text_of(const Servo& s) {
                      s.position_gain, s.velocity_gain, s.command_filter);
 }
 
+std::string text_of(const SpatialTendon& tendon) {
+  std::string text;
+  for (const SpatialTendon::Branch& branch : tendon.branches) {
+    text += fmt::format(" {}:", branch.divisor);
+    for (const SpatialTendon::Part& part : branch.parts) {
+      text += fmt::format(" {} {} {} {}", part.at.object, text_of(part.at.place.position), part.radius, part.cylinder);
+      if (part.side) text += fmt::format(" {} {}", part.side->object, text_of(part.side->place.position));
+    }
+  }
+  return text;
+}
+
+std::string tendons_of(const Model& model, int i) {
+  std::string text;
+  if (const JointTendon* tendon = model.find(properties::joint_tendon, i)) {
+    for (const auto& [joint, coefficient] : tendon->parts) text += fmt::format("  {} {}", joint, coefficient);
+  }
+  if (const SpatialTendon* tendon = model.find(properties::spatial_tendon, i)) text += text_of(*tendon);
+  if (const TendonTie* tie = model.find(properties::tendon_tie, i)) {
+    text += fmt::format("  {} {}", tie->other, fmt::join(tie->polynomial, " "));
+  }
+  return text;
+}
+
 std::string text_of(const Model& model, int i) {
   const Object& object = model.objects()[i];
   std::string text = fmt::format("{} {} {} {}\n", object.name, static_cast<int>(object.kind), text_of(object.vector),
@@ -74,7 +101,7 @@ std::string text_of(const Model& model, int i) {
   if (const LoopClosure* c = model.find(properties::loop_closure, i)) {
     text += fmt::format("  {} {} {}\n", c->other, model.object_index(c->other), c->welded);
   }
-  return text;
+  return text + tendons_of(model, i);
 }
 
 std::string relations_of(const Model& model) {
@@ -192,6 +219,41 @@ Parts on_link(const std::string& text) {
   return parts;
 }
 
+void add_tendons(std::map<std::string, Place>& places) {
+  const auto fixed = [](const std::string& name, const std::string& words = "") {
+    return fmt::format("<fixed name='{0}' {1}><joint joint='j' coef='1'/><joint joint='i' coef='2'/></fixed>", name,
+                       words);
+  };
+  const auto all = [](const std::string& tendons) {
+    Parts parts = on_link("<site name='u' pos='.2 0 0'/><geom name='ball' size='.05'/>");
+    parts.base += "<site name='o' pos='0 -1 0'/>";
+    parts.defaults = "<default><default class='c'><tendon damping='3'/></default></default>";
+    parts.rest = "<tendon>" + tendons + "</tendon>";
+    return parts;
+  };
+  const std::string servo = "<actuator><position name='a' tendon='t' kp='5'/></actuator>";
+  Parts parts = all("<fixed %><joint joint='j' coef='1'/><joint joint='i' coef='2'/></fixed>");
+  parts.rest += servo;
+  places["fixed"] = {parts, {{"name", "t"}}};
+  parts = all("<spatial %><site site='u'/><site site='s'/></spatial>");
+  parts.rest += servo;
+  places["spatial"] = {parts, {{"name", "t"}}};
+  parts = all(fixed("t"));
+  parts.defaults = "<default><tendon %/></default>";
+  parts.rest += servo;
+  places["default/tendon"] = {parts};
+  const std::string string = "<spatial name='t' stiffness='1'>";
+  places["fixed/joint"] = {all("<fixed name='t' damping='1'><joint %/><joint joint='i' coef='2'/></fixed>"),
+                           {{"joint", "j"}}};
+  places["spatial/site"] = {all(string + "<site %/><site site='o'/></spatial>"), {{"site", "s"}}};
+  places["spatial/geom"] = {all(string + "<site site='u'/><geom %/><site site='s'/></spatial>"), {{"geom", "ball"}}};
+  places["pulley"] = {
+      all(string + "<site site='u'/><site site='s'/><pulley %/><site site='u'/><site site='o'/></spatial>")};
+  parts = all(fixed("t") + fixed("u") + fixed("v"));
+  parts.rest += "<equality><tendon %/></equality>";
+  places["equality/tendon"] = {parts, {{"tendon1", "t"}, {"tendon2", "u"}}};
+}
+
 std::map<std::string, Place> make_places() {
   std::map<std::string, Place> places;
   Parts parts;
@@ -262,6 +324,7 @@ std::map<std::string, Place> make_places() {
     parts.rest = fmt::format("<equality><{} %/></equality>", kind);
     places[kind] = {parts, {{"body1", "l"}, {"body2", "k"}, {"anchor", ".1 0 0"}}};
   }
+  add_tendons(places);
   places["key"] = {rest(servo_of_j + "<keyframe><key %/></keyframe>"), {{"qpos", "0 0 1 1 0 0 0 .1 .2"}}};
   for (const char* kind : {"position", "velocity", "intvelocity", "motor", "general"}) {
     parts = rest(fmt::format(
@@ -445,6 +508,26 @@ std::map<std::string, Probes> make_probes() {
       {"body2", {"k", "b"}},          {"anchor", {".1 0 0", ".2 0 0"}}, {"site1", {"t", "u", at_sites}},
       {"site2", {"s", "u", at_sites}}};
   probes["weld"] = probes["connect"] + Probes{{"relpose", {"0 0 0 1 0 0 0", "0 0 0 1 1 0 0"}}};
+  const Attributes limits{{"actuatorfrcrange", "-1 1"}};
+  const Probes along{{"range", {"0 1", "0 2"}},
+                     {"limited", {"true", "false", {{"range", "0 1"}}}},
+                     {"stiffness", {"1", "2"}},
+                     {"springlength", {".1", ".2 .4", {{"stiffness", "1"}}}},
+                     {"damping", {"1", "2"}},
+                     {"armature", {"1", "2"}},
+                     {"frictionloss", {"1", "2"}},
+                     {"actuatorfrcrange", {"-1 1", "-1 2"}},
+                     {"actuatorfrclimited", {"true", "false", limits}}};
+  probes["default/tendon"] = along;
+  probes["fixed"] = probes["spatial"] = along + Probes{{"name", {"t", "w"}}, {"class", {"-", "c"}}};
+  probes["fixed/joint"] = {{"joint", {"j", "i"}}, {"coef", {"1", "2"}}};
+  probes["spatial/site"] = {{"site", {"s", "u"}}};
+  probes["spatial/geom"] = {{"geom", {"ball", "trunk"}}, {"sidesite", {"-", "o"}}};
+  probes["pulley"] = {{"divisor", {"1", "2"}}};
+  probes["equality/tendon"] = {{"tendon1", {"t", "v"}},
+                               {"tendon2", {"u", "v"}},
+                               {"polycoef", {"0 1", "0 2"}},
+                               {"active", {"true", "false"}}};
   probes["key"] = {{"name", {"one", "two"}},
                    {"qpos", {"0 0 1 1 0 0 0 .1 .2", "0 0 1 1 1 0 0 .1 .3"}},
                    {"ctrl", {".1", ".2"}}};

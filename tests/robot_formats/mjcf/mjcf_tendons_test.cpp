@@ -1,4 +1,4 @@
-/// mjcf_tendons_test - fixed tendons that act at one joint, against forces computed by hand.
+/// mjcf_tendons_test - fixed tendons, against forces computed by hand.
 #include "murosimf/robot_formats/mjcf/mjcf_tendons.h"
 
 #include <fstream>
@@ -97,8 +97,8 @@ TEST(MjcfTendons, OfSeveralJointsAreJointsOfTheirOwn) {
              "<actuator><position name='a' tendon='t' kp='10' kv='2' ctrlrange='-1 1' gear='.5'/></actuator>",
              one.coupled, one.of_i);
     ASSERT_EQ(robot.tendons.size(), 1U) << one.joints;
-    const auto& [slider, parts] = robot.tendons[0];
-    EXPECT_EQ(parts, one.parts);
+    const auto& slider = robot.tendons[0].joint;
+    EXPECT_EQ(robot.tendons[0].parts, one.parts);
     EXPECT_EQ(slider.name, "t");
     EXPECT_EQ(slider.stiffness, 5);
     EXPECT_NEAR(slider.spring_reference, one.rest, 1e-14);
@@ -121,16 +121,18 @@ TEST(MjcfTendons, ThatOnlyMeasureAreNoJoints) {
   EXPECT_TRUE(robot.tendons.empty());
 }
 
-TEST(MjcfTendons, NameWhatDoesNotAct) {
-  const auto slack = read(fixed("stiffness='5' damping='1' springlength='0 1'", both));
-  EXPECT_TRUE(any_contains(slack.warnings, "the spring of tendon 't' does not act: its springlength is a range"));
+TEST(MjcfTendons, HaveSpringsWithADeadBand) {
+  const auto slack = read(fixed("stiffness='5' damping='1' springlength='.25 1'", both));
+  EXPECT_TRUE(slack.warnings.empty());
   ASSERT_EQ(slack.tendons.size(), 1U);
-  EXPECT_EQ(slack.tendons[0].joint.stiffness, 0);
-  EXPECT_EQ(slack.tendons[0].joint.damping, 1);
-  const auto spatial = read("<spatial name='t' stiffness='5'/>", "<actuator><motor name='a' tendon='t'/></actuator>");
-  EXPECT_TRUE(any_contains(spatial.warnings, "tendon 't' does not act: spring"));
-  EXPECT_TRUE(any_contains(spatial.warnings, "actuator 'a' moves nothing: it acts on a tendon"));
-  EXPECT_TRUE(spatial.tendons.empty());
+  const auto& slider = slack.tendons[0].joint;
+  EXPECT_EQ(slider.stiffness, 5);
+  EXPECT_EQ(slider.damping, 1);
+  EXPECT_EQ(slider.spring_reference, .25);
+  EXPECT_EQ(slider.spring_slack, .75);
+  const auto complaint =
+      fixtures::error_of([&] { (void)read(fixed("stiffness='5' springlength='1 .5'", both), "", false); });
+  EXPECT_TRUE(fixtures::says(complaint, {"tendons.xml:1: springlength of a tendon ends below its beginning"}));
 }
 
 TEST(MjcfTendons, NeedARangeThatTheirJointHas) {

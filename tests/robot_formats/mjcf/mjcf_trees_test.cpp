@@ -205,10 +205,11 @@ TEST(MjcfTrees, SpringdampersCountWhatTheJointFeelsWhileOthersAreFree) {
 TEST(MjcfTrees, WhatHoldsThingsTogetherAndDoesNotActIsNamed) {
   const auto robot =
       read(world(std::string(arm) + "<body name='other'><joint name='k' axis='0 1 0'/><geom size='.1'/></body>"
-                                    "<body name='hand' mocap='true'/>",
+                                    "<body name='hand' mocap='true'><site name='s'/><site name='beside'/></body>",
                  "<tendon><fixed name='idle'><joint joint='j' coef='1'/></fixed><fixed name='rope' range='0 1'><joint "
                  "joint='j' coef='1'/><joint joint='k' coef='1'/></fixed>"
-                 "<spatial name='rubber' class='c'><site site='s'/></spatial></tendon><equality><connect body1='arm' "
+                 "<spatial name='rubber' class='c'><site site='s'/><site "
+                 "site='beside'/></spatial></tendon><equality><connect body1='arm' "
                  "body2='hand' anchor='0 0 0'/>"
                  "<weld body1='arm' body2='other' active='false'/><joint joint1='j'/></equality>",
                  "<default><default class='c'><tendon stiffness='3' damping='1'/></default></default>"));
