@@ -1,13 +1,13 @@
-#include "murosimf/motion/coupling_rods.h"
+#include "murosimf/dynamics/coupling_rods.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "murosimf/dynamics/motion_properties.h"
 #include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/motion/motion_properties.h"
 
-namespace murosimf::motion {
+namespace murosimf::dynamics {
 namespace {
 
 constexpr double trace_share = 1e-6;   // [1] of the leader's inertia: enough for the factors, too little to be seen
@@ -98,4 +98,4 @@ std::vector<CouplingRod> coupling_rods(const Model& model, const MimicJoints& jo
   return rods;
 }
 
-}  // namespace murosimf::motion
+}  // namespace murosimf::dynamics

@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "murosimf/motion/mimic_joints.h"
+#include "murosimf/dynamics/mimic_joints.h"
 
-namespace murosimf::motion {
+namespace murosimf::dynamics {
 
 inline constexpr double bend_under_load = 0.2e-3;  // [rad] deflections that stiffnesses follow from (coupling_forces.h)
 inline constexpr double shift_under_load = 0.02e-3;  // [m]
@@ -43,4 +43,4 @@ struct CouplingRod {
 /// Of each pair, then of each tendon, then of each tie. They refer to `joints`.
 [[nodiscard]] std::vector<CouplingRod> coupling_rods(const Model& model, const MimicJoints& joints);
 
-}  // namespace murosimf::motion
+}  // namespace murosimf::dynamics

@@ -2,8 +2,8 @@
 
 #include <array>
 
+#include "murosimf/dynamics/passive_joint.h"
 #include "murosimf/model/fixed_base.h"
-#include "murosimf/motion/passive_joint.h"
 #include "murosimf/multibody/joint_tendon.h"
 #include "murosimf/multibody/spatial_tendon.h"
 #include "murosimf/multibody/tendon_tie.h"

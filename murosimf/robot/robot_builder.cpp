@@ -7,6 +7,7 @@
 
 #include "murosimf/collision/contact_properties.h"
 #include "murosimf/dynamics/motion_properties.h"
+#include "murosimf/dynamics/passive_joint.h"
 #include "murosimf/dynamics/servo/servo_law.h"
 #include "murosimf/files/xml_element.h"
 #include "murosimf/locomotion/gait_properties.h"
@@ -16,7 +17,6 @@
 #include "murosimf/model/fixed_base.h"
 #include "murosimf/model/keyframe.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/dynamics/passive_joint.h"
 #include "murosimf/multibody/joint_tendon.h"
 #include "murosimf/robot/robot_soles.h"
 #include "murosimf/robot/tendon_properties.h"

@@ -3,13 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/motion/mimic_joints.h"
-#include "murosimf/motion/motion_properties.h"
+#include "murosimf/dynamics/mimic_joints.h"
+#include "murosimf/dynamics/motion_properties.h"
 #include "murosimf/multibody/joint_tendon.h"
 #include "tests/fixtures.h"
 #include "tests/physics/bolted.h"
 
-namespace murosimf::motion {
+namespace murosimf::dynamics {
 namespace {
 
 using test::Bolted;
@@ -156,4 +156,4 @@ TEST(SpatialTendons, MistakesAreNamed) {
 }
 
 }  // namespace
-}  // namespace murosimf::motion
+}  // namespace murosimf::dynamics

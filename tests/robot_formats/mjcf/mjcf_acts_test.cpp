@@ -14,10 +14,10 @@
 
 #include "murosimf/collision/contact_properties.h"
 #include "murosimf/dynamics/motion_properties.h"
+#include "murosimf/dynamics/passive_joint.h"
 #include "murosimf/model/keyframe.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/model/visual_mesh.h"
-#include "murosimf/dynamics/passive_joint.h"
 #include "murosimf/multibody/loops.h"
 #include "murosimf/multibody/spatial_tendon.h"
 #include "murosimf/multibody/tendon_tie.h"
