@@ -174,8 +174,8 @@ TEST_F(SetupAccess, EveryReadIsWritten) {
   EXPECT_EQ(check({{"encoder", &reader}, {"control", &input}}), "no error");
   EXPECT_EQ(check({{"filter", &both}}), "no error");
   EXPECT_EQ(check({{"control", &input}}), "no error");
-  EXPECT_TRUE(says(check({{"encoder", &reader}}),
-                   {"'encoder' reads 'joint_position' of 'blue'", "but no algorithm writes it", "no algorithm writes anything"}));
+  EXPECT_TRUE(says(check({{"encoder", &reader}}), {"'encoder' reads 'joint_position' of 'blue'",
+                                                   "but no algorithm writes it", "no algorithm writes anything"}));
   EXPECT_TRUE(says(check({{"encoder", &reader}, {"poses", &other}}),
                    {"'encoder' reads 'joint_position' of 'blue'", "'poses' writes other properties"}));
   EXPECT_TRUE(
