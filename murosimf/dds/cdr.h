@@ -37,6 +37,17 @@ class CdrWriter {
     bytes_.push_back(0);
     return *this;
   }
+  /// A sequence of bytes.
+  CdrWriter& blob(std::string_view blob) {
+    number(static_cast<std::uint32_t>(blob.size()));
+    bytes_.insert(bytes_.end(), blob.begin(), blob.end());
+    return *this;
+  }
+  /// Replaces the first number, a count that is known at the end only.
+  CdrWriter& set_first(std::uint32_t count) {
+    std::memcpy(&bytes_[encapsulation_size], &count, sizeof count);
+    return *this;
+  }
   [[nodiscard]] const Bytes& bytes() const { return bytes_; }
 
  private:

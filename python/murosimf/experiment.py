@@ -18,7 +18,7 @@ from .studies import sweep_arguments
 class Experiment:
     """The runs of a manifest (docs/series.md), which stands in a file that all machines see. What is done is beside it, in a
     folder of its name: `push.json`, `push.runs`. Runs that were killed are repeated; the table is a function of the manifest and
-    the finished runs, whoever has done them."""
+    the finished runs, of any shard."""
 
     def __init__(self, manifest: str | PathLike[str]) -> None:
         """Raises InputError: there is no such file, it is no manifest, or it was changed since it was written."""

@@ -1,13 +1,11 @@
-/// cdr_writer.h - messages in the Common Data Representation (OMG DDSI-RTPS 2.5, section 10; CORBA 3.3, section 15.3), little endian,
-/// as ROS 2 sends and stores them: each number at a multiple of its size from the beginning of the message.
+/// cdr_writer.h - fields of ROS 2 messages, in the representation of dds/cdr.h, as bags store them.
 #pragma once
 
-#include <array>
-#include <bit>
 #include <cstdint>
 #include <string>
 #include <string_view>
 
+#include "murosimf/dds/cdr.h"
 #include "murosimf/math/quaternion.h"
 #include "murosimf/math/vec3.h"
 #include "murosimf/world/time.h"
@@ -16,24 +14,15 @@ namespace murosimf::recording {
 
 class CdrWriter {
  public:
-  CdrWriter() : bytes_({0, 1, 0, 0}) {}  // CDR_LE, no options
-
-  void u8(std::uint8_t value) { bytes_.push_back(static_cast<char>(value)); }
+  void u8(std::uint8_t value) { out_.number(value); }
   void boolean(bool value) { u8(value ? 1 : 0); }
-  void u32(std::uint32_t value) { fixed(value, 4); }
-  void i32(std::int32_t value) { fixed(static_cast<std::uint32_t>(value), 4); }
-  void f32(double value) { fixed(std::bit_cast<std::uint32_t>(static_cast<float>(value)), 4); }
-  void f64(double value) { fixed(std::bit_cast<std::uint64_t>(value), 8); }
-  void text(std::string_view value) {
-    u32(static_cast<std::uint32_t>(value.size() + 1));
-    bytes_.append(value);
-    u8(0);
-  }
+  void u32(std::uint32_t value) { out_.number(value); }
+  void i32(std::int32_t value) { out_.number(value); }
+  void f32(double value) { out_.number(static_cast<float>(value)); }
+  void f64(double value) { out_.number(value); }
+  void text(std::string_view value) { out_.text(value); }
   /// A sequence of bytes.
-  void bytes(std::string_view value) {
-    u32(static_cast<std::uint32_t>(value.size()));
-    bytes_.append(value);
-  }
+  void bytes(std::string_view value) { out_.blob(value); }
   void vector(const Vec3d& v) {
     f64(v.x);
     f64(v.y);
@@ -57,23 +46,15 @@ class CdrWriter {
     text(frame);
   }
 
-  [[nodiscard]] const std::string& message() const { return bytes_; }
+  [[nodiscard]] std::string message() const { return {out_.bytes().begin(), out_.bytes().end()}; }
   /// The message with another first number, a count that is known at the end only.
-  [[nodiscard]] std::string with_count(std::uint32_t count) const {
-    CdrWriter head;
-    head.u32(count);
-    std::string bytes = bytes_;
-    return bytes.replace(0, head.bytes_.size(), head.bytes_);
+  [[nodiscard]] std::string with_count(std::uint32_t count) {
+    out_.set_first(count);
+    return message();
   }
 
  private:
-  void fixed(std::uint64_t value, std::size_t size) {
-    constexpr std::size_t head = 4;  // not counted for alignment
-    while ((bytes_.size() - head) % size != 0) bytes_.push_back('\0');
-    for (std::size_t i = 0; i < size; ++i) bytes_.push_back(static_cast<char>(value >> (8 * i) & 0xff));
-  }
-
-  std::string bytes_;
+  dds::CdrWriter out_;
 };
 
 }  // namespace murosimf::recording
