@@ -117,8 +117,8 @@ void check_booster(const scene_file::SceneSpec& spec, const std::string& domain)
   for (const scene_file::RobotSpec& robot : spec.robots) {
     if (robot.controller != "booster") continue;
     if (domain.empty()) {
-      say_note(fmt::format("{}: no program can reach {}; to let programs with Booster's SDK in: --booster", robot.where,
-                           robot.name));
+      say_warning(fmt::format("{}: no program can reach {}; to let programs with Booster's SDK in: --booster",
+                              robot.where, robot.name));
       continue;
     }
     dds::booster::BoosterOptions options;
