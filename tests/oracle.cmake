@@ -51,7 +51,7 @@ add_oracle_test(serial_with_vendor_sdk $<TARGET_FILE:murosimf_app>)
 set_tests_properties(oracle.serial_with_vendor_sdk PROPERTIES PROCESSORS 3 COST 212 TIMEOUT 300)  # in real time
 
 if(TARGET fastrtps)
-  add_oracle_test(booster_sdk $<TARGET_FILE:murosimf_app>)
+  add_oracle_test(booster_sdk $<TARGET_FILE:murosimf_app> --short)
   set_tests_properties(oracle.booster_sdk PROPERTIES PROCESSORS 3 COST 213 TIMEOUT 300)  # in real time
 endif()
 

@@ -18,6 +18,7 @@ BoosterLink::BoosterLink(int domain, const std::string& suffix)
   participant_.read({"rt/joint_ctrl" + suffix, of_robot + "LowCmd_", true}, inbox_, low_command_mark);
   participant_.read({std::string(loco_service) + "Req" + suffix, of_service + "RpcReqMsg_", true}, inbox_,
                     request_mark);
+  participant_.read({"rt/kick_ball" + suffix, "brain::msg::dds_::Kick_", true}, inbox_, kick_mark);
 }
 
 TopicWriter& BoosterLink::state_writer(const std::string& topic, const std::string& type) {

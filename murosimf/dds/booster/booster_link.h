@@ -11,7 +11,7 @@
 namespace murosimf::dds::booster {
 
 /// Marks of messages in the inbox.
-inline constexpr char low_command_mark = 'c', request_mark = 'r';
+inline constexpr char low_command_mark = 'c', request_mark = 'r', kick_mark = 'k';
 
 /// Service of the robot's walk, without "Req" and "Resp".
 inline constexpr const char* loco_service = "rt/LocoApiTopic";

@@ -95,21 +95,31 @@ void BoosterSoftware::handle_motions() {
   };
   handlers_[rotate_head] =
       handlers_[rotate_head_with_time] = [this](const RpcParameters& given) { return turn_head(given); };
-  handlers_[wave_hand] = [this](const RpcParameters&) -> RpcAnswer {
-    if (!modes_.walks() && modes_.mode() != Mode::prepare) return {Status::conflict};
-    return {motions_.play("wave_hand") ? Status::success : Status::refused};
-  };
+  handlers_[wave_hand] = [this](const RpcParameters& given) { return wave(given); };
   handlers_[shoot] = [this](const RpcParameters&) -> RpcAnswer {
     if (!modes_.walks()) return {Status::conflict};
     return {motions_.kick() ? Status::success : Status::refused};
   };
-  handlers_[visual_kick] = [this](const RpcParameters& given) -> RpcAnswer {
-    const auto start = whole(given, "start");
-    if (!start) return {Status::bad_request};
-    if (*start == 0) return motions_.drop_kick(), RpcAnswer{};
-    if (!modes_.walks()) return {Status::conflict};
-    return {motions_.kick() ? Status::success : Status::refused};
-  };
+  handlers_[visual_kick] = [this](const RpcParameters& given) { return kick_what_is_seen(given); };
+}
+
+/// Parameters: hand_index (0 left, 1 right) and hand_action (0 open, 1 close). Closing has nothing to do: the arm is down again after the motion.
+RpcAnswer BoosterSoftware::wave(const RpcParameters& given) {
+  if (!modes_.walks() && (modes_.mode() != Mode::prepare || modes_.rises() || modes_.lies())) return {Status::conflict};
+  if (whole(given, "hand_action").value_or(0) != 0) return {};
+  const bool left = whole(given, "hand_index").value_or(1) == 0;
+  return {motions_.play(left ? "wave_left" : "wave_right") ? Status::success : Status::refused};
+}
+
+/// Where no message of rt/kick_ball says where the ball is, it kicks ahead, and follows the next one.
+RpcAnswer BoosterSoftware::kick_what_is_seen(const RpcParameters& given) {
+  const auto start = whole(given, "start");
+  if (!start) return {Status::bad_request};
+  if (*start == 0) return visual_kick_.stop(), motions_.drop_kick(), RpcAnswer{};
+  if (!modes_.walks()) return {Status::conflict};
+  if (!motions_.can_kick()) return {Status::refused};
+  if (!visual_kick_.start(cycle_)) (void)motions_.kick();
+  return {};
 }
 
 std::string BoosterSoftware::robot_info() const {

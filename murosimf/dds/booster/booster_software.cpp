@@ -62,6 +62,7 @@ control_software::CallOutcome BoosterSoftware::start() {
   sensing_.restart();
   commands_.clear();
   head_ = {};
+  visual_kick_ = {};
   upper_body_ = false;
   cycle_ = 0;
   return {};
@@ -92,6 +93,8 @@ void BoosterSoftware::take(const Arrival& arrival) {
     if (std::optional<LowCommand> command = read_low_command(arrival.message)) {
       return take_low_command(std::move(*command));
     }
+  } else if (arrival.topic == kick_mark) {
+    if (const std::optional<KickTarget> target = read_kick(arrival.message)) return visual_kick_.see(*target, cycle_);
   } else if (const std::optional<RpcMessage> request = read_rpc(arrival.message)) {
     return answer(*request);
   }
@@ -120,6 +123,7 @@ bool BoosterSoftware::follows_low_level(std::size_t joint) const {
 
 void BoosterSoftware::command() {
   motions_.walk(modes_.velocity());
+  if (const auto kick = visual_kick_.request(cycle_); kick && modes_.walks()) (void)motions_.kick(*kick);
   if (cycle_ == 0) {
     for (std::size_t joint = 0; joint < held_.size(); ++joint) held_[joint] = target_[objects_[joint]];
   }
@@ -169,7 +173,7 @@ void BoosterSoftware::say_once(bool& told, const std::string& line) {
 }
 
 void BoosterSoftware::state(StateArchive& archive) {
-  archive(modes_, sensing_, head_, held_, commands_, upper_body_, cycle_);
+  archive(modes_, sensing_, head_, visual_kick_, held_, commands_, upper_body_, cycle_);
   if (archive.loads()) outside_.rewind();
 }
 

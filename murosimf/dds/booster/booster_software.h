@@ -24,6 +24,7 @@
 #include "murosimf/dds/booster/robot_modes.h"
 #include "murosimf/dds/booster/robot_sensing.h"
 #include "murosimf/dds/booster/rpc.h"
+#include "murosimf/dds/booster/visual_kick.h"
 
 namespace murosimf::dds::booster {
 
@@ -46,6 +47,8 @@ class BoosterSoftware final : public control_software::ControlSoftware {
   void handle_motions();
   void handle_questions();
   RpcAnswer turn_head(const RpcParameters& given);
+  RpcAnswer wave(const RpcParameters& given);
+  RpcAnswer kick_what_is_seen(const RpcParameters& given);
   [[nodiscard]] RpcAnswer frame_transform(const RpcParameters& given) const;
   void take(const Arrival& arrival);
   void take_low_command(LowCommand command);
@@ -78,6 +81,7 @@ class BoosterSoftware final : public control_software::ControlSoftware {
   std::vector<double> held_;            // [rad] by joint: where commands begin
   std::vector<MotorCommand> commands_;  // the last low-level command; empty: none in this mode
   HeadMotion head_;
+  VisualKick visual_kick_;
   bool upper_body_ = false;  // arms follow low-level commands, whatever moves the legs
   std::uint64_t cycle_ = 0;
   bool told_of_size_ = false, told_of_garbage_ = false, told_of_waiting_ = false;

@@ -43,7 +43,7 @@ constexpr std::array<std::string_view, 23> t1{"head_yaw",
 constexpr std::array orders{JointOrder{"K1", k1}, JointOrder{"T1", t1}};
 
 /// "ALeft_Shoulder_Pitch" and "Left_Shoulder_Pitch_Joint" as "left_shoulder_pitch": the vendor's files put an A before the names of joints that
-/// shall come first in alphabetical order.
+/// shall come first in alphabetical order. Newer files call the waist "waist_yaw_joint".
 std::string plain_name(std::string_view joint) {
   std::string name = files::lower_case(std::string(joint));
   for (const std::string_view first : {"aahead_", "aleft_", "aright_"}) {
@@ -51,6 +51,7 @@ std::string plain_name(std::string_view joint) {
   }
   constexpr std::string_view last = "_joint";
   if (name.ends_with(last)) name.resize(name.size() - last.size());
+  if (name == "waist_yaw") name = "waist";
   return name;
 }
 

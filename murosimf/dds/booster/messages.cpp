@@ -1,6 +1,7 @@
 #include "murosimf/dds/booster/messages.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace murosimf::dds::booster {
 namespace {
@@ -71,6 +72,19 @@ std::optional<LowCommand> read_low_command(std::span<const std::uint8_t> bytes) 
   const bool known = command.kind == LowCommand::parallel || command.kind == LowCommand::serial;
   if (!from.good() || !known) return std::nullopt;
   return command;
+}
+
+std::optional<KickTarget> read_kick(std::span<const std::uint8_t> bytes) {
+  CdrReader from(bytes);
+  (void)from.number<std::int32_t>(), (void)from.number<std::uint32_t>(), (void)from.text();  // time and frame
+  KickTarget target{from.number<double>(), from.number<double>(), from.number<double>()};
+  for (int i = 0; i < 3; ++i) (void)from.number<double>();  // goal and heading: the direction says it
+  constexpr double farthest = 10;                           // [m] as motion.kick
+  const bool known =
+      std::abs(target.x) <= farthest && std::abs(target.y) <= farthest && std::isfinite(target.direction);
+  if (!from.good() || !known) return std::nullopt;
+  target.direction = std::remainder(target.direction, 2 * std::numbers::pi);
+  return target;
 }
 
 std::optional<RpcMessage> read_rpc(std::span<const std::uint8_t> bytes) {

@@ -52,6 +52,12 @@ struct Battery {
   float voltage = 0, current = 0, charge = 0, average_voltage = 0;  ///< [V], [A], [%], [V]
 };
 
+/// Where a program sees the ball, and where it wants it, in the robot's frame: x forward, y to the left.
+struct KickTarget {
+  double x = 0, y = 0;   ///< [m] of the ball
+  double direction = 0;  ///< [rad] in which it shall go
+};
+
 /// A request to a service: JSON in header and body.
 struct RpcMessage {
   std::string uuid, header, body;
@@ -69,6 +75,9 @@ void write_rpc(CdrWriter& to, const RpcMessage& message);
 
 /// Nothing: it is no such message, or a number in it is not finite.
 [[nodiscard]] std::optional<LowCommand> read_low_command(std::span<const std::uint8_t> bytes);
+/// Of a message brain/msg/Kick: a header, x, y, dir, goal_x, goal_y, robot_theta_to_field, and power, which older programs do not send.
+/// Source of the order: the message's type in the vendor's demonstration for RoboCup.
+[[nodiscard]] std::optional<KickTarget> read_kick(std::span<const std::uint8_t> bytes);
 [[nodiscard]] std::optional<RpcMessage> read_rpc(std::span<const std::uint8_t> bytes);
 
 }  // namespace murosimf::dds::booster

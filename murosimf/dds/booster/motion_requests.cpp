@@ -39,10 +39,14 @@ bool MotionRequests::play(std::string_view motion) {
   return true;
 }
 
-/// Without a place of the ball: the motion decides where it should lie.
-bool MotionRequests::kick() {
+/// A ball at (0, 0) is none: the motion decides where it should lie.
+bool MotionRequests::kick(const KickTarget& target) {
   if (!kick_) return false;
   change(kick_->values[0]);
+  kick_->values[1] = target.direction;
+  kick_->values[2] = 0;  // either foot
+  kick_->values[3] = target.x;
+  kick_->values[4] = target.y;
   return true;
 }
 

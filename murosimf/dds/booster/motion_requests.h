@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "murosimf/control_software/robot_port.h"
+#include "murosimf/dds/booster/messages.h"
 #include "murosimf/math/vec3.h"
 
 namespace murosimf::dds::booster {
@@ -18,9 +19,10 @@ class MotionRequests {
   void walk(const Vec3d& velocity);
   /// False: the robot's file has no such motion.
   [[nodiscard]] bool play(std::string_view motion);
-  /// Ahead, where the robot stands. False: its file has no kick.
-  [[nodiscard]] bool kick();
+  /// The ball of `target`, to which it walks; without one ahead, where the robot stands. False: its file has no kick.
+  [[nodiscard]] bool kick(const KickTarget& target = {});
   void drop_kick();
+  [[nodiscard]] bool can_kick() const { return kick_ != nullptr; }
 
  private:
   murosimf_command *velocity_, *play_ = nullptr, *kick_ = nullptr;  // null: it has none

@@ -35,21 +35,21 @@ class Client {
   Client()
       : participant_(own_domain()),
         commands_(participant_.writer({"rt/joint_ctrl", "booster_interface::msg::dds_::LowCmd_", true})),
-        requests_(participant_.writer({"rt/LocoApiTopicReq", "booster_msgs::msg::dds_::RpcReqMsg_", true})) {
+        requests_(participant_.writer({"rt/LocoApiTopicReq", "booster_msgs::msg::dds_::RpcReqMsg_", true})),
+        balls_(participant_.writer({"rt/kick_ball", "brain::msg::dds_::Kick_", true})) {
     participant_.read({"rt/LocoApiTopicResp", "booster_msgs::msg::dds_::RpcRespMsg_", true}, inbox_, answer_mark);
     participant_.read({"rt/low_state", "booster_interface::msg::dds_::LowState_", false}, inbox_, state_mark);
   }
 
   /// Its head goes to `q`; joints behind it weigh nothing, and are held.
-  void command(std::size_t motors, double q) {
+  void command(std::size_t motors, double q) { write(motors, q, 0, 2); }
+  /// One joint goes to `q`.
+  void turn(std::size_t motors, std::size_t joint, double q) { write(motors, q, joint, joint + 1); }
+  void see_ball(double x, double y, double direction) {
     CdrWriter message;
-    message.number<std::int32_t>(LowCommand::serial).number(static_cast<std::uint32_t>(motors));
-    for (std::size_t i = 0; i < motors; ++i) {
-      message.number<std::uint8_t>(0);
-      for (const float value : {static_cast<float>(q), 0.0F, 0.0F, 100.0F, 2.0F, i < 2 ? 1.0F : 0.0F})
-        message.number(value);
-    }
-    commands_.write(message.bytes());
+    message.number<std::int32_t>(0).number<std::uint32_t>(0).text("").number(x).number(y).number(direction);
+    for (int i = 0; i < 4; ++i) message.number(0.0);
+    balls_.write(message.bytes());
   }
   void garbage(const Bytes& bytes) {
     commands_.write(bytes);
@@ -60,6 +60,8 @@ class Client {
     const std::string id = std::to_string(++asked_);
     CdrWriter message;
     write_rpc(message, {id, fmt::format("{{\"api_id\":{}}}", number), body});
+    for (const Arrival& arrival : inbox_.take())
+      states_ += arrival.topic == state_mark;  // full of them, it takes no answer
     requests_.write(message.bytes());
     for (int i = 0; i < patience; ++i) {
       scene.simulation().run(2ms);
@@ -83,9 +85,21 @@ class Client {
   }
 
  private:
+  /// Motors [first, end) weigh 1, the others 0.
+  void write(std::size_t motors, double q, std::size_t first, std::size_t end) {
+    CdrWriter message;
+    message.number<std::int32_t>(LowCommand::serial).number(static_cast<std::uint32_t>(motors));
+    for (std::size_t i = 0; i < motors; ++i) {
+      message.number<std::uint8_t>(0);
+      for (const float value : {static_cast<float>(q), 0.0F, 0.0F, 100.0F, 2.0F, i >= first && i < end ? 1.0F : 0.0F})
+        message.number(value);
+    }
+    commands_.write(message.bytes());
+  }
+
   Inbox inbox_;
   Participant participant_;
-  TopicWriter &commands_, &requests_;
+  TopicWriter &commands_, &requests_, &balls_;
   int asked_ = 0, states_ = 0;
 };
 
@@ -167,6 +181,66 @@ TEST_F(BoosterSoftware, KnowsWhereItsBodyIs) {
   };
   EXPECT_NEAR(length(there), length(back), near);
   EXPECT_EQ(client.ask(scene, 2011, R"({"src":0,"dst":9})").header, R"({"status":400})");
+}
+
+TEST_F(BoosterSoftware, KicksTheBallThatItsProgramSees) {
+  Client client;
+  scene::Scene scene("booster", options({"k1.options.mode=walking"}));
+  client.meet(scene);
+  const auto request = [&] { return scene.simulation().world().entity("k1").base().get(properties::kick_request); };
+  EXPECT_EQ(client.ask(scene, 2038, R"({"start":true,"version":0})").header, R"({"status":0})");
+  scene.simulation().run(10ms);
+  EXPECT_EQ(request().number, 1) << "ahead";
+  EXPECT_EQ(request().ball_x, 0);
+  for (int i = 0; i < 300 && request().ball_x == 0; ++i) {
+    client.see_ball(0.4, -0.2, 0.7);
+    std::this_thread::sleep_for(1ms);
+    scene.simulation().run(4ms);
+  }
+  EXPECT_EQ(request().ball_x, 0.4);
+  EXPECT_EQ(request().ball_y, -0.2);
+  EXPECT_EQ(request().direction, 0.7);
+  EXPECT_EQ(client.ask(scene, 2038, R"({"start":false})").header, R"({"status":0})");
+  scene.simulation().run(10ms);
+  EXPECT_EQ(request().number, 0);
+}
+
+TEST_F(BoosterSoftware, WavesWithTheHandThatIsNamed) {
+  Client client;
+  scene::Scene scene("booster", options());
+  client.meet(scene);
+  const auto roll = [&](const char* joint) {
+    return scene.simulation().world().entity("k1").object(joint).get(properties::joint_position);
+  };
+  EXPECT_EQ(client.ask(scene, 2005, R"({"hand_index":1,"hand_action":0})").header, R"({"status":0})");
+  scene.simulation().run(1500ms);
+  EXPECT_LT(roll("Right_Shoulder_Roll"), 0.4);
+  EXPECT_NEAR(roll("Left_Shoulder_Roll"), -1.3, 0.1);
+  EXPECT_EQ(client.ask(scene, 2005, R"({"hand_index":1,"hand_action":1})").header, R"({"status":0})");
+  scene.simulation().run(3s);
+  EXPECT_NEAR(roll("Right_Shoulder_Roll"), 1.3, 0.1);
+  EXPECT_EQ(client.ask(scene, 2005, R"({"hand_index":0,"hand_action":0})").header, R"({"status":0})");
+  scene.simulation().run(1500ms);
+  EXPECT_GT(roll("Left_Shoulder_Roll"), -0.4);
+}
+
+// The SDK's order has the waist of a T1 between arms and legs.
+TEST_F(BoosterSoftware, KnowsTheT1) {
+  Client client;
+  scene::Scene scene("booster", options({"k1.model=booster_t1"}));
+  client.meet(scene);
+  EXPECT_NE(client.ask(scene, 2022).body.find(R"("model":"T1")"), std::string::npos);
+  EXPECT_EQ(client.ask(scene, 2000, R"({"mode":3})").header, R"({"status":0})");
+  const auto waist = [&] {
+    return scene.simulation().world().entity("k1").object("Waist").get(properties::joint_position);
+  };
+  EXPECT_NEAR(waist(), 0, 0.01);
+  for (int i = 0; i < 200; ++i) {
+    client.turn(23, 10, 0.2);
+    std::this_thread::sleep_for(1ms);
+    scene.simulation().run(4ms);
+  }
+  EXPECT_NEAR(waist(), 0.2, 0.02);
 }
 
 TEST_F(BoosterSoftware, GoesOnAfterGarbage) {

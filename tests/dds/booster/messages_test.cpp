@@ -4,9 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <random>
 
 #include "murosimf/dds/booster/rpc.h"
+#include "murosimf/dds/booster/visual_kick.h"
 
 namespace murosimf::dds::booster {
 namespace {
@@ -98,6 +101,48 @@ TEST(BoosterMessages, CarryRequests) {
   for (std::size_t size = 0; size < bytes.size(); ++size) EXPECT_FALSE(read_rpc(std::span(bytes).first(size))) << size;
 }
 
+Bytes kick(double x, double direction, bool with_power) {
+  CdrWriter to;
+  to.number<std::int32_t>(7).number<std::uint32_t>(8).text("base").number(x).number(0.25).number(direction);
+  to.number(4.0).number(1.0).number(0.5);  // goal, heading
+  if (with_power) to.number(6.0);
+  return to.bytes();
+}
+
+TEST(BoosterMessages, SayWhereTheBallIs) {
+  for (const bool with_power : {false, true}) {
+    const std::optional<KickTarget> target = read_kick(kick(1.5, 0.75, with_power));
+    ASSERT_TRUE(target.has_value());
+    EXPECT_EQ(target->x, 1.5);
+    EXPECT_EQ(target->y, 0.25);
+    EXPECT_EQ(target->direction, 0.75);
+  }
+  EXPECT_NEAR(read_kick(kick(1, 2 * std::numbers::pi + 0.5, true))->direction, 0.5, 1e-12);
+  const Bytes bytes = kick(1, 0, false);
+  for (std::size_t size = 0; size < bytes.size(); ++size) EXPECT_FALSE(read_kick(std::span(bytes).first(size))) << size;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const Bytes& bad : {kick(nan, 0, true), kick(11, 0, true), kick(1, nan, true), kick(1, HUGE_VAL, true)})
+    EXPECT_FALSE(read_kick(bad));
+}
+
+TEST(BoosterVisualKick, AsksForWhatIsSeen) {
+  VisualKick kick;
+  const KickTarget near{.x = 0.3, .y = 0.1, .direction = 0.5}, far{.x = 2, .y = 0, .direction = 0};
+  kick.see(near, 10);
+  EXPECT_FALSE(kick.request(11)) << "not started";
+  EXPECT_TRUE(kick.start(20));
+  EXPECT_EQ(kick.request(20)->x, 0.3);
+  EXPECT_FALSE(kick.request(21)) << "nothing new";
+  kick.see(far, 30);
+  EXPECT_FALSE(kick.request(30)) << "too soon";
+  EXPECT_EQ(kick.request(20 + VisualKick::request_interval)->x, 2);
+  kick.stop();
+  kick.see(near, 1000);
+  EXPECT_FALSE(kick.request(1000));
+  EXPECT_FALSE(kick.start(1001 + VisualKick::longest_age)) << "too old";
+  EXPECT_FALSE(VisualKick().start(0)) << "nothing was seen";
+}
+
 // Whatever comes is read or refused, and what is read has finite numbers.
 TEST(BoosterMessages, SurviveDamage) {
   std::mt19937 random(1);
@@ -109,6 +154,7 @@ TEST(BoosterMessages, SurviveDamage) {
       for (const MotorCommand& motor : command->motors) ASSERT_TRUE(std::isfinite(motor.q + motor.kp));
     }
     (void)read_rpc(bytes);
+    (void)read_kick(bytes);
   }
 }
 
