@@ -51,26 +51,32 @@ catalog::ControllerOptions controller_options(const SceneParts& parts, const sce
   return options;
 }
 
+std::string class_named_by(const scene_file::RobotSpec& robot) {
+  const auto given = robot.options.find("class");
+  return given == robot.options.end() ? std::string() : value_text(given->second);
+}
+
 /// Reading a file must not run code that it names, unless the command line or a program permits it. Requests over a network
 /// cannot permit it.
-void refuse_library_of_file(const SceneParts& parts, const scene_file::RobotSpec& robot) {
-  const auto given = robot.given.find("library");
+void refuse_software_of_file(const SceneParts& parts, const scene_file::RobotSpec& robot) {
+  const bool of_python = robot.controller == "python";
+  const auto given = robot.given.find(of_python ? "options.class" : "library");
   const bool by_command_line =
       given != robot.given.end() && given->second.where.starts_with("--set") && !parts.files.only_from;
   if (parts.libraries || given == robot.given.end() || by_command_line) return;
   throw SetupError(fmt::format(
       "{}: this file has control software loaded, '{}', which may do what it likes; if you trust it: --libraries",
-      given->second.where, robot.library));
+      given->second.where, of_python ? class_named_by(robot) : robot.library));
 }
 
 }  // namespace
 
 /// A run that is only shown takes positions from a recording: no software is started.
 void attach_controller(SceneParts& parts, const scene_file::RobotSpec& robot, Entity& entity) {
-  const bool from_outside = robot.controller == "library" || robot.controller == "serial" ||
-                            robot.controller == "tcp" || robot.controller == "booster";
+  const bool from_outside = robot.controller == "library" || robot.controller == "python" ||
+                            robot.controller == "serial" || robot.controller == "tcp" || robot.controller == "booster";
   if (parts.only_shown && from_outside) return;
-  refuse_library_of_file(parts, robot);
+  refuse_software_of_file(parts, robot);
   const catalog::ControllerOptions options = controller_options(parts, robot);
   const catalog::ControllerType& controller = find_entry(catalog::controllers(), "controller", robot.controller);
   with_context(robot.where, [&] { controller.attach(*parts.simulation, entity, options); });
