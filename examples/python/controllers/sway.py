@@ -1,7 +1,7 @@
 """A controller in Python: murosimf run examples/python/controllers/sway.toml --libraries
 
-Stands and sways: shifts its weight from foot to foot by hips and ankles, in time with the options of the scene. What leans the torso
-beyond a limit, measured by the robot's own accelerometer, makes it stop until it stands still again.
+Stands and sways: shifts its weight from foot to foot by hips and ankles, in time with the options of the scene. While the torso
+leans beyond a limit, as the robot's own accelerometer says, it waits.
 """
 
 import numpy as np

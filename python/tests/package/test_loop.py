@@ -8,14 +8,15 @@ import subprocess
 import sys
 import time
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
-
-import murosimf as ms
 from murosimf._program import program
 
-WAVE = '''
+import murosimf as ms
+
+WAVE = """
 import numpy as np
 
 class Wave:
@@ -40,7 +41,7 @@ class Wave:
 
     def load(self, saved):
         self.calls = saved[0]
-'''
+"""
 
 
 def scene_of(folder: Path, text: str, cls: str, options: str = "", robots: int = 1, more: str = "") -> Path:
@@ -60,8 +61,8 @@ def run(*arguments: object, expect: int = 0) -> "subprocess.CompletedProcess[str
     return done
 
 
-def report(*arguments: object) -> dict:
-    found: dict = json.loads(run(*arguments, "--json", "-").stdout)
+def report(*arguments: object) -> dict[str, Any]:
+    found: dict[str, Any] = json.loads(run(*arguments, "--json", "-").stdout)
     return found
 
 
@@ -86,7 +87,7 @@ def test_equals_a_built_in_controller_bit_for_bit(tmp_path: Path) -> None:
     rows = [(0, 0, 0), (0.1, 0.25, -0.3), (0.3, 0.5, 0.1), (0.45, -0.2, 0.0)]
     table = "time,j_l_upper_arm,j_r_upper_arm\n" + "".join(f"{t},{a},{b}\n" for t, a, b in rows)
     (tmp_path / "gait.csv").write_text(table)
-    text = f'''
+    text = f"""
 ROWS = {rows!r}
 SAME = 1e-9
 
@@ -114,7 +115,7 @@ class Player:
         robot.joint_target = 0.0
         for column, joint in ((1, "j_l_upper_arm"), (2, "j_r_upper_arm")):
             robot.joint_target[joint] = at(column, float(robot.motion_time[0]))
-'''
+"""
     scene = scene_of(tmp_path, text, "Player")
     built_in = tmp_path / "built_in.toml"
     own = scene.read_text()
@@ -135,7 +136,10 @@ class Player:
 
 
 def test_an_exception_freezes_its_robot_and_no_other(tmp_path: Path) -> None:
-    text = WAVE.replace("        self.calls += 1", "        self.calls += 1\n        if robot.name == 'r0' and self.calls > 10:\n            self.fail()")
+    text = WAVE.replace(
+        "        self.calls += 1",
+        "        self.calls += 1\n        if robot.name == 'r0' and self.calls > 10:\n            self.fail()",
+    )
     text += "\n    def fail(self):\n        raise ValueError('out of ideas')\n"
     scene = scene_of(tmp_path, text, "Wave", robots=2)
     found = report(scene, "--libraries")
@@ -167,6 +171,9 @@ def test_prints_into_the_report(tmp_path: Path) -> None:
 
 
 BEGIN = "class A:\n    def __call__(self, robot, time): pass\n"
+CANNOT = "module 'soft' cannot be imported: DIR/soft.py"
+FAILS = "class A:\n    def __init__(self):\n        self.x = 1 / 0\n"
+STARTS = BEGIN + "    def start(self, robot, time):\n        robot.joint_target[:] = [1, 2]\n"
 
 
 @pytest.mark.parametrize(
@@ -174,15 +181,17 @@ BEGIN = "class A:\n    def __call__(self, robot, time): pass\n"
     [
         (BEGIN, "B", "", "soft.py:1: no class 'B' in it"),
         (BEGIN, "A", ", speed = 1", "soft.py:1: A has no options, so 'speed' is none"),
-        ("import nosuch\n" + BEGIN, "A", "", "module 'soft' cannot be imported: DIR/soft.py:1: ModuleNotFoundError: No module named 'nosuch'"),
-        ("\n\n1 +\n", "A", "", "cannot be imported: DIR/soft.py:3: SyntaxError: invalid syntax"),
-        ("import sys\nsys.exit(3)\n", "A", "", "cannot be imported: DIR/soft.py:2: SystemExit: 3"),
-        (BEGIN + "    reads = 'joint_positon'\n", "A", "", "soft.py:1: reads 'joint_positon': unknown property 'joint_positon'; did you mean 'joint_position'?"),
-        (BEGIN + "    writes = ('walk.velocty',)\n", "A", "", "soft.py:1: writes 'walk.velocty': unknown command 'walk.velocty'; did you mean 'walk.velocity'?"),
+        ("import nosuch\n" + BEGIN, "A", "", f"{CANNOT}:1: ModuleNotFoundError: No module named 'nosuch'"),
+        ("\n\n1 +\n", "A", "", f"{CANNOT}:3: SyntaxError: invalid syntax"),
+        ("import sys\nsys.exit(3)\n", "A", "", f"{CANNOT}:2: SystemExit: 3"),
+        (BEGIN + "    reads = 'joint_positon'\n", "A", "", "soft.py:1: reads 'joint_positon': unknown property"),
+        (BEGIN + "    reads = 'joint_positon'\n", "A", "", "; did you mean 'joint_position'?"),
+        (BEGIN + "    writes = ('walk.velocty',)\n", "A", "", "soft.py:1: writes 'walk.velocty': unknown command"),
+        (BEGIN + "    writes = ('walk.velocty',)\n", "A", "", "; did you mean 'walk.velocity'?"),
         (BEGIN + "    reads = ('r0.nothing',)\n", "A", "", "soft.py:1: reads 'r0.nothing': unknown property 'nothing'"),
         (BEGIN + "    phase = 'motion'\n", "A", "", "soft.py:1: 'motion' is no phase of a class"),
-        ("class A:\n    def __init__(self):\n        self.x = 1 / 0\n", "A", "", "soft.py:3: ZeroDivisionError: division by zero"),
-        (BEGIN + "    def start(self, robot, time):\n        robot.joint_target[:] = [1, 2]\n", "A", "", "its start raised DIR/soft.py:4: ValueError: could not broadcast"),
+        (FAILS, "A", "", "soft.py:3: ZeroDivisionError: division by zero"),
+        (STARTS, "A", "", "its start raised DIR/soft.py:4: ValueError: could not broadcast"),
     ],
 )
 def test_mistakes_are_said_in_one_line_with_their_place(tmp_path: Path, text: str, cls: str, options: str, line: str) -> None:
@@ -225,7 +234,7 @@ def test_needs_allowance_unless_the_command_line_names_it(tmp_path: Path) -> Non
 
 
 def test_reads_sensors_and_other_entities_and_commands_the_walk(tmp_path: Path) -> None:
-    text = '''
+    text = """
 class Chase:
     rate = 50.0
     reads = ("imu.gyroscope", "ball.position", "position")
@@ -237,7 +246,7 @@ class Chase:
         robot.commands["walk.velocity"] = (0.2, 0, 0)
         if time == 0.9:
             print(robot.signals["ball.position"][0, 0])
-'''
+"""
     scene = scene_of(tmp_path, text, "Chase", more="")
     scene.write_text(scene.read_text() + "[ball]\nposition = [1.5, 0.0]\n")
     loaded = ms.Scene(str(scene), libraries=True, set={"r0.level": "kinematic_walking"})
@@ -247,13 +256,13 @@ class Chase:
 
 
 def test_forces_of_its_own_in_the_phase_of_contacts(tmp_path: Path) -> None:
-    text = '''
+    text = """
 class Wind:
     phase, rate = "contact", 1000.0
     writes = ("applied_force",)
     def __call__(self, robot, time):
         robot.applied_force[0, 0] = (5.0, 0, 0)
-'''
+"""
     scene = ms.Scene(str(scene_of(tmp_path, text, "Wind")), libraries=True)
     scene.run(0.2)
     base = scene["r0"].objects.names[0]
@@ -291,7 +300,8 @@ def test_a_call_without_end_is_ended(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("threads", [1, 2])
 def test_ctrl_c_ends_a_call_without_end(tmp_path: Path, threads: int) -> None:
-    text = f"class A:\n    def __call__(self, robot, time):\n        open('{tmp_path}/in', 'w').close()\n        while True: pass\n"
+    text = f"class A:\n    def __call__(self, robot, time):\n        open('{tmp_path}/in', 'w').close()\n"
+    text += "        while True: pass\n"
     scene = scene_of(tmp_path, text, "A", robots=2)
     arguments = [program(), "run", str(scene), "--libraries", "--json", "-", "--threads", str(threads)]
     with subprocess.Popen(arguments, stdout=subprocess.PIPE, text=True) as running:
@@ -302,6 +312,22 @@ def test_ctrl_c_ends_a_call_without_end(tmp_path: Path, threads: int) -> None:
         output = running.communicate(timeout=5)[0]  # the limit of a call is 10 s
     assert running.returncode == 130
     assert json.loads(output)["stopped"]["by"] == "SIGINT"
+
+
+@pytest.mark.parametrize("threads", [1, 2])
+def test_ctrl_c_in_the_package_ends_a_call_without_end(tmp_path: Path, threads: int) -> None:
+    text = "class A:\n    def __call__(self, robot, time):\n        if robot.name == 'r1':\n"
+    text += f"            open('{tmp_path}/in', 'w').close()\n            while True: pass\n"
+    scene = scene_of(tmp_path, text, "A", robots=2)
+    script = f"import murosimf as ms\ns = ms.Scene('{scene}', libraries=True, threads={threads})\n"
+    script += "try:\n    s.run(1.0)\nexcept KeyboardInterrupt:\n    print('interrupted at', s.time)\n"
+    with subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True) as running:
+        deadline = time.monotonic() + 30
+        while not (tmp_path / "in").exists() and time.monotonic() < deadline:
+            time.sleep(0.01)
+        running.send_signal(signal.SIGINT)
+        output = running.communicate(timeout=5)[0]  # the limit of a call is 10 s
+    assert output.startswith("interrupted at 0.0")
 
 
 def test_ctrl_c_in_the_package_is_a_keyboard_interrupt(tmp_path: Path) -> None:
@@ -367,7 +393,8 @@ def test_a_changed_module_is_loaded_anew(tmp_path: Path) -> None:
 
 
 def test_arrays_outlive_their_scene(tmp_path: Path) -> None:
-    text = "KEPT = []\n" + WAVE.replace("        self.calls += 1", "        self.calls += 1\n        KEPT.append(robot.joint_target)")
+    counts = "        self.calls += 1\n"
+    text = "KEPT = []\n" + WAVE.replace(counts, counts + "        KEPT.append(robot.joint_target)\n")
     scene = ms.Scene(str(scene_of(tmp_path, text, "Wave")), libraries=True)
     scene.run(0.1)
     import soft  # type: ignore[import-not-found]

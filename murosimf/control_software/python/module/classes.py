@@ -1,7 +1,7 @@
 """Classes in Python that act in a simulation: what the module murosimf-python.so does in Python itself.
 
-The module compiles this text when the first class is loaded, and calls `load`, the methods of `Loaded`, and `explain`. Failures of the
-user are `Refusal`: one line that says where.
+The module compiles this text when the first class is loaded, and calls `load`, the methods of `Loaded`, and `explain`.
+Mistakes of the user are `Refusal`: one line that says where.
 """
 
 import difflib
@@ -247,11 +247,7 @@ def arguments_of(cls, options):
         if type(usual) is int and type(value) is float and value.is_integer():
             value = int(value)
         given[name] = np.array(value) if type(value) is tuple else value
-    missing = [
-        name
-        for name in known
-        if name not in given and parameters[name].default is inspect.Parameter.empty
-    ]
+    missing = [name for name in known if name not in given and parameters[name].default is inspect.Parameter.empty]
     if missing:
         raise Refusal(f"{place_of(cls)}: {cls.__name__} needs the option '{missing[0]}'")
     return given

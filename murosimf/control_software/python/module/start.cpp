@@ -1,12 +1,14 @@
 // The module murosimf-python.so: begins Python, or joins the interpreter of a Python program, and loads classes.
-#include "class.h"
+#include "murosimf/control_software/python/module/python_class.h"
 
 #include <dlfcn.h>
 
+#include <atomic>
 #include <clocale>
+#include <csignal>
 #include <string>
 
-#include "classes_text.h"
+#include <classes_text.h>
 
 namespace murosimf::control_software::python {
 namespace {
@@ -47,7 +49,7 @@ class Backend final : public PythonBackend {
   /// With the interpreter's lock. Throws Raised.
   Backend(const Object& module, bool own_interpreter, bool (*interrupted)())
       : classes_{module.attribute("load"), module.attribute("explain"), own_interpreter},
-        watch_(module.attribute("Late"), module.attribute("Interrupted"), interrupted) {}
+        watch_(module.attribute("Late"), module.attribute("Interrupted"), interrupted, !own_interpreter) {}
 
   [[nodiscard]] PythonObject* load(const PythonRequest& request, Duration limit,
                                    PythonOutcome& outcome) noexcept override {
@@ -112,10 +114,34 @@ Backend* make_backend(const PythonStart& start, bool own_interpreter, std::strin
   }
 }
 
+// ---- Ctrl-C in a Python program: its handler acts in the main thread alone ----
+
+std::atomic<bool> ctrl_c{false};
+void (*handler_of_python)(int) = nullptr;
+
+void on_ctrl_c(int signal) {
+  ctrl_c = true;
+  handler_of_python(signal);
+}
+
+bool ctrl_c_came() { return ctrl_c.exchange(false); }
+
+/// Calls in other threads are ended by the watch, for which the signal is noted before Python's own handler gets it.
+void note_ctrl_c() {
+  struct sigaction action {};
+  const bool handled = sigaction(SIGINT, nullptr, &action) == 0 && (action.sa_flags & SA_SIGINFO) == 0 &&
+                       action.sa_handler != SIG_DFL && action.sa_handler != SIG_IGN;
+  if (!handled) return;
+  handler_of_python = action.sa_handler;
+  action.sa_handler = on_ctrl_c;
+  sigaction(SIGINT, &action, nullptr);
+}
+
 PythonBackend* begin(const PythonStart& start, std::string& why) {
   if (Py_IsInitialized() != 0) {
     const Lock locked;
-    return make_backend(start, false, why);
+    note_ctrl_c();
+    return make_backend({.program = {}, .interrupted = ctrl_c_came}, false, why);
   }
   initialize(start.program);
   PythonBackend* const backend = make_backend(start, true, why);

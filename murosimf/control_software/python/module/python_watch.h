@@ -1,10 +1,10 @@
-/// watch.h - ends calls of classes that take too long, and those that run while the program is asked to end.
+/// python_watch.h - ends calls of classes that take too long, and those that run while the program is asked to end.
 ///
 /// A thread looks at the running calls fifty times a second, and has an exception raised in those that are to end: where they run Python's
 /// own code, not in the middle of code in C.
 #pragma once
 
-#include "object.h"
+#include "murosimf/control_software/python/module/python_object.h"
 
 #include <atomic>
 #include <cstdint>
@@ -17,7 +17,7 @@
 
 namespace murosimf::control_software::python {
 
-class Class;  // class.h
+class Class;  // python_class.h
 
 class Watch {
  public:
@@ -25,12 +25,14 @@ class Watch {
   struct Place {
     std::atomic<std::int64_t> due{0};  ///< [ns] 0: there is no call
     unsigned long thread = 0;          ///< as Python counts them
+    bool main = false;                 ///< the first thread of the process
     bool struck = false;               ///< an exception was raised in the present call
     const Class* running = nullptr;    ///< whose call it is
   };
 
-  /// `late` and `interrupted` are types of exceptions; `asked` says whether the program is asked to end, null: never.
-  Watch(Object late, Object interrupted, bool (*asked)());
+  /// `late` and `interrupted` are types of exceptions; `asked` says whether the program is asked to end, null: never. In the main thread of
+  /// a Python program (`spare_main`) its own handler of signals does that.
+  Watch(Object late, Object interrupted, bool (*asked)(), bool spare_main);
 
   /// Of this thread.
   [[nodiscard]] Place& place();
@@ -56,6 +58,7 @@ class Watch {
 
   Object late_, interrupted_;
   bool (*asked_)();
+  bool spare_main_;
   std::mutex places_lock_;
   std::vector<std::unique_ptr<Place>> places_;
 };

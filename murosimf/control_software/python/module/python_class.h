@@ -1,7 +1,7 @@
-/// class.h - an object of a class in Python, as the simulator calls it.
+/// python_class.h - an object of a class in Python, as the simulator calls it.
 #pragma once
 
-#include "watch.h"
+#include "murosimf/control_software/python/module/python_watch.h"
 
 #include <string>
 #include <vector>

@@ -1,4 +1,4 @@
-/// object.h - objects of Python's C interface that are released by themselves. All of it with the interpreter's lock.
+/// python_object.h - objects of Python's C interface that are released by themselves. All of it with the interpreter's lock.
 #pragma once
 
 #define Py_LIMITED_API 0x030A0000

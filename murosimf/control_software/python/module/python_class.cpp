@@ -1,4 +1,4 @@
-#include "class.h"
+#include "murosimf/control_software/python/module/python_class.h"
 
 #include <array>
 #include <variant>

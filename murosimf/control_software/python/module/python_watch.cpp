@@ -1,6 +1,7 @@
-#include "watch.h"
+#include "murosimf/control_software/python/module/python_watch.h"
 
 #include <pthread.h>
+#include <unistd.h>
 
 #include <chrono>
 
@@ -13,8 +14,8 @@ std::int64_t now() { return std::chrono::steady_clock::now().time_since_epoch().
 
 }  // namespace
 
-Watch::Watch(Object late, Object interrupted, bool (*asked)())
-    : late_(std::move(late)), interrupted_(std::move(interrupted)), asked_(asked) {}
+Watch::Watch(Object late, Object interrupted, bool (*asked)(), bool spare_main)
+    : late_(std::move(late)), interrupted_(std::move(interrupted)), asked_(asked), spare_main_(spare_main) {}
 
 Watch::Place& Watch::place() {
   thread_local Place* own = nullptr;
@@ -22,6 +23,7 @@ Watch::Place& Watch::place() {
   const std::lock_guard lock(places_lock_);
   own = places_.emplace_back(std::make_unique<Place>()).get();
   own->thread = PyThread_get_thread_ident();
+  own->main = ::gettid() == ::getpid();
   return *own;
 }
 
@@ -50,6 +52,7 @@ void Watch::watch() {
 
 void Watch::strike(Place& place, bool asked_to_end) {
   const Lock locked;
+  asked_to_end = asked_to_end && !(place.main && spare_main_);
   const std::int64_t end = place.due;  // it may have ended meanwhile
   if (end == 0 || !(asked_to_end || now() > end)) return;
   place.struck = true;
