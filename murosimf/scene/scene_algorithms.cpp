@@ -51,22 +51,26 @@ catalog::ControllerOptions controller_options(const SceneParts& parts, const sce
   return options;
 }
 
-std::string class_named_by(const scene_file::RobotSpec& robot) {
-  const auto given = robot.options.find("class");
-  return given == robot.options.end() ? std::string() : value_text(given->second);
+/// What of others a robot has loaded, a library or a class in Python; empty: nothing.
+std::string software_of(const scene_file::RobotSpec& robot) {
+  if (robot.controller != "python") return robot.library;
+  const auto named = robot.options.find("class");
+  return named == robot.options.end() ? std::string() : value_text(named->second);
 }
 
 /// Reading a file must not run code that it names, unless the command line or a program permits it. Requests over a network
 /// cannot permit it.
 void refuse_software_of_file(const SceneParts& parts, const scene_file::RobotSpec& robot) {
+  const std::string software = software_of(robot);
+  if (parts.libraries || software.empty()) return;
   const bool of_python = robot.controller == "python";
   const auto given = robot.given.find(of_python ? "options.class" : "library");
-  const bool by_command_line =
-      given != robot.given.end() && given->second.where.starts_with("--set") && !parts.files.only_from;
-  if (parts.libraries || given == robot.given.end() || by_command_line) return;
+  if (given == robot.given.end() && !of_python) return;  // a program has named it
+  const std::string where = given == robot.given.end() ? robot.where : given->second.where;
+  if (where.starts_with("--set") && !parts.files.only_from) return;
   throw SetupError(fmt::format(
       "{}: this file has control software loaded, '{}', which may do what it likes; if you trust it: --libraries",
-      given->second.where, of_python ? class_named_by(robot) : robot.library));
+      where, software));
 }
 
 }  // namespace
