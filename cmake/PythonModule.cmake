@@ -5,15 +5,15 @@ if(NOT Python_EXECUTABLE AND MUROSIMF_ORACLE_PYTHON)
 endif()
 find_package(Python 3.10 QUIET COMPONENTS Interpreter Development.Module)
 
-# The library of the Python that is found, for programs; a Python program brings its own.
+# The library of the Python that is found, for programs; a Python program brings its own. Without a folder the loader looks for it.
 set(python_library "")
 if(Python_Interpreter_FOUND)
-  execute_process(
-    COMMAND ${Python_EXECUTABLE} -c "import sysconfig as s, os; print(os.path.join(s.get_config_var('LIBDIR') or '', s.get_config_var('INSTSONAME') or ''))"
+  execute_process(COMMAND ${Python_EXECUTABLE} -c "
+import os, sysconfig
+name, folder, triple = (sysconfig.get_config_var(key) or '' for key in ('INSTSONAME', 'LIBDIR', 'MULTIARCH'))
+files = [os.path.join(folder, triple, name), os.path.join(folder, name)]
+print(next(filter(os.path.isfile, files), name) if '.so' in name else '')"
     OUTPUT_VARIABLE python_library OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
-  if(NOT python_library MATCHES "\\.so")
-    set(python_library "")  # Debian's program links none; the loader finds the one of its package
-  endif()
 endif()
 set_property(SOURCE control_software/python/python_interpreter.cpp APPEND PROPERTY COMPILE_DEFINITIONS
   MUROSIMF_PYTHON_BUILT="${CMAKE_BINARY_DIR}/murosimf-python.so"
