@@ -75,7 +75,7 @@ def main() -> None:
         folder = Path(name)
         (folder / "cycle.py").write_text(CLASSES)
         rows = "".join(f"{t},{v},{v}\n" for t, v in ((0, 0), (1, 0.1), (2, 0)))
-        (folder / "gait.csv").write_text("time,j_l_upper_arm,j_r_upper_arm\n" + rows)
+        (folder / "gait.csv").write_text("time [s],j_l_upper_arm [rad],j_r_upper_arm [rad]\n" + rows)
         kinds = {"built-in: trajectory": ("trajectory", 'file = "gait.csv", loop = true')}
         for cls in ("Nothing", "Wave", "Player", "Feedback"):
             kinds[f"class: {cls}"] = ("python", f'class = "cycle:{cls}"')

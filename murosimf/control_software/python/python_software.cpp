@@ -181,6 +181,7 @@ CallOutcome PythonSoftware::start() {
     if (!renewed) return renewed;
   }
   fresh_ = false;
+  begun_ = true;
   if (!traits.starts) return {};
   rows_.show();
   return taken_over(guarded("its start", [&](PythonObject& object) { return object.start(0, made_.limit_); }));
@@ -193,6 +194,8 @@ CallOutcome PythonSoftware::step(Duration now) noexcept {
 
 void PythonSoftware::state(StateArchive& archive) {
   if (!made_.traits().saves) return;
+  archive(begun_);
+  if (!begun_) return;  // its state is what `start` makes
   std::string bytes;
   CallOutcome outcome;
   if (!archive.loads()) {

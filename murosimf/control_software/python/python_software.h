@@ -69,7 +69,8 @@ class PythonSoftware final : public ControlSoftware {
   PythonClass made_;
   SayLine say_;
   PythonRows rows_;
-  bool fresh_ = true;         // it has not begun yet
+  bool fresh_ = true;         // the object is new
+  bool begun_ = false;        // it has state, of a run that has begun
   bool interrupted_ = false;  // the last call was ended because the program is to end
 };
 
