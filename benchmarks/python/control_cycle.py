@@ -41,6 +41,7 @@ class Player:
 class Feedback:
     """PD in Python, with a sensor and the truth."""
     reads = ("joint_position", "joint_velocity", "imu.gyroscope", "position")
+    writes = ("joint_target",)
     def __call__(self, robot, time):
         lean = robot.signals["imu.gyroscope"][1]
         robot.joint_target[:] = -0.1 * robot.joint_position - 0.01 * robot.joint_velocity
