@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._values import Assignments, assignments, timed_assignments, triple
+from ._values import Assignments, assignments, texts, timed_assignments, triple
 from .contacts import RayHit, contact_table, hit_of
 from .entity import Entity, _place
 from .errors import InputError
@@ -252,4 +252,5 @@ class Scene:
 
 def _options(seed: int | None, set: Assignments, events: Mapping[float, Assignments] | Iterable[str], pushes: Iterable[str],
              threads: int, libraries: bool, lenient: bool, cameras: bool) -> _core.Options:
-    return threads, seed, assignments(set), timed_assignments(events), list(pushes), libraries, lenient, cameras
+    return (threads, seed, assignments(set), timed_assignments(events), texts(pushes, "a push is 'OBJECT=FORCE@BEGIN..END'"), libraries,
+            lenient, cameras)
