@@ -20,6 +20,7 @@ from .errors import ArgumentError, Error, InputError, SetupError, SimulationErro
 from .experiment import Experiment
 from .joints import Joint, JointArray, Joints
 from .kinematics import Frames, Kinematics
+from .page import Page
 from .picture import Picture
 from .recording import Recorder, Recording, Series
 from .robot import Controller, Level, Robot
@@ -35,6 +36,6 @@ for _each in (Batch, Camera, Entity, Experiment, Kinematics, Object, Objects, Pi
     check_arguments(_each)
 
 __all__ = ["ArgumentError", "Batch", "Camera", "Controller", "Entity", "Error", "Experiment", "Frames", "InputError", "Joint", "JointArray",
-           "Joints", "Kinematics", "Level", "Object", "Objects", "Picture", "Pose", "RayHit", "Recorder", "Recording", "Robot",
+           "Joints", "Kinematics", "Level", "Object", "Objects", "Page", "Picture", "Pose", "RayHit", "Recorder", "Recording", "Robot",
            "Scene", "Sensor", "Series", "SetupError", "SimulationError", "StateError", "UnknownName", "Velocity", "check",
            "columns", "compare", "demo", "fit_servo", "replay_servo", "sweep", "write_parquet"]

@@ -22,8 +22,8 @@ def _directions(eye: Array, look_at: Array, field_of_view: float, width: int, he
     right = np.cross(ahead, (0, 0, 1))
     right /= np.linalg.norm(right)
     reach = np.tan(field_of_view / 2)
-    x = reach * ((np.arange(width) + 0.5) * 2 / width - 1)
-    y = reach * ((np.arange(height) + 0.5) * 2 - height) / width
+    x = reach * (np.linspace(1, 2 * width - 1, width) / width - 1)
+    y = reach * (np.linspace(1, 2 * height - 1, height) - height) / width
     rays: Array = ahead + x[None, :, None] * right + y[:, None, None] * np.cross(ahead, right)
     return rays
 
