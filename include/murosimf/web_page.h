@@ -26,7 +26,7 @@ struct WebPageOptions {
   double speed = 1;                     ///< simulated seconds per wall second, if the page plays
 };
 
-/// It begins paused; whoever looks may play, push and change. Looking changes no result. There is no way back in time by the page: it would go back
+/// It begins paused; its visitors may play, push and change. Looking changes no result. There is no way back in time by the page: it would go back
 /// without the program.
 class MUROSIMF_API WebPage {
  public:

@@ -29,7 +29,9 @@ class SharedSource final : public session::PlaybackSource {
   [[nodiscard]] Duration first() const override { return inside_->scene.simulation().now(); }
   [[nodiscard]] Duration last() const override { return first(); }
   [[nodiscard]] std::vector<session::BranchView> branches() const override {
-    return {{.begin = first(), .end = first()}};
+    session::BranchView all;
+    all.begin = all.end = first();
+    return {all};
   }
   [[nodiscard]] bool has_grown() override { return false; }
   [[nodiscard]] const std::vector<std::string>& known_properties() const override { return all_; }

@@ -35,7 +35,8 @@ for _each in (Batch, Camera, Entity, Experiment, Kinematics, Object, Objects, Pi
               Sensor, ByName):
     check_arguments(_each)
 
-__all__ = ["ArgumentError", "Batch", "Camera", "Controller", "Entity", "Error", "Experiment", "Frames", "InputError", "Joint", "JointArray",
-           "Joints", "Kinematics", "Level", "Object", "Objects", "Page", "Picture", "Pose", "RayHit", "Recorder", "Recording", "Robot",
-           "Scene", "Sensor", "Series", "SetupError", "SimulationError", "StateError", "UnknownName", "Velocity", "check",
-           "columns", "compare", "demo", "fit_servo", "replay_servo", "sweep", "write_parquet"]
+__all__ = ["ArgumentError", "Batch", "Camera", "Controller", "Entity", "Error", "Experiment", "Frames", "InputError", "Joint",
+           "JointArray", "Joints", "Kinematics", "Level", "Object", "Objects", "Page", "Picture", "Pose", "RayHit",
+           "Recorder", "Recording", "Robot", "Scene", "Sensor", "Series", "SetupError", "SimulationError", "StateError",
+           "UnknownName", "Velocity", "check", "columns", "compare", "demo", "fit_servo", "replay_servo", "sweep",
+           "write_parquet"]

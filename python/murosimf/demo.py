@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import subprocess
 from os import PathLike
 
 from ._arguments import checked
@@ -35,6 +34,8 @@ def demo(file: str | PathLike[str] | None = None, *, seconds: float = 10.0, web:
     if file is not None:
         _save_picture(file, seconds)
         return
+    import subprocess  # it takes milliseconds to import
+
     shown = ["run", "three_on_three", "--web", "8080"] if web else ["view", "three_on_three"]
     ended = subprocess.run([program(), *shown], check=False).returncode
     if ended == 2 and not web:

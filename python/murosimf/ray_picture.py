@@ -19,8 +19,7 @@ LIGHT = np.array([0.3, -0.5, 0.81])
 def _directions(eye: Array, look_at: Array, field_of_view: float, width: int, height: int) -> Array:
     """(height, width, 3), of any length"""
     ahead = (look_at - eye) / np.linalg.norm(look_at - eye)
-    right = np.cross(ahead, (0, 0, 1))
-    right /= np.linalg.norm(right)
+    right = np.array((ahead[1], -ahead[0], 0.0)) / np.hypot(ahead[0], ahead[1])
     reach = np.tan(field_of_view / 2)
     x = reach * (np.linspace(1, 2 * width - 1, width) / width - 1)
     y = reach * (np.linspace(1, 2 * height - 1, height) - height) / width

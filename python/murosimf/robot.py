@@ -151,7 +151,8 @@ class Robot(Entity):
             self._controllers.pop(self.name, None)
             return
         if not callable(controller):
-            raise ArgumentError(f"a controller is called as controller(robot, time); {type(controller).__name__} cannot be called")
+            kind = type(controller).__name__
+            raise ArgumentError(f"a controller is called as controller(robot, time); {kind} cannot be called")
 
         def step(time: float) -> None:
             controller(self, time)

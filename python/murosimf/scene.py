@@ -267,5 +267,5 @@ class Scene:
 
 def _options(seed: int | None, set: Assignments, events: Mapping[float, Assignments] | Iterable[str], pushes: Iterable[str],
              threads: int, libraries: bool, lenient: bool, cameras: bool) -> _core.Options:
-    return (threads, seed, assignments(set), timed_assignments(events), texts(pushes, "a push is 'OBJECT=FORCE@BEGIN..END'"), libraries,
-            lenient, cameras)
+    pushed = texts(pushes, "a push is 'OBJECT=FORCE@BEGIN..END'")
+    return threads, seed, assignments(set), timed_assignments(events), pushed, libraries, lenient, cameras

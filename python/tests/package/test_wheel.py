@@ -37,8 +37,8 @@ def test_the_source_archive_has_what_a_build_reads(root: Path, tmp_path: Path, m
     monkeypatch.chdir(root)
     with tarfile.open(tmp_path / build.build_sdist(str(tmp_path))) as archive:
         names = {name.partition("/")[2] for name in archive.getnames()}
-    wanted = {"CMakeLists.txt", "pyproject.toml", "cmake/PipPackages.cmake", "cmake/tomlplusplus.txt", "cmake/headers.txt", "python/murosimf/py.typed",
-              "python/bindings/module.map", "include/murosimf/control.h", "LICENSE"}
+    wanted = {"CMakeLists.txt", "pyproject.toml", "cmake/PipPackages.cmake", "cmake/tomlplusplus.txt", "cmake/headers.txt",
+              "python/murosimf/py.typed", "python/bindings/module.map", "include/murosimf/control.h", "LICENSE"}
     for folder in ("lenses", "models", "motions", "parts", "scenes", "servos", "murosimf", "apps"):
         wanted |= {str(file.relative_to(root)) for file in (root / folder).rglob("*.*") if file.is_file()}
     assert wanted <= names
