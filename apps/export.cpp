@@ -1,5 +1,6 @@
 // `murosimf export`: numbers of a recording as a table, a robot's motion, or a bag of ROS 2.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "apps/command_line.h"
 #include "apps/error_output.h"

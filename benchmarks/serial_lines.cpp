@@ -19,6 +19,7 @@
 #include <thread>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "murosimf/model/error.h"
 #include "murosimf/runtime/clock.h"

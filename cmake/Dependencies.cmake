@@ -7,7 +7,7 @@ find_package(tinyxml2 REQUIRED)
 find_package(Threads REQUIRED)
 # convex meshes are part of the physics: without it, results would be others
 find_package(Qhull REQUIRED)
-murosimf_find_headers(nlohmann_json nlohmann/json.hpp)
+murosimf_find_headers(nlohmann_json nlohmann_json)
 find_package(PkgConfig QUIET)
 if(NOT MUROSIMF_HEADLESS)
   find_package(tomlplusplus QUIET)

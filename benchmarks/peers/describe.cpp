@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "benchmarks/peers/description.h"
 #include "murosimf/dynamics/motion_properties.h"

@@ -153,6 +153,7 @@ class MUROSIMF_API Scene {
  private:
   friend class Recorder;
   friend class Session;
+  friend class WebPage;
   friend class Batch;
   explicit Scene(std::shared_ptr<api::SceneInside> inside);
   [[nodiscard]] api::SceneInside& inside() const;

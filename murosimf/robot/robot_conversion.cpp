@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "murosimf/component_files/sensor_sections.h"
 #include "murosimf/component_files/servo_sections.h"
@@ -185,6 +186,14 @@ std::string write_urdf(const robot_formats::RobotDescription& description, const
   return toml_beside_urdf(robot, description, result.own_table);
 }
 
+/// What has no effect here is not written either: one line.
+void name_unused(const fs::path& file, const std::vector<robot_formats::Unused>& unused, RobotConversion& result) {
+  if (unused.empty()) return;
+  std::vector<std::string> words;
+  for (const robot_formats::Unused& each : unused) words.push_back(each.word);
+  result.left_out.push_back(fmt::format("{}: without effect here: {}", file.string(), fmt::join(words, ", ")));
+}
+
 }  // namespace
 
 RobotConversion convert_robot(const fs::path& file, const ConversionOptions& options) {
@@ -206,6 +215,7 @@ RobotConversion convert_robot(const fs::path& file, const ConversionOptions& opt
   } else {
     extra = write_urdf(description, robot, options, result);
   }
+  name_unused(file, description.unused, result);
   if (result.own_table) name_table_files(file, robot, options.reader.lenient, result);
   result.toml = (result.own_table ? own : roles_toml(robot.description, robot.table)) + extra;
   result.toml +=

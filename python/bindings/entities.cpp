@@ -16,6 +16,7 @@ using Quadruple = std::array<double, 4>;
 /// (rows,), (rows, n) or (rows, n, m): sides of length 1 at the end are left out.
 Array<double> view(EntityRef& ref, const std::string& property) {
   const Use use(*ref.state);
+  if (!ref.handle.present()) throw Error("'" + ref.handle.name() + "' has left the scene: enter() brings it back");
   const PropertyView seen = ref.handle.view(property);
   const std::size_t shape[] = {seen.rows, seen.shape[0], seen.shape[1]};
   const std::int64_t strides[] = {seen.strides[0], seen.strides[1], seen.strides[2]};

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 #include <utility>
+
+#include "murosimf/error.h"
 
 namespace murosimf::python {
 
@@ -10,6 +13,11 @@ void JointArrays::Row::gather(std::span<const double> now) {
   values.resize(now.size());  // once: arrays show this memory
   std::ranges::copy(now, values.begin());
   known.assign(now.begin(), now.end());
+}
+
+void JointArrays::Row::blank(std::size_t size) {
+  values.assign(size, std::numeric_limits<double>::quiet_NaN());
+  known = values;
 }
 
 bool JointArrays::Row::was_written() const {
@@ -20,6 +28,10 @@ bool JointArrays::Row::was_written() const {
 JointArrays::JointArrays(Robot robot) : robot_(std::move(robot)) { gather(); }
 
 void JointArrays::gather() {
+  if (!robot_.present()) {
+    for (Row* row : {&position, &velocity, &torque, &target}) row->blank(robot_.joints().size());
+    return;
+  }
   position.gather(robot_.joint_position());
   velocity.gather(robot_.joint_velocity());
   torque.gather(robot_.joint_torque());
@@ -27,6 +39,8 @@ void JointArrays::gather() {
 }
 
 void JointArrays::put_written() {
+  const bool any = position.was_written() || velocity.was_written() || target.was_written();
+  if (any && !robot_.present()) throw Error("'" + robot_.name() + "' has left the scene: enter() brings it back");
   if (position.was_written()) robot_.set_joint_position(position.values);
   if (velocity.was_written()) robot_.set_joint_velocity(velocity.values);
   if (target.was_written()) robot_.set_joint_target(target.values);

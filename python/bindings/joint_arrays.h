@@ -15,9 +15,9 @@ class JointArrays {
  public:
   explicit JointArrays(Robot robot);
 
-  /// As the scene has them now.
+  /// As the scene has them now; NaN while the robot is not there.
   void gather();
-  /// Those that were written. Throws as Robot::set_joint_..., and then shows again what the scene has.
+  /// Those that were written. Throws as Robot::set_joint_..., and Error while the robot is not there, and then shows again what the scene has.
   void put();
 
   // For one call of a controller.
@@ -29,6 +29,7 @@ class JointArrays {
     std::vector<double> known;  ///< as gathered: others were written
 
     void gather(std::span<const double> now);
+    void blank(std::size_t size);
     [[nodiscard]] bool was_written() const;
   };
   Row position, velocity, torque, target;

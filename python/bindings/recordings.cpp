@@ -28,6 +28,7 @@ class RecorderRef {
 
   void finish() {
     const Use use(*state_);
+    const nb::gil_scoped_release unlocked;
     if (recorder_) recorder_->finish();
   }
 
@@ -57,7 +58,7 @@ nb::list series_of(const Recording& recording, const std::string& pattern) {
 void bind_recordings(nb::module_& module) {
   nb::class_<RecorderRef>(module, "Recorder")
       .def(nb::init<SceneRef&, const std::string&, double>(), nb::arg("scene"), nb::arg("file"), nb::arg("rate"))
-      .def("finish", &RecorderRef::finish, nb::call_guard<nb::gil_scoped_release>());
+      .def("finish", &RecorderRef::finish);
   nb::class_<Recording>(module, "Recording")
       .def(nb::init<const std::string&>(), nb::arg("file"), nb::call_guard<nb::gil_scoped_release>())
       .def("names", &Recording::names, nb::call_guard<nb::gil_scoped_release>())

@@ -110,7 +110,7 @@ void bind_robots(nb::module_& module) {
           "sensor",
           [](RobotRef& ref, const std::string& name) {
             const Look look(*ref.state);
-            return SensorRef{ref.state, ref.robot.sensor(name)};
+            return SensorRef{ref.state, ref.robot.sensor(name), ref.robot.name()};
           },
           nb::arg("name"))
       .def("cameras",

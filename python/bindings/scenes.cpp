@@ -28,18 +28,30 @@ nb::bytes save(SceneRef& ref) {
 }
 
 void load(SceneRef& ref, const nb::bytes& state) {
-  const Use use(*ref.state);
+  const Use use(*ref.state, WebPage::Use::jump);
   ref.state->scene.load({static_cast<const std::byte*>(state.data()), state.size()});
 }
 
 void reset(SceneRef& ref, std::optional<std::uint64_t> seed) {
-  const Use use(*ref.state);
+  const Use use(*ref.state, WebPage::Use::jump);
   seed ? ref.state->scene.reset(*seed) : ref.state->scene.reset();
 }
 
 SceneRef copy(SceneRef& ref) {
   const Use use(*ref.state);
   return {ref.state->scene.copy(), ref.state->threads};
+}
+
+/// The address of the page.
+std::string show(SceneRef& ref, const std::string& address, std::optional<double> pace) {
+  ref.state->close_page();
+  const Use use(*ref.state);
+  ref.state->threads = true;
+  auto page = std::make_unique<WebPage>(ref.state->scene, WebPageOptions{address, pace.value_or(1)});
+  std::string shown = page->address();
+  ref.state->pace = pace;
+  ref.state->page = std::move(page);
+  return shown;
 }
 
 RobotRef add_robot(SceneRef& ref, NewRobot robot, const Triple& position) {
@@ -132,6 +144,8 @@ void bind_scenes(nb::module_& module) {
            })
       .def("step", &SceneRef::step, nb::arg("steps"))
       .def("run", &SceneRef::run, nb::arg("seconds"))
+      .def("show", &show, nb::arg("address"), nb::arg("pace").none())
+      .def("hide", [](SceneRef& ref) { ref.state->close_page(); })
       .def("reset", &reset, nb::arg("seed").none())
       .def("save", &save)
       .def("load", &load, nb::arg("state"))

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "murosimf/sensors.h"
 #include "scene_state.h"
@@ -11,6 +12,7 @@ namespace murosimf::python {
 struct SensorRef {
   std::shared_ptr<SceneState> state;
   Sensor sensor;
+  std::string robot;
 };
 
 struct CameraRef {

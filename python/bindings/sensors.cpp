@@ -6,6 +6,7 @@
 
 #include "arrays.h"
 #include "module.h"
+#include "murosimf/error.h"
 #include "pictures.h"
 #include "sensor_refs.h"
 
@@ -28,6 +29,23 @@ Array<const double> values_of(SensorRef& ref) {
   const Look look(*ref.state);
   const std::span<const double> values = ref.sensor.values();
   return shown<const double>(values.data(), {values.size()}, ref.state);
+}
+
+void keep(SensorRef& ref, std::size_t most) {
+  const Use use(*ref.state);
+  ref.state->histories.insert_or_assign({ref.robot, ref.sensor.name()}, SensorHistory(ref.sensor, most));
+}
+
+/// (n, 1 + values), time first. Throws Error: none is kept.
+Array<double> history(SensorRef& ref) {
+  const Use use(*ref.state);
+  const auto found = ref.state->histories.find({ref.robot, ref.sensor.name()});
+  if (found == ref.state->histories.end()) {
+    throw Error("samples of sensor '" + ref.sensor.name() + "' are not kept: keep(1000) begins");
+  }
+  found->second.look();
+  const std::size_t rows = found->second.size();
+  return array_of(found->second.numbers(), {rows, 1 + ref.sensor.values().size()});
 }
 
 nb::tuple picture_of(CameraRef& ref) {
@@ -57,7 +75,9 @@ void bind_sensors(nb::module_& module) {
              const Look look(*ref.state);
              return ref.sensor.samples();
            })
-      .def("values", &values_of);
+      .def("values", &values_of)
+      .def("keep", &keep, nb::arg("samples"))
+      .def("history", &history);
   nb::class_<CameraRef>(module, "Camera")
       .def_prop_ro("name", [](const CameraRef& ref) { return ref.camera.name(); })
       .def_prop_ro("period", [](const CameraRef& ref) { return ref.camera.period(); })

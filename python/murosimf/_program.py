@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
-import json
 import os
-import shutil
-import subprocess
 import sys
-import sysconfig
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -22,6 +18,8 @@ def program() -> str:
     for file in (package / "bin" / "murosimf", package.parent.parent / "murosimf"):
         if file.is_file() and os.access(file, os.X_OK):
             return str(file)
+    import shutil  # these take milliseconds to import
+
     found = shutil.which("murosimf")
     if not found:
         raise StateError("the program murosimf is not here: it belongs in the folder bin of the package, or on the PATH")
@@ -30,6 +28,8 @@ def program() -> str:
 
 def environment() -> dict[str, str]:
     """Of the program: classes in Python take this Python there, too, if it has a shared library (docs/python.md)."""
+    import sysconfig
+
     library = Path(sysconfig.get_config_var("LIBDIR") or "", sysconfig.get_config_var("INSTSONAME") or "")
     if ".so" not in library.name or not library.is_file():
         return dict(os.environ)
@@ -38,6 +38,8 @@ def environment() -> dict[str, str]:
 
 def output_of(arguments: Sequence[str]) -> str:
     """What the program prints. Raises InputError with its line for exit code 2, SimulationError for others but 0 and 1."""
+    import subprocess
+
     done = subprocess.run([program(), *arguments], capture_output=True, text=True, check=False, env=environment())
     if done.returncode not in (0, 1):
         line = done.stderr.strip().removeprefix("murosimf: ") or f"murosimf ended with {done.returncode}"
@@ -47,6 +49,8 @@ def output_of(arguments: Sequence[str]) -> str:
 
 def json_of(arguments: Sequence[str]) -> Any:
     """What the program writes with `--json -`. Raises as output_of, and SimulationError where that is nothing."""
+    import json
+
     text = output_of([*arguments, "--json", "-"])
     if not text.strip():
         raise SimulationError(f"murosimf {arguments[0]} wrote no result")

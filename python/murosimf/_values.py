@@ -19,7 +19,10 @@ Assignments: TypeAlias = Mapping[str, Any] | Iterable[str]
 
 def numbers(values: ArrayLike) -> Array:
     """As one array of double precision, one after the other."""
-    return np.ascontiguousarray(values, dtype=np.float64)
+    try:
+        return np.ascontiguousarray(values, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise InputError(f"numbers are needed, not {str(values)[:60]!r}") from None
 
 
 def triple(values: ArrayLike, what: str) -> Triple:
@@ -51,21 +54,28 @@ def value_text(value: Any) -> str:
     return repr(value)
 
 
-def assignments(given: Assignments) -> list[str]:
+def texts(given: str | Iterable[str], what: str) -> list[str]:
+    """One, or several."""
     if isinstance(given, str):
         return [given]
+    several = list(given) if isinstance(given, Iterable) else [given]
+    for each in several:
+        if not isinstance(each, str):
+            raise InputError(f"{what}, not {each!r}")
+    return several
+
+
+def assignments(given: Assignments) -> list[str]:
     if isinstance(given, Mapping):
         return [f"{path}={value_text(value)}" for path, value in given.items()]
-    return list(given)
+    return texts(given, "a setting is 'PATH=VALUE' or {'PATH': value}")
 
 
 def timed_assignments(given: Mapping[float, Assignments] | Iterable[str]) -> list[str]:
     """TIME:PATH=VALUE of texts, or of {time: assignments}."""
-    if isinstance(given, str):
-        return [given]
     if isinstance(given, Mapping):
         return [f"{float(time)!r}:{each}" for time, several in given.items() for each in assignments(several)]
-    return list(given)
+    return texts(given, "an event is 'TIME:PATH=VALUE' or {time: {'PATH': value}}")
 
 
 def nearest(name: str, known: list[str], what: str) -> UnknownName:

@@ -3,25 +3,41 @@
 from __future__ import annotations
 
 import os
-import subprocess
 from os import PathLike
 
+from ._arguments import checked
 from ._program import program
 from .errors import InputError
+from .picture import Picture
+from .ray_picture import ray_picture
 from .scene import Scene
 
 
+def _picture(scene: Scene) -> Picture:
+    try:
+        return scene.picture(eye=(0, -6, 3.5), width=960, height=540)
+    except InputError:  # nothing here can draw
+        return ray_picture(scene._core, (0, -6, 3.5), (0, 0, 0.3), 1.0, 480, 270)
+
+
+def _save_picture(file: str | PathLike[str], seconds: float) -> None:
+    scene = Scene("three_on_three")
+    scene.run(seconds)
+    _picture(scene).save(file)
+    print(f"wrote {os.fspath(file)}: the game after {scene.time:g} s")
+
+
+@checked
 def demo(file: str | PathLike[str] | None = None, *, seconds: float = 10.0, web: bool = False) -> None:
-    """The game of three against three: in a window; with `web` in browsers (prints the address); with `file` as a picture (PNG)
-    after so many simulated seconds."""
+    """The game of three against three: in a window; with `web` in browsers (prints the address); with `file`, and where there is
+    no window, as a picture (PNG) after so many simulated seconds."""
     if file is not None:
-        scene = Scene("three_on_three")
-        scene.run(seconds)
-        scene.picture(eye=(0, -6, 3.5), width=960, height=540).save(file)
-        print(f"wrote {os.fspath(file)}: the game after {scene.time:g} s")
+        _save_picture(file, seconds)
         return
+    import subprocess  # it takes milliseconds to import
+
     shown = ["run", "three_on_three", "--web", "8080"] if web else ["view", "three_on_three"]
     ended = subprocess.run([program(), *shown], check=False).returncode
     if ended == 2 and not web:
-        raise InputError("there is no window here; python -m murosimf demo --web shows the game in a browser, "
-                         "python -m murosimf demo FILE.png makes a picture")
+        print("there is no window here: a picture instead; python -m murosimf demo --web shows the game in a browser")
+        _save_picture("murosimf_demo.png", seconds)

@@ -16,6 +16,10 @@ class UnknownName(InputError, KeyError):  # noqa: N818
         return Exception.__str__(self)  # KeyError puts quotes around it
 
 
+class ArgumentError(InputError, TypeError):
+    """An argument of another kind than the function takes: "Scene.step: steps takes a whole number, not 1.5"."""
+
+
 class StateError(Error, RuntimeError):
     """A call that cannot be made now: in another thread, in a controller, after a fork."""
 

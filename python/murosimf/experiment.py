@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Iterable, Mapping, Sequence
 from os import PathLike
@@ -24,6 +23,8 @@ class Experiment:
         """Raises InputError: there is no such file, it is no manifest, or it was changed since it was written."""
         self.manifest = Path(manifest).absolute()
         json_of(["sweep", str(self.manifest), "--merge"])  # which checks it
+        import json  # it takes milliseconds to import
+
         #: {"seed": 3, "set": ["walker.command.0=0.1"]} of each run
         self.runs: list[dict[str, Any]] = json.loads(self.manifest.read_text())["runs"]
 

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from ._core import Robot as CoreRobot
 from .entity import Entity, _place
+from .errors import ArgumentError
 from .joints import JointArray, Joints, joint_array
 from .kinematics import Kinematics
 from .sensors import ByName, Camera, Sensor
@@ -150,7 +151,8 @@ class Robot(Entity):
             self._controllers.pop(self.name, None)
             return
         if not callable(controller):
-            raise TypeError(f"a controller is called as controller(robot, time); {type(controller).__name__} cannot be called")
+            kind = type(controller).__name__
+            raise ArgumentError(f"a controller is called as controller(robot, time); {kind} cannot be called")
 
         def step(time: float) -> None:
             controller(self, time)

@@ -12,10 +12,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._values import Assignments, assignments, timed_assignments, triple
+from ._values import Assignments, assignments, texts, timed_assignments, triple
 from .contacts import RayHit, contact_table, hit_of
 from .entity import Entity, _place
 from .errors import InputError
+from .page import Page
 from .picture import Picture
 from .recording import Recorder
 from .robot import Level, Robot
@@ -227,6 +228,20 @@ class Scene:
         where this machine or build cannot draw."""
         return Picture(*self._core.picture(triple(eye, "an eye"), triple(look_at, "look_at"), field_of_view, width, height))
 
+    def show(self, *, web: bool = False, speed: float | None = 1.0, port: int = 0) -> Page:
+        """Shows this scene, as it goes on, in a browser that this opens; with `web`, gives the link alone. Who looks may play,
+        push and change it while no call of the script steps it. `speed` [1]: how many times real time `step` and `run` are at
+        most from now on; None: as fast as they can. `port`: 0 takes one that is free. Raises InputError: this build has no
+        server, the port is in use."""
+        if speed is not None and not 0 < speed <= 1e6:
+            raise InputError(f"speed = {speed:g}: above 0, up to 1e6, or None")
+        page = Page(self._core, self._core.show(f"127.0.0.1:{port}", speed))
+        if not web:
+            import webbrowser  # it takes milliseconds to import
+
+            webbrowser.open(page.address)
+        return page
+
     def record(self, file: str | PathLike[str], rate: float = 100.0) -> Recorder:
         """`with scene.record("run.mcap"): scene.run(10)`; `rate` [Hz] of poses, joints and contacts."""
         return Recorder(self, file, rate)
@@ -252,4 +267,5 @@ class Scene:
 
 def _options(seed: int | None, set: Assignments, events: Mapping[float, Assignments] | Iterable[str], pushes: Iterable[str],
              threads: int, libraries: bool, lenient: bool, cameras: bool) -> _core.Options:
-    return threads, seed, assignments(set), timed_assignments(events), list(pushes), libraries, lenient, cameras
+    pushed = texts(pushes, "a push is 'OBJECT=FORCE@BEGIN..END'")
+    return threads, seed, assignments(set), timed_assignments(events), pushed, libraries, lenient, cameras

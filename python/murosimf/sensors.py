@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from typing import TypeVar
+from typing import Any, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
 
 from ._core import Camera as CoreCamera
 from ._core import Sensor as CoreSensor
 from ._values import Array, nearest
+from .errors import InputError
 from .picture import Picture
 
 Handle = TypeVar("Handle")
@@ -76,6 +80,25 @@ class Sensor(_Device):
     def read(self) -> dict[str, Array]:
         """A copy of the last sample: numbers by output."""
         return {name: self[name].copy() for name in self._outputs}
+
+    def keep(self, samples: int = 1000) -> None:
+        """Keeps so many of the samples that arrive from now on, in calls of `step` and `run`, for `history`; one a step at
+        most."""
+        if samples < 1:
+            raise InputError(f"{samples} samples: at least 1")
+        self._core.keep(samples)
+
+    @property
+    def history(self) -> NDArray[np.void]:
+        """(n,) records of the samples that keep() has kept, a copy: `time` [s], and the numbers of each output. A reset, or a
+        state from before, begins anew. Raises StateError if none are kept."""
+        numbers = self._core.history()
+        fields: list[Any] = [(name, np.float64, (size,)) for name, (_, size) in self._outputs.items()]
+        records = np.empty(len(numbers), dtype=[("time", np.float64), *fields])
+        records["time"] = numbers[:, 0]
+        for name, (begin, size) in self._outputs.items():
+            records[name] = numbers[:, 1 + begin : 1 + begin + size]
+        return records
 
     def __repr__(self) -> str:
         outputs = ", ".join(f"{name} ({size}) [{self.units[name]}]" for name, (_, size) in self._outputs.items())

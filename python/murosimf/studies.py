@@ -9,10 +9,12 @@ from collections.abc import Iterable, Mapping, Sequence
 from os import PathLike
 from typing import Any
 
+from ._arguments import checked
 from ._program import json_of
 from ._values import Assignments, assignments, value_text
 
 
+@checked
 def compare(scene: str | PathLike[str], robot: str, *, levels: Iterable[str] = (), duration: float | None = None,
             seed: int | None = None, set: Assignments = (), repeat: int = 3) -> dict[str, Any]:
     """Runs a scene with the robot at each of the levels (all, if none is given), and says how far they are off the finest and
@@ -28,6 +30,7 @@ def compare(scene: str | PathLike[str], robot: str, *, levels: Iterable[str] = (
     return result
 
 
+@checked
 def sweep(scene: str | PathLike[str], *, results: Iterable[str], seeds: str | Iterable[int] = "",
           grid: Mapping[str, Sequence[Any]] | None = None, duration: float | None = None, set: Assignments = (),
           threads: int | None = None, runs: str | PathLike[str] | None = None) -> dict[str, Any]:
@@ -59,12 +62,14 @@ def sweep_arguments(scene: str | PathLike[str], *, results: Iterable[str], seeds
     return arguments
 
 
+@checked
 def check(model: str | PathLike[str], *, lenient: bool = False) -> dict[str, Any]:
     """Reads a robot file and gives what is in it, and what is wrong with it ("findings"). As `murosimf check`."""
     result: dict[str, Any] = json_of(["check", os.fspath(model), *(["--lenient"] if lenient else [])])
     return result
 
 
+@checked
 def fit_servo(logs: Iterable[str | PathLike[str]], out: str | PathLike[str], *, model: str = "m4", servo: str | None = None,
               prior: str | PathLike[str] | None = None, starts: int = 4, windows: float | None = None,
               seed: int = 1) -> dict[str, Any]:
@@ -80,6 +85,7 @@ def fit_servo(logs: Iterable[str | PathLike[str]], out: str | PathLike[str], *, 
     return result
 
 
+@checked
 def replay_servo(logs: Iterable[str | PathLike[str]], servo: str | PathLike[str]) -> dict[str, Any]:
     """How far a servo, a type or a file, is off on recordings ("mean_error_rad"). As `murosimf replay-servo`."""
     result: dict[str, Any] = json_of(["replay-servo", *(os.fspath(log) for log in logs), "--servo", os.fspath(servo)])

@@ -84,6 +84,18 @@ TEST_F(GrowingFiles, GrowBesideAnOlderOne) {
   EXPECT_EQ(files(), 1);
 }
 
+TEST_F(GrowingFiles, AreReleasedWhenTheyAreComplete) {
+  GrowingFile growing(file());
+  growing.append("first");
+  growing.finish();
+  growing.finish();  // once more changes nothing
+  GrowingFile another(file());
+  another.append("second");
+  another.finish();
+  EXPECT_EQ(text("game.mcap"), "second");
+  EXPECT_EQ(files(), 1);
+}
+
 TEST_F(GrowingFiles, WithoutEndStayWhereTheyAre) {
   std::ofstream(file()) << "old";
   {

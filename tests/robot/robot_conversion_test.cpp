@@ -64,6 +64,16 @@ TEST_P(OwnModel, ComesBackAsItWasWithoutItsTable) {
   expect_same(*converted(file, {}, false).model, *read_robot(file).model);
 }
 
+// Contact parameters of MuJoCo have no effect here, so they are not written: one line names them.
+TEST(Conversion, NamesWhatHasNoEffectHere) {
+  const fs::path file = write("soft.xml",
+                              "<mujoco><default><geom solref='0.01 1'/></default><worldbody><body><freejoint/>"
+                              "<geom size='0.1' solimp='0.9 0.95 0.001'/></body></worldbody></mujoco>");
+  const RobotConversion robot = convert_robot(file, {.folder = test_folder() / "out"});
+  ASSERT_EQ(robot.left_out.size(), 1u);
+  EXPECT_TRUE(fixtures::says(robot.left_out[0], {"soft.xml", "without effect here", "geom.solref", "geom.solimp"}));
+}
+
 // A program that reads the MJCF file alone has the gains that the robot is simulated with.
 TEST(Conversion, WritesTheGainsOfTheTable) {
   const std::string body =

@@ -144,7 +144,7 @@ void GrowingFile::append(std::string_view bytes) {
 }
 
 void GrowingFile::write(std::string_view bytes) {
-  MUROSIMF_ASSERT(descriptor_ >= 0);
+  MUROSIMF_ASSERT(descriptor_ >= 0 && !complete_);
   for (std::string_view left = bytes; !left.empty();) {
     const ssize_t count = ::write(descriptor_, left.data(), left.size());
     if (count < 0 && errno == EINTR) continue;
@@ -162,14 +162,20 @@ void GrowingFile::write(std::string_view bytes) {
 }
 
 void GrowingFile::sync() {
-  if (begun_ && ::fdatasync(descriptor_) != 0 && errno != EINVAL) refuse(errno);  // EINVAL: a device without a buffer
+  if (begun_ && !complete_ && ::fdatasync(descriptor_) != 0 && errno != EINVAL) refuse(errno);  // EINVAL: a device without a buffer
+}
+
+void GrowingFile::finish() {
+  if (complete_) return;
+  begin();
+  sync();
+  if (at_ == part_ && !part_.empty()) replace_older();
+  complete_ = true;
+  if (size_ > 0) ::close(std::exchange(descriptor_, -1));  // an empty one is removed with its writer
 }
 
 /// The place is checked again: another program may have begun to write it meanwhile.
-void GrowingFile::finish() {
-  begin();
-  sync();
-  if (at_ != part_ || part_.empty()) return;
+void GrowingFile::replace_older() {
   files::check_not_input(place_.path());
   if (const std::string holder = files::who_writes(place_.path()); !holder.empty()) {
     refuse(fmt::format("it is being written by {}; this one is in '{}'", holder, part_.string()));

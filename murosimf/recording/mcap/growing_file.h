@@ -32,7 +32,7 @@ class GrowingFile {
   void append(std::string_view bytes);
   /// Returns when the disk has all of it. Throws SetupError likewise.
   void sync();
-  /// Completes the file: begins, if it has not, and replaces the file of its name. Throws SetupError likewise.
+  /// Completes the file: begins, if it has not, replaces the file of its name, and releases the lock. Throws SetupError likewise.
   void finish();
 
   [[nodiscard]] std::uint64_t size() const { return size_; }                   ///< [byte]
@@ -46,6 +46,7 @@ class GrowingFile {
   void open_part();
   void put_aside();
   void take_name();
+  void replace_older();
   void write(std::string_view bytes);
   [[noreturn]] void refuse(int error) const;
   [[noreturn]] void refuse(const std::string& reason) const;
@@ -54,7 +55,7 @@ class GrowingFile {
   files::OutputPlace place_;
   std::filesystem::path part_, at_, aside_;
   int descriptor_ = -1;
-  bool begun_ = false, failed_ = false;
+  bool begun_ = false, failed_ = false, complete_ = false;
   std::string pending_;
   std::optional<files::CleanupGuard> empty_part_;
   std::uint64_t size_ = 0;

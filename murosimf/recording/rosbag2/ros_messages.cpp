@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "murosimf/math/transform.h"
 #include "murosimf/recording/foxglove_messages.h"

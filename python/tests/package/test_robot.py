@@ -203,3 +203,49 @@ def test_pictures(scene: ms.Scene, tmp_path) -> None:  # type: ignore[no-untyped
     assert (np.asarray(image.open(tmp_path / "a.png")) == picture.rgb).all()
     assert picture.depth is not None
     assert picture.depth.shape == (120, 160)
+
+
+def test_samples_of_sensors_are_kept(scene: ms.Scene) -> None:
+    imu = scene.robot.sensors["imu"]
+    with pytest.raises(ms.StateError, match="samples of sensor 'imu' are not kept"):
+        assert imu.history is None
+    imu.keep(10)
+    assert len(imu.history) == 0
+    scene.run(0.02)
+    first = imu.samples
+    assert first > 0
+    history = scene.robot.sensors["imu"].history  # of the scene, not of the object that was asked
+    assert len(history) == first
+    assert history["time"][-1] == imu.time
+    assert (history["gyroscope"][-1] == imu["gyroscope"]).all()
+    assert (np.diff(history["time"]) > 0).all()
+    scene.run(0.1)
+    assert len(imu.history) == 10
+    state = scene.save()
+    scene.reset()
+    scene.step(3)
+    assert len(imu.history) == imu.samples
+    scene.load(state)
+    scene.step()
+    assert imu.history["time"][-1] == imu.time
+
+
+def test_arrays_of_robots_that_have_left_show_nothing(scene: ms.Scene) -> None:
+    robot = scene.robot
+    q, place = robot.joint_position, robot.position.copy()
+    begin = q.copy()
+    scene.step()
+    scene.leave("robot")
+    assert np.isnan(q).all() and np.isnan(robot.joint_target).all()
+    with pytest.raises(ms.StateError, match="^'robot' has left the scene: enter\\(\\) brings it back$"):
+        assert robot.position is None
+    robot.joint_target[:] = 0
+    with pytest.raises(ms.StateError, match="^'robot' has left the scene"):
+        scene.step()
+    assert np.isnan(robot.joint_target).all()
+    scene.run(0.1)
+    scene.enter("robot")
+    assert (q == begin).all()
+    assert np.abs(robot.position - place).max() < 1e-9
+    robot.joint_target[:] = begin
+    scene.step()
