@@ -6,6 +6,7 @@
 #include "apps/interruption.h"
 #include "apps/option_values.h"
 #include "apps/roboviz_arguments.h"
+#include "apps/ros2_arguments.h"
 #include "apps/run_advance.h"
 #include "apps/run_options.h"
 #include "apps/run_outputs.h"
@@ -41,12 +42,13 @@ int run_scene(const RunOptions& options, Steering& steering) {
   const std::unique_ptr<league::League> game = game_of(scene, options.game);
   const std::unique_ptr<drawing::RobovizServer> roboviz = roboviz_server(options.roboviz);
   outputs.attach(scene, scene_options, game.get(), roboviz.get());
+  const std::unique_ptr<Ros2> ros2 = join_ros2(scene, options.ros2);
   scene.simulation().initialize();
   outputs.scene_is_read();
   if (!options.from.empty()) go_on_from(scene, options.from);
   outputs.begin();
 
-  RunAdvance advance(scene, options, outputs, game.get(), roboviz.get(), end);
+  RunAdvance advance(scene, options, outputs, {game.get(), roboviz.get(), ros2.get()}, end);
   advance.run(steering);
   if (steering.goes_on()) return 0;
   scene::RunReport report = make_report(scene, advance.wall(), advance.lateness());

@@ -13,12 +13,11 @@
 
 namespace murosimf::app {
 
-RunAdvance::RunAdvance(scene::Scene& scene, const RunOptions& options, RunOutputs& outputs, const league::League* game,
-                       const drawing::DebugDrawSource* others, Duration end)
+RunAdvance::RunAdvance(scene::Scene& scene, const RunOptions& options, RunOutputs& outputs, const Others& others,
+                       Duration end)
     : scene_(scene),
       options_(options),
       outputs_(outputs),
-      game_(game),
       others_(others),
       start_(scene.simulation().now()),
       end_(end) {}
@@ -73,6 +72,7 @@ void RunAdvance::run_steered(Steering& steering) {
   const auto tell = [&](const Overrun& overrun) { warn(overrun.simulated, scene::to_text(overrun.lateness)); };
   session::Session session(scene_, {.speed = speed_of(options_),
                                     .paused = options_.supervision.paused,
+                                    .stays = stays_at_end(options_),
                                     .publish_overruns = tell,
                                     .record = outputs_.record_switch(),
                                     .no_way_back = no_way_back(options_)});
@@ -81,7 +81,9 @@ void RunAdvance::run_steered(Steering& steering) {
     Steering& steering;
     ~AtEnd() { steering.leave(); }
   } at_end{steering};
-  const auto view = web_view_of(scene_, session, options_.web, {game_ ? game_->game() : nullptr, others_});
+  const league::League* const game = others_.game;
+  const auto view = web_view_of(scene_, session, options_.web, {game ? game->game() : nullptr, others_.drawing});
+  const auto services = services_of(session, others_.ros2, steering);
   const auto start = WallClock::now();
   session.run(end_, [&](Duration now) { show(now); });
   wall_ = WallClock::now() - start;

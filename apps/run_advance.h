@@ -15,9 +15,13 @@ namespace murosimf::app {
 
 class RunAdvance {
  public:
-  /// `game`: null without a referee; `others`: null if no other program draws.
-  RunAdvance(scene::Scene& scene, const RunOptions& options, RunOutputs& outputs, const league::League* game,
-             const drawing::DebugDrawSource* others, Duration end);
+  /// What takes part besides; null: it does not.
+  struct Others {
+    const league::League* game = nullptr;               ///< a referee
+    const drawing::DebugDrawSource* drawing = nullptr;  ///< other programs that draw
+    Ros2* ros2 = nullptr;
+  };
+  RunAdvance(scene::Scene& scene, const RunOptions& options, RunOutputs& outputs, const Others& others, Duration end);
 
   /// Until the end, a signal, or a supervisor. Control software that crashes ends it, too.
   void run(Steering& steering);
@@ -42,8 +46,7 @@ class RunAdvance {
   scene::Scene& scene_;
   const RunOptions& options_;
   RunOutputs& outputs_;
-  const league::League* game_;
-  const drawing::DebugDrawSource* others_;
+  Others others_;
   Duration start_, end_;
   WallClock::time_point wall_start_ = WallClock::now();
   Progress line_;

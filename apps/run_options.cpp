@@ -1,7 +1,6 @@
 #include "apps/run_options.h"
 
 #include <algorithm>
-#include <charconv>
 #include <map>
 #include <memory>
 
@@ -19,15 +18,6 @@
 
 namespace murosimf::app {
 namespace {
-
-/// Of --booster. Throws SetupError.
-int read_domain(const std::string& text) {
-  constexpr int highest = dds::Participant::highest_domain;
-  int domain = -1;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), domain);
-  if (error == std::errc() && end == text.data() + text.size() && domain >= 0 && domain <= highest) return domain;
-  throw SetupError(fmt::format("--booster: a DDS domain is a number from 0 to {}, not '{}'", highest, text));
-}
 
 std::shared_ptr<control_software::TcpServer> server_at(const std::string& where) {
   if (where.empty()) return nullptr;
@@ -48,8 +38,9 @@ std::shared_ptr<control_software::TcpServer> server_at(const std::string& where)
 void define_run(const Command& command, RunOptions& options) {
   add_scene(command, options.scene);
   command.add("--duration", options.duration, "Simulated seconds, instead of the scene's");
-  command.add("--speed", options.speed,
-              "'max', as it is without this, or simulated seconds per second: 1 is real time, as it is with --web");
+  command.add(
+      "--speed", options.speed,
+      "'max', as it is without this, or simulated seconds per second: 1 is real time, as it is with --web and --ros2");
   command.add("--json", options.json, "Write the report as JSON to this file, or to standard output with '-'");
   command.add("--picture", options.picture, "Write a PNG picture of the field from above");
   add_web(command, options.web);
@@ -82,22 +73,24 @@ void define_run(const Command& command, RunOptions& options) {
            "Let programs with the SDK of Booster, on this computer alone, control robots with controller = "
            "\"booster\"; a value: DOMAIN of DDS")
       .value_if_alone("0");
+  add_ros2(command, options.ros2);
   add_no_cameras(command, options.no_cameras);
 }
 
 void check(const RunOptions& options) {
-  if (!options.booster.empty()) (void)read_domain(options.booster);
+  if (!options.booster.empty()) (void)read_domain("--booster", options.booster);
   (void)speed_of(options);
   if (options.duration) (void)read_duration(*options.duration);
   check(options.record, !options.supervision.where.empty());
   check(options.web);
+  check(options.ros2);
   check(options.supervision);
   if (options.no_cameras && std::ranges::find(options.record.what, "pictures") != options.record.what.end()) {
     throw SetupError("--record-what pictures: --no-cameras lets nothing be drawn for cameras");
   }
   if (is_steered(options) && !options.pictures.empty()) {
     throw SetupError(
-        "--pictures are taken of runs that cannot be stopped or taken back: without --web and --supervise");
+        "--pictures are taken of runs that cannot be stopped or taken back: without --web, --supervise and --ros2");
   }
 }
 
@@ -123,7 +116,7 @@ void check_booster(const scene_file::SceneSpec& spec, const std::string& domain)
     }
     dds::booster::BoosterOptions options;
     catalog::booster_options().apply(robot.options, options);
-    const int own = options.domain >= 0 ? options.domain : read_domain(domain);
+    const int own = options.domain >= 0 ? options.domain : read_domain("--booster", domain);
     const auto [place, fresh] = taken.try_emplace({own, options.suffix}, robot.name);
     if (fresh) continue;
     throw SetupError(
@@ -135,7 +128,11 @@ void check_booster(const scene_file::SceneSpec& spec, const std::string& domain)
   }
 }
 
-bool is_steered(const RunOptions& options) { return !options.web.web.empty() || !options.supervision.where.empty(); }
+bool is_steered(const RunOptions& options) {
+  return !options.web.web.empty() || !options.supervision.where.empty() || !options.ros2.domain.empty();
+}
+
+bool stays_at_end(const RunOptions& options) { return !options.web.web.empty() || !options.supervision.where.empty(); }
 
 std::string no_way_back(const RunOptions& options) {
   if (!options.log.empty()) return "its numbers are logged (--log)";
@@ -145,7 +142,8 @@ std::string no_way_back(const RunOptions& options) {
 }
 
 std::optional<double> speed_of(const RunOptions& options) {
-  if (options.speed.empty()) return options.web.web.empty() ? std::nullopt : std::optional(1.0);
+  const bool with_people = !options.web.web.empty() || !options.ros2.domain.empty();
+  if (options.speed.empty()) return with_people ? std::optional(1.0) : std::nullopt;
   return read_speed(options.speed);
 }
 
@@ -154,7 +152,8 @@ scene::SceneOptions scene_options_of(const RunOptions& options) {
   all.cameras = !options.no_cameras;
   all.paths = !options.picture.empty();
   all.terminals = options.serial;
-  if (!options.booster.empty()) all.dds_domain = read_domain(options.booster);
+  if (!options.ros2.domain.empty()) all.ros2_domain = read_domain("--ros2", options.ros2.domain);
+  if (!options.booster.empty()) all.dds_domain = read_domain("--booster", options.booster);
   all.pushable = is_steered(options);
   if (!options.from.empty()) all.pushable = recording::was_pushable(options.from).value_or(all.pushable);
   all.software = server_at(options.listen);

@@ -8,6 +8,7 @@
 #include "apps/command.h"
 #include "apps/game_arguments.h"
 #include "apps/record_options.h"
+#include "apps/ros2_arguments.h"
 #include "apps/scene_arguments.h"
 #include "apps/supervision_arguments.h"
 #include "apps/web_arguments.h"
@@ -28,8 +29,9 @@ struct RunOptions {
   std::string listen;              ///< [HOST:]PORT, empty: no connections
   std::string roboviz;             ///< [HOST:]PORT, empty: no other program draws
   RecordOptions record;
-  std::string serial;                ///< folder for links to serial lines
-  std::string booster;               ///< domain of DDS; empty: none
+  std::string serial;   ///< folder for links to serial lines
+  std::string booster;  ///< domain of DDS; empty: none
+  Ros2Arguments ros2;
   bool no_cameras = false;           ///< nothing is drawn for cameras
   std::string from, save_state;      ///< files
   std::vector<std::string> save_at;  ///< TIME:FILE
@@ -47,8 +49,10 @@ void check(const RunOptions& options);
 void check_serial(const scene_file::SceneSpec& spec, const std::string& folder);
 /// Throws SetupError: two robots of Booster in one domain, or a domain without such robots. Without a domain a note says that none is reached.
 void check_booster(const scene_file::SceneSpec& spec, const std::string& domain);
-/// Whether others steer the run: browsers, supervisors.
+/// Whether others steer the run: browsers, supervisors, nodes of ROS 2.
 [[nodiscard]] bool is_steered(const RunOptions& options);
+/// Whether such a run pauses at its end, until they end it.
+[[nodiscard]] bool stays_at_end(const RunOptions& options);
 /// Why a steered run cannot go back in time; empty: it can.
 [[nodiscard]] std::string no_way_back(const RunOptions& options);
 /// Simulated seconds per wall second; nothing: as fast as possible. Throws SetupError.

@@ -40,14 +40,14 @@ void Steering::begin(session::Session& session, const scene::Scene& scene, const
   outputs_ = &outputs;
   if (supervision_) return supervision_->steer(session);
   const std::vector<std::string>& folders = options.supervision.folders;
-  allowed_ = scene::files_of_run(scene, {folders.begin(), folders.end()}, outputs.files_read());
+  if (!allowed_) allowed_ = scene::files_of_run(scene, {folders.begin(), folders.end()}, outputs.files_read());
   supervision_ = supervision_of(session, options.supervision,
                                 {.save = [this](scene::Scene& scene) { return outputs_->state_of(scene); },
                                  .exchange = [this](const supervise::SceneRequest& request) { exchange(request); }});
 }
 
 void Steering::leave() {
-  if (goes_on()) return supervision_->leave();
+  if (goes_on() && supervision_) return supervision_->leave();
   supervision_.reset();
 }
 

@@ -18,6 +18,8 @@ class Steering {
   /// They steer this one from now on, which has these options and outputs, until leave(). Throws SetupError.
   void begin(session::Session& session, const scene::Scene& scene, const RunOptions& options, RunOutputs& outputs);
   void leave();
+  /// Another scene comes next: its session is to be finished then. Throws SetupError: it cannot be, or the run keeps its scene.
+  void exchange(const supervise::SceneRequest& request);
 
   /// Whether another run follows.
   [[nodiscard]] bool goes_on() const { return next_.has_value(); }
@@ -25,7 +27,6 @@ class Steering {
   [[nodiscard]] RunOptions take_next();
 
  private:
-  void exchange(const supervise::SceneRequest& request);
   [[nodiscard]] RunOptions options_for(const supervise::SceneRequest& request) const;
 
   const RunOptions& first_;

@@ -53,6 +53,8 @@ set_tests_properties(oracle.serial_with_vendor_sdk PROPERTIES PROCESSORS 3 COST 
 if(TARGET fastrtps)
   add_oracle_test(booster_sdk $<TARGET_FILE:murosimf_app> --short)
   set_tests_properties(oracle.booster_sdk PROPERTIES PROCESSORS 3 COST 213 TIMEOUT 300)  # in real time
+  add_oracle_test(ros2_nodes $<TARGET_FILE:murosimf_app>)
+  set_tests_properties(oracle.ros2_nodes PROPERTIES PROCESSORS 3 COST 212 TIMEOUT 300)  # in real time
 endif()
 
 # Collision against FCL, where it is installed.

@@ -16,6 +16,7 @@
 #include "murosimf/control_software/trajectory_file.h"
 #include "murosimf/control_software/trajectory_player.h"
 #include "murosimf/dds/booster/booster_software.h"
+#include "murosimf/dds/ros2/ros_software.h"
 #include "murosimf/files/data_path.h"
 #include "murosimf/locomotion/gait_seed.h"
 #include "murosimf/locomotion/keyframe_player.h"
@@ -275,6 +276,19 @@ void attach_booster(Simulation& simulation, Entity& robot, const ControllerOptio
   attach_software(simulation, robot, rate_of<BoosterSoftware>(options), make, {.software = "Booster SDK"}, options);
 }
 
+/// Only the command line lets nodes in.
+void attach_ros2(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
+  using dds::ros2::RosSoftware;
+  dds::ros2::RosOptions given;
+  ros2_options().apply(options.own, given);
+  if (given.walk) attach_missing_senses(simulation, robot);
+  const control_software::SoftwareMaker make = [&](Setup& setup, control_software::RobotPort& port,
+                                                   const control_software::SayLine& say) {
+    return std::make_unique<RosSoftware>(setup, port, say, given, options.ros2_domain, options.outside);
+  };
+  attach_software(simulation, robot, rate_of<RosSoftware>(options), make, {.software = "ROS 2 nodes"}, options);
+}
+
 void attach_drive(Simulation& simulation, Entity& car, const ControllerOptions& options) {
   locomotion::DriveOptions drive;
   drive_options().apply(options.own, drive);
@@ -381,6 +395,8 @@ std::vector<ControllerType> built_in_controllers() {
       ControllerType{"booster",
                      "programs with the SDK of the robot's vendor, Booster, over DDS: murosimf run --booster", "link",
                      attach_booster, booster_options().infos()},
+      ControllerType{"ros2", "nodes of ROS 2 on this computer, over DDS: murosimf run --ros2", "link", attach_ros2,
+                     ros2_options().infos()},
       ControllerType{"drive", "drives a car with the speed and turning rate in walk_command", "command", attach_drive,
                      drive_options().infos(), false, drives_at},
       ControllerType{"ball_chaser", "turns to the ball, walks to it and pushes it to the goal, from ground truth", "",

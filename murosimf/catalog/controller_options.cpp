@@ -89,6 +89,15 @@ const OptionTable<dds::booster::BoosterOptions>& booster_options() {
   return table;
 }
 
+const OptionTable<dds::ros2::RosOptions>& ros2_options() {
+  using Options = dds::ros2::RosOptions;
+  static const OptionTable<Options> table{
+      {"walk", &Options::walk, "", "cmd_vel moves it by the motion engine; false: joints alone are commanded"},
+      {"timeout", &Options::timeout, "s", "after which a cmd_vel that is not renewed is over", 0.01, longest_time},
+  };
+  return table;
+}
+
 const OptionTable<locomotion::DriveOptions>& drive_options() {
   using Options = locomotion::DriveOptions;
   static const OptionTable<Options> table{

@@ -1,6 +1,7 @@
 /// inbox.h - messages that have arrived over DDS, on threads of its own, until the simulation takes them at its next step.
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
@@ -13,21 +14,28 @@
 
 namespace murosimf::dds {
 
+/// Which message of which writer, as RTPS numbers them: answers are addressed to it.
+struct SampleIdentity {
+  std::array<std::uint8_t, 16> writer{};  ///< GUID; its first two bytes are the vendor of the DDS
+  std::int64_t number = 0;                ///< from 1 on
+};
+
 struct Arrival {
   char topic = 0;  ///< chosen by the owner of the inbox
   Bytes message;
+  SampleIdentity from{};
 };
 
 class Inbox {
  public:
   static constexpr std::size_t most_messages = 1000, longest_message = 65000;  ///< [1], [byte]; what is beyond is lost
 
-  void put(char topic, std::span<const std::uint8_t> message) {
+  void put(char topic, std::span<const std::uint8_t> message, const SampleIdentity& from = {}) {
     const std::lock_guard lock(mutex_);
     if (arrived_.size() >= most_messages || message.size() > longest_message) {
       ++lost_;
     } else {
-      arrived_.push_back({topic, {message.begin(), message.end()}});
+      arrived_.push_back({topic, {message.begin(), message.end()}, from});
     }
     news_.notify_one();
   }
@@ -50,6 +58,11 @@ class Inbox {
   [[nodiscard]] std::uint64_t lost() {
     const std::lock_guard lock(mutex_);
     return lost_;
+  }
+  /// Waits for any message.
+  void wait(std::chrono::nanoseconds longest) {
+    std::unique_lock lock(mutex_);
+    (void)news_.wait_for(lock, longest, [&] { return !arrived_.empty(); });
   }
   /// Waits for a message of this topic, as long as a program writes. False: the time is over.
   [[nodiscard]] bool wait_for(char topic, std::chrono::nanoseconds longest) {

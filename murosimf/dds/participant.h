@@ -17,6 +17,9 @@ struct Topic {
   std::string name;       ///< "rt/low_state"
   std::string type;       ///< "booster_interface::msg::dds_::LowState_"
   bool reliable = false;  ///< of what is written: repeated until it is acknowledged
+  bool kept = false;      ///< what was written last also goes to readers that come later (transient local)
+  bool large = false;     ///< messages of more than a datagram: they are sent by a thread of their own
+  int depth = 0;          ///< [1] messages that are kept until they are acknowledged; 0: the usual number
 };
 
 /// Writes messages of one topic. May be called from any thread; waits for nothing.
@@ -24,6 +27,10 @@ class TopicWriter {
  public:
   virtual ~TopicWriter() = default;
   virtual void write(const Bytes& message) = 0;
+  /// The same as an answer: the sender of `request` recognizes it by the related sample identity (RTPS 2.3, 8.7.8).
+  virtual void answer(const Bytes& message, const SampleIdentity& request) = 0;
+  /// Whether any program reads it at present.
+  [[nodiscard]] virtual bool has_readers() const = 0;
 };
 
 class Participant {

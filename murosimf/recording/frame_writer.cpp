@@ -76,8 +76,9 @@ TextMap prismatic_joints(const std::vector<RecordedEntity>& entities) {
 }
 
 /// Names of a sensor's fields in logs, by number of the field: "2" is "gyroscope.x [rad/s]". A list has all names, by lines.
+/// Further "period" [s], and constants of its outputs.
 TextMap names_of(const RecordedSensor& sensor) {
-  TextMap names;
+  TextMap names{{"period", fmt::format("{}", seconds(sensor.reading->info->period))}};
   const auto unit = [](const sensors::Output& output) {
     return output.unit.empty() ? std::string{} : fmt::format(" [{}]", output.unit);
   };
@@ -92,6 +93,8 @@ TextMap names_of(const RecordedSensor& sensor) {
       if (!list) names[fmt::format("{}", field++)] = name;
     }
     if (list) names[fmt::format("{}", field++)] = all;
+    for (const auto& [constant, value] : output.constants)
+      names[fmt::format("{}.{}", output.name, constant)] = fmt::format("{}", value);
   }
   return names;
 }

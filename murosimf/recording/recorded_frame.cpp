@@ -14,8 +14,10 @@ double number_at(const Column<double>* column, int object) {
   return column ? column->values[static_cast<std::size_t>(object)] : std::numeric_limits<double>::quiet_NaN();
 }
 
+}  // namespace
+
 /// Columns are found once: frames are taken in each step.
-RecordedEntity recorded(const Entity& entity) {
+RecordedEntity recorded_entity(const Entity& entity) {
   RecordedEntity result{.entity = &entity, .name = entity.name(), .links = {}, .joints = {}, .columns = {}};
   const Model& model = entity.model();
   const auto name_of = [&](int object) { return model.objects()[static_cast<std::size_t>(object)].name; };
@@ -29,14 +31,12 @@ RecordedEntity recorded(const Entity& entity) {
   return result;
 }
 
-}  // namespace
-
 /// Everything that has a pose.
 std::vector<RecordedEntity> recorded_entities(const World& world) {
   std::vector<RecordedEntity> result;
   for (const auto& entity : world.entities()) {
     if (entity->find(properties::position) && entity->find(properties::orientation))
-      result.push_back(recorded(*entity));
+      result.push_back(recorded_entity(*entity));
   }
   return result;
 }

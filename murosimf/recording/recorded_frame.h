@@ -56,6 +56,8 @@ struct RecordedEntity {
   RecordedColumns columns;
 };
 
+/// Of an entity with poses.
+[[nodiscard]] RecordedEntity recorded_entity(const Entity& entity);
 /// Entities with poses, in the order of the world; call when all columns exist.
 [[nodiscard]] std::vector<RecordedEntity> recorded_entities(const World& world);
 

@@ -15,31 +15,6 @@
 namespace murosimf::recording {
 namespace {
 
-/// Distortion by a model of OpenCV, as Foxglove expects.
-struct Distortion {
-  std::string model;
-  std::vector<double> coefficients;
-  imaging::LensSpec lens;
-};
-
-Distortion distortion_of(const imaging::Lens& lens) {
-  constexpr std::size_t plane = 5, angles = 4;  // numbers of coefficients that readers expect
-  Distortion told{lens.spec().model, lens.spec().coefficients, lens.spec()};
-  // a lens by table has no model of OpenCV: the nearest equidistant one is recorded
-  if (told.model == "ray_polynomial") {
-    told.lens = imaging::fit_lens(lens, "equidistant").spec;
-    told.coefficients = told.lens.coefficients;
-    told.model = "equidistant";
-  }
-  if (told.model == "perspective") told.model = "plumb_bob";
-  if (told.model == "plumb_bob") told.coefficients.resize(plane);
-  if (told.model == "equidistant") {
-    told.model = "kannala_brandt";
-    told.coefficients.resize(angles);
-  }
-  return told;
-}
-
 /// foxglove.CompressedImage
 std::string message_of(const RecordedCamera& camera, const CameraPicture& picture) {
   std::string bytes;
@@ -108,6 +83,24 @@ std::string stamp(Duration time) {
 }
 
 }  // namespace
+
+Distortion distortion_of(const imaging::Lens& lens) {
+  constexpr std::size_t plane = 5, angles = 4;  // numbers of coefficients that readers expect
+  Distortion told{lens.spec().model, lens.spec().coefficients, lens.spec()};
+  // a lens by table has no model of OpenCV: the nearest equidistant one is recorded
+  if (told.model == "ray_polynomial") {
+    told.lens = imaging::fit_lens(lens, "equidistant").spec;
+    told.coefficients = told.lens.coefficients;
+    told.model = "equidistant";
+  }
+  if (told.model == "perspective") told.model = "plumb_bob";
+  if (told.model == "plumb_bob") told.coefficients.resize(plane);
+  if (told.model == "equidistant") {
+    told.model = "kannala_brandt";
+    told.coefficients.resize(angles);
+  }
+  return told;
+}
 
 /// Cameras are drawn only if something reads them: the recording does.
 void want_pictures(World& world) {

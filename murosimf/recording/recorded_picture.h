@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "murosimf/imaging/lens.h"
 #include "murosimf/recording/mcap/message_sink.h"
 #include "murosimf/recording/recorded_frame.h"
 #include "murosimf/sensors/camera_frame.h"
@@ -29,6 +30,14 @@ struct RecordedCamera {
   const sensors::CameraFrame* shown = nullptr;
   std::uint64_t number = 0;  ///< of its last recorded frame
 };
+
+/// Distortion by a model of OpenCV, as Foxglove and ROS expect.
+struct Distortion {
+  std::string model;  ///< "plumb_bob", "rational_polynomial", "kannala_brandt"
+  std::vector<double> coefficients;
+  imaging::LensSpec lens;  ///< that it belongs to: a lens by table becomes the nearest equidistant one
+};
+[[nodiscard]] Distortion distortion_of(const imaging::Lens& lens);
 
 /// Before the scene is initialized: requests pictures of all cameras, which changes no result.
 void want_pictures(World& world);

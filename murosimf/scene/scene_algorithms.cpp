@@ -34,6 +34,7 @@ catalog::ControllerOptions controller_options(const SceneParts& parts, const sce
   options.folder = spec.file.parent_path();
   options.terminals = parts.terminals;
   options.dds_domain = parts.dds_domain;
+  options.ros2_domain = parts.ros2_domain;
   options.outside = parts.outside;
   const scene_file::FieldSize& field = scene_file::field_size(spec.field.size);
   options.half_field = {0.5 * field.length, 0.5 * field.width, 0};
@@ -78,7 +79,8 @@ void refuse_software_of_file(const SceneParts& parts, const scene_file::RobotSpe
 /// A run that is only shown takes positions from a recording: no software is started.
 void attach_controller(SceneParts& parts, const scene_file::RobotSpec& robot, Entity& entity) {
   const bool from_outside = robot.controller == "library" || robot.controller == "python" ||
-                            robot.controller == "serial" || robot.controller == "tcp" || robot.controller == "booster";
+                            robot.controller == "serial" || robot.controller == "tcp" ||
+                            robot.controller == "booster" || robot.controller == "ros2";
   if (parts.only_shown && from_outside) return;
   refuse_software_of_file(parts, robot);
   const catalog::ControllerOptions options = controller_options(parts, robot);

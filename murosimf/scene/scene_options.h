@@ -27,6 +27,7 @@ struct SceneOptions {
   std::vector<std::string> pushes;     ///< `OBJECT=FORCE@BEGIN..END`, as for --push
   bool libraries = false;              ///< control software that the file names may be loaded: it can run any code
   std::string terminals;               ///< folder for links to robots' serial lines; empty: there are none
+  std::optional<int> ros2_domain{};    ///< for robots that nodes of ROS 2 command; nothing: none do
   std::optional<int> dds_domain{};     ///< for robots of Booster; nothing: they have no DDS
   bool lenient = false;                ///< accept unknown elements in model files
   bool lanes = true;                   ///< false: equal robots are not stepped together (Simulation::use_lanes)

@@ -18,8 +18,14 @@ const OptionTable<LaserOptions>& laser_options() {
 }
 
 Output laser_ranges(const SensorSpec& spec) {
-  Output output{"ranges", "m", {}};
-  const int rays = options_of(spec, laser_options()).rays;
+  const LaserSector sector = laser_sector(spec);
+  const Range range = laser_range(spec);
+  Output output{
+      "ranges",
+      "m",
+      {},
+      {{"first_angle", sector.first}, {"fov", sector.fov}, {"range_min", range.min}, {"range_max", range.max}}};
+  const int rays = sector.rays;
   for (int i = 0; i < rays; ++i) output.labels.push_back(std::to_string(i));
   return output;
 }

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -24,6 +25,8 @@ struct Output {
   std::string name{};                 ///< "gyroscope"
   std::string unit{};                 ///< SI
   std::vector<std::string> labels{};  ///< "x", "y", "z"; none: a single number
+  /// What else its readers need: of the ranges of a laser first_angle, fov [rad], range_min and range_max [m].
+  std::map<std::string, double> constants{};
   [[nodiscard]] std::size_t size() const { return labels.empty() ? 1 : labels.size(); }
 };
 
@@ -35,6 +38,7 @@ struct SensorInfo {
   Duration period{};    ///< between two samples
   std::vector<Output> outputs{};
   Mat3d orientation{};  ///< its axes, as it is meant to be mounted, to those of the frame
+  Vec3d position{};     ///< [m] of it in the frame
   [[nodiscard]] std::size_t numbers() const;
 };
 

@@ -45,7 +45,7 @@ void for_outputs(const SensorInfo& info, std::span<double> values, const Call& c
 Sensor::Sensor(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings,
                std::vector<Output> outputs, Watch watch)
     : reading_(write_reading(setup, {spec.name, spec.type, spec.frame, sample_rate(spec, setup.period()).period(),
-                                     std::move(outputs), spec.orientation})),
+                                     std::move(outputs), spec.orientation, spec.position})),
       watch_(watch),
       rate_(sample_rate(spec, setup.period())),
       execution_(setup.period()),

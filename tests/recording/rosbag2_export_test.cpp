@@ -8,11 +8,11 @@
 
 #include <gtest/gtest.h>
 
+#include "murosimf/dds/ros2/ros_writer.h"
 #include "murosimf/model/error.h"
 #include "murosimf/recording/foxglove_messages.h"
 #include "murosimf/recording/mcap/mcap_writer.h"
 #include "murosimf/recording/mcap/protobuf.h"
-#include "murosimf/recording/rosbag2/cdr_writer.h"
 #include "murosimf/recording/rosbag2/ros_markers.h"
 #include "murosimf/recording/rosbag2/ros_messages.h"
 #include "murosimf/recording/rosbag2/ros_types.h"
@@ -30,25 +30,6 @@ std::string bytes(std::initializer_list<int> values) {
   std::string text;
   for (const int value : values) text.push_back(static_cast<char>(value));
   return text;
-}
-
-TEST(CdrWriter, PutsNumbersAtMultiplesOfTheirSizeAfterTheHead) {
-  CdrWriter out;
-  out.u8(7);
-  out.u32(0x01020304);
-  out.text("ab");
-  out.f64(1);
-  EXPECT_EQ(out.message(), bytes({0, 1, 0, 0,                              // head
-                                  7, 0, 0, 0, 4,   3,   2, 1,              // at 0 and 4
-                                  3, 0, 0, 0, 'a', 'b', 0,                 // at 8
-                                  0, 0, 0, 0, 0,   0,   0, 0xf0, 0x3f}));  // at 16
-}
-
-TEST(CdrWriter, CountsAfterwards) {
-  CdrWriter out;
-  out.u32(0);
-  out.u8(9);
-  EXPECT_EQ(out.with_count(2), bytes({0, 1, 0, 0, 2, 0, 0, 0, 9}));
 }
 
 TEST(RosTypes, DefineEachTypeThatTheyContainOnce) {
@@ -106,7 +87,7 @@ TEST(RosMessages, EffortIsLeftOutWhereAJointHasNone) {
   const auto made = messages.of({.id = 1, .topic = "/joints"}, joints, 0ms);
   ASSERT_EQ(made.size(), 1U);
   EXPECT_EQ(made[0].topic, "/blue/joint_states");
-  CdrWriter wanted;
+  dds::ros2::RosWriter wanted;
   wanted.header({}, "");
   wanted.u32(2);
   wanted.text("knee");
@@ -134,7 +115,7 @@ TEST(RosMessages, OfASensorHaveItsZeros) {
   const auto made = messages.of(channel, sample, 0ms);
   ASSERT_EQ(made.size(), 1U);
   EXPECT_EQ(made[0].type, "sensor_msgs/Imu");
-  CdrWriter wanted;
+  dds::ros2::RosWriter wanted;
   wanted.header({}, "robot/imu");
   wanted.quaternion({1, 0, 0, 0});
   for (int i = 0; i < 9; ++i) wanted.f64(i == 0 ? -1 : 0);

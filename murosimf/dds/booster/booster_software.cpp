@@ -49,7 +49,8 @@ BoosterSoftware::BoosterSoftware(Setup& setup, control_software::RobotPort& port
       sensing_(setup, port, joints_.places),
       frames_(setup.model(), objects_),
       motions_(setup, port),
-      outside_("dds:" + name_, outside, say_),
+      outside_("dds:" + name_, outside, say_,
+               {"a program with the robot's SDK has come", "the last program has gone; commands stay as they are"}),
       modes_(first_mode_),
       held_(joints_.places.size()) {
   handle_requests();

@@ -16,7 +16,6 @@
 #include "murosimf/dds/booster/body_frames.h"
 #include "murosimf/dds/booster/booster_link.h"
 #include "murosimf/dds/booster/booster_options.h"
-#include "murosimf/dds/booster/external_messages.h"
 #include "murosimf/dds/booster/head_motion.h"
 #include "murosimf/dds/booster/joint_order.h"
 #include "murosimf/dds/booster/low_level.h"
@@ -25,6 +24,7 @@
 #include "murosimf/dds/booster/robot_sensing.h"
 #include "murosimf/dds/booster/rpc.h"
 #include "murosimf/dds/booster/visual_kick.h"
+#include "murosimf/dds/external_messages.h"
 
 namespace murosimf::dds::booster {
 

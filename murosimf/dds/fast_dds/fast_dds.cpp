@@ -1,6 +1,7 @@
 // DDS by Fast DDS 2: the module that backend.h speaks of.
 #include "murosimf/dds/backend.h"
 
+#include <atomic>
 #include <cstring>
 #include <deque>
 #include <functional>
@@ -10,12 +11,14 @@
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/dds/log/Log.hpp>
 #include <fastdds/dds/publisher/DataWriter.hpp>
+#include <fastdds/dds/publisher/DataWriterListener.hpp>
 #include <fastdds/dds/publisher/Publisher.hpp>
 #include <fastdds/dds/subscriber/DataReader.hpp>
 #include <fastdds/dds/subscriber/DataReaderListener.hpp>
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
 #include <fastdds/dds/subscriber/Subscriber.hpp>
 #include <fastdds/dds/topic/TopicDataType.hpp>
+#include <fastdds/rtps/common/WriteParams.h>
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 
 namespace murosimf::dds {
@@ -54,6 +57,25 @@ class EncodedType final : public TopicDataType {
   bool getKey(void*, rtps::InstanceHandle_t*, bool) override { return false; }
 };
 
+SampleIdentity of_ours(const rtps::SampleIdentity& theirs) {
+  SampleIdentity ours;
+  const rtps::GUID_t& guid = theirs.writer_guid();
+  std::memcpy(ours.writer.data(), guid.guidPrefix.value, rtps::GuidPrefix_t::size);
+  std::memcpy(&ours.writer[rtps::GuidPrefix_t::size], guid.entityId.value, rtps::EntityId_t::size);
+  ours.number = static_cast<std::int64_t>(theirs.sequence_number().to64long());
+  return ours;
+}
+
+rtps::SampleIdentity of_theirs(const SampleIdentity& ours) {
+  rtps::GUID_t guid;
+  std::memcpy(guid.guidPrefix.value, ours.writer.data(), rtps::GuidPrefix_t::size);
+  std::memcpy(guid.entityId.value, &ours.writer[rtps::GuidPrefix_t::size], rtps::EntityId_t::size);
+  rtps::SampleIdentity theirs;
+  theirs.writer_guid(guid);
+  theirs.sequence_number(rtps::SequenceNumber_t(static_cast<std::uint64_t>(ours.number)));
+  return theirs;
+}
+
 /// Called on threads of Fast DDS.
 class Listener final : public DataReaderListener {
  public:
@@ -61,7 +83,7 @@ class Listener final : public DataReaderListener {
   void on_data_available(DataReader* reader) override {
     SampleInfo info;
     while (reader->take_next_sample(&bytes_, &info) == eprosima::fastrtps::types::ReturnCode_t::RETCODE_OK) {
-      if (info.valid_data) inbox_->put(mark_, bytes_);
+      if (info.valid_data) inbox_->put(mark_, bytes_, of_ours(info.sample_identity));
     }
   }
   void on_subscription_matched(DataReader*, const SubscriptionMatchedStatus& status) override {
@@ -74,13 +96,28 @@ class Listener final : public DataReaderListener {
   Bytes bytes_;
 };
 
-class Writer final : public TopicWriter {
+/// Listens to itself: its readers are counted on threads of Fast DDS.
+class Writer final : public TopicWriter, public DataWriterListener {
  public:
-  explicit Writer(DataWriter* writer) : writer_(writer) {}
+  /// False: it cannot be made.
+  [[nodiscard]] bool open(Publisher& publisher, eprosima::fastdds::dds::Topic* topic, const DataWriterQos& qos) {
+    writer_ = topic ? publisher.create_datawriter(topic, qos, this, StatusMask::publication_matched()) : nullptr;
+    return writer_ != nullptr;
+  }
   void write(const Bytes& message) override { writer_->write(const_cast<Bytes*>(&message)); }
+  void answer(const Bytes& message, const SampleIdentity& request) override {
+    rtps::WriteParams parameters;
+    parameters.related_sample_identity(of_theirs(request));
+    writer_->write(const_cast<Bytes*>(&message), parameters);
+  }
+  [[nodiscard]] bool has_readers() const override { return readers_ > 0; }
+  void on_publication_matched(DataWriter*, const PublicationMatchedStatus& status) override {
+    readers_ = status.current_count;
+  }
 
  private:
-  DataWriter* writer_;
+  DataWriter* writer_ = nullptr;
+  std::atomic<int> readers_{0};
 };
 
 DomainParticipantQos on_this_machine_alone() {
@@ -93,11 +130,13 @@ DomainParticipantQos on_this_machine_alone() {
   return qos;
 }
 
+// in which fragments that were lost are asked for again; usually 3 s
+const eprosima::fastrtps::Duration_t heartbeat_of_large(0.02);
 constexpr int kept_replies = 64;  // of a reliable topic, until they are acknowledged
 
 template <class Qos>
 void use_network_only(Qos& qos) {
-  qos.endpoint().history_memory_policy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
+  qos.endpoint().history_memory_policy = rtps::DYNAMIC_REUSABLE_MEMORY_MODE;
   qos.data_sharing().off();
 }
 
@@ -141,12 +180,15 @@ TopicWriter* FastDds::writer(const Topic& topic) noexcept {
   DataWriterQos qos;
   use_network_only(qos);
   qos.reliability().kind = topic.reliable ? RELIABLE_RELIABILITY_QOS : BEST_EFFORT_RELIABILITY_QOS;
-  qos.durability().kind = VOLATILE_DURABILITY_QOS;
+  qos.durability().kind = topic.kept ? TRANSIENT_LOCAL_DURABILITY_QOS : VOLATILE_DURABILITY_QOS;
   qos.history().kind = KEEP_LAST_HISTORY_QOS;
-  qos.history().depth = topic.reliable ? kept_replies : 1;
-  auto* const made = add(topic);
-  DataWriter* const writer = made ? publisher_->create_datawriter(made, qos) : nullptr;
-  return writer ? &writers_.emplace_back(writer) : nullptr;
+  qos.history().depth = topic.depth > 0 ? topic.depth : topic.reliable ? kept_replies : 1;
+  if (topic.large) {
+    qos.publish_mode().kind = ASYNCHRONOUS_PUBLISH_MODE;
+    qos.reliable_writer_qos().times.heartbeatPeriod = heartbeat_of_large;
+  }
+  Writer& writer = writers_.emplace_back();
+  return writer.open(*publisher_, add(topic), qos) ? &writer : nullptr;
 }
 
 bool FastDds::read(const Topic& topic, Inbox& inbox, char mark) noexcept {

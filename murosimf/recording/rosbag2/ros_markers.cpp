@@ -5,14 +5,16 @@
 #include <optional>
 #include <vector>
 
+#include "murosimf/dds/ros2/ros_writer.h"
 #include "murosimf/math/transform.h"
 #include "murosimf/model/shape.h"
 #include "murosimf/recording/foxglove_messages.h"
 #include "murosimf/recording/mcap/protobuf.h"
-#include "murosimf/recording/rosbag2/cdr_writer.h"
 
 namespace murosimf::recording {
 namespace {
+
+using dds::ros2::RosWriter;
 
 // visualization_msgs/Marker
 enum MarkerType : std::int32_t {
@@ -187,14 +189,14 @@ SceneEntity read_entity(ProtobufReader in) {
   return entity;
 }
 
-void put_color(CdrWriter& out, const Rgba& color) {
+void put_color(RosWriter& out, const Rgba& color) {
   out.f32(color.r);
   out.f32(color.g);
   out.f32(color.b);
   out.f32(color.a);
 }
 
-void put_marker(CdrWriter& out, const SceneEntity& entity, int id, const Marker& marker, MarkerAction action) {
+void put_marker(RosWriter& out, const SceneEntity& entity, int id, const Marker& marker, MarkerAction action) {
   out.header(entity.time, entity.frame);
   out.text(entity.id);
   out.i32(id);
@@ -226,7 +228,7 @@ void put_marker(CdrWriter& out, const SceneEntity& entity, int id, const Marker&
 }  // namespace
 
 std::string ros_markers(std::string_view scene_update, std::map<std::string, int>& shown) {
-  CdrWriter markers;
+  RosWriter markers;
   std::uint32_t count = 0;
   const auto replace = [&](const SceneEntity& entity) {
     int& known = shown[std::string(entity.id)];

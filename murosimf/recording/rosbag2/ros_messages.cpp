@@ -1,27 +1,28 @@
 #include "murosimf/recording/rosbag2/ros_messages.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
+#include <optional>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "murosimf/dds/ros2/message_encoding.h"
 #include "murosimf/math/transform.h"
 #include "murosimf/recording/foxglove_messages.h"
 #include "murosimf/recording/mcap/protobuf.h"
-#include "murosimf/recording/rosbag2/cdr_writer.h"
 #include "murosimf/recording/rosbag2/ros_markers.h"
 
 namespace murosimf::recording {
 namespace {
 
-/// 3 by 3 numbers; all zeros: unknown, the first one -1: the quantity is not measured (sensor_msgs/Imu).
-void put_covariance(CdrWriter& out, double first) {
-  out.f64(first);
-  for (int i = 1; i < 9; ++i) out.f64(0);
-}
+using dds::ros2::FramePose;
+using dds::ros2::JointSample;
+using dds::ros2::LaserScan;
+using dds::ros2::RosWriter;
+using dds::ros2::Stamp;
 
 /// The parts of a topic behind a prefix: "/cameras/blue1/camera/image" without "/cameras/" are "blue1", "camera" and "image".
 std::vector<std::string> parts_of(std::string_view topic, std::string_view prefix) {
@@ -35,35 +36,23 @@ std::vector<std::string> parts_of(std::string_view topic, std::string_view prefi
 }
 
 RosMessage transforms(std::string_view data) {
-  std::uint32_t count = 0;
-  CdrWriter out;
-  out.u32(count);
+  std::vector<FramePose> poses;
   for (ProtobufReader all(data); all.next();) {
     if (all.field() != 1) continue;
-    Duration time{};
-    std::string_view parent, child;
-    Vec3d place;
-    Quaterniond turn{1, 0, 0, 0};
+    FramePose pose;
     for (ProtobufReader in = all.message(); in.next();) {
-      if (in.field() == 1) time = read_time(in.message());
-      if (in.field() == 2) parent = in.bytes();
-      if (in.field() == 3) child = in.bytes();
-      if (in.field() == 4) place = read_vector(in.message());
-      if (in.field() == 5) turn = from_matrix(read_rotation(in.message()));
+      if (in.field() == 1) pose.time = read_time(in.message());
+      if (in.field() == 2) pose.parent = in.bytes();
+      if (in.field() == 3) pose.child = in.bytes();
+      if (in.field() == 4) pose.position = read_vector(in.message());
+      if (in.field() == 5) pose.orientation = from_matrix(read_rotation(in.message()));
     }
-    out.header(time, parent);
-    out.text(child);
-    out.vector(place);
-    out.quaternion(turn);
-    ++count;
+    poses.push_back(pose);
   }
-  return {"/tf", "tf2_msgs/TFMessage", out.with_count(count)};
+  RosWriter out;
+  write_transforms(out, poses);
+  return {"/tf", "tf2_msgs/TFMessage", out.message()};
 }
-
-struct JointSample {
-  std::string_view name;
-  double position = 0, velocity = 0, effort = std::nan("");
-};
 
 /// A message for each robot. Arrays are as long as the names, or empty where a number of one joint is missing.
 std::vector<RosMessage> joints(std::string_view data, const std::string& name, bool measured) {
@@ -73,7 +62,7 @@ std::vector<RosMessage> joints(std::string_view data, const std::string& name, b
   for (ProtobufReader all(data); all.next();) {
     if (all.field() == 1) time = read_time(all.message());
     if (all.field() != 2) continue;
-    JointSample joint{.name = {}, .position = std::nan("")};
+    JointSample joint{.name = {}, .position = std::nan(""), .effort = std::nan("")};
     for (ProtobufReader in = all.message(); in.next();) {
       if (in.field() == 1) joint.name = in.bytes();
       if (in.field() == 2) joint.position = in.number();
@@ -89,20 +78,8 @@ std::vector<RosMessage> joints(std::string_view data, const std::string& name, b
   }
   std::vector<RosMessage> messages;
   for (const std::string_view robot : order) {
-    const std::vector<JointSample>& all = robots[robot];
-    CdrWriter out;
-    out.header(time, "");
-    out.u32(static_cast<std::uint32_t>(all.size()));
-    for (const JointSample& joint : all) out.text(joint.name);
-    const auto put = [&](double JointSample::*number, bool known) {
-      for (const JointSample& joint : all) known = known && !std::isnan(joint.*number);
-      out.u32(known ? static_cast<std::uint32_t>(all.size()) : 0);
-      if (!known) return;
-      for (const JointSample& joint : all) out.f64(joint.*number);
-    };
-    put(&JointSample::position, true);
-    put(&JointSample::velocity, measured);
-    put(&JointSample::effort, measured);
+    RosWriter out;
+    write_joint_state(out, {time, ""}, robots[robot], measured);
     messages.push_back({fmt::format("/{}/{}", ros_name(robot), name), "sensor_msgs/JointState", out.message()});
   }
   return messages;
@@ -123,7 +100,31 @@ struct SensorNumbers {
     }
     return nullptr;
   }
+  /// w, x, y, z
+  [[nodiscard]] std::optional<Quaterniond> orientation() const {
+    for (std::size_t i = 0; i + 3 < names.size(); ++i) {
+      if (names[i].starts_with("orientation.w"))
+        return Quaterniond{values[i], values[i + 1], values[i + 2], values[i + 3]};
+    }
+    return std::nullopt;
+  }
 };
+
+/// Of channels of lasers (sensors/reading.h, Output::constants).
+std::optional<LaserScan> scan_of(const Channel& channel, const SensorNumbers& sample) {
+  const auto constant = [&](const std::string& name) {
+    const auto found = channel.metadata.find(name);
+    return found == channel.metadata.end() ? std::nan("") : std::strtod(found->second.c_str(), nullptr);
+  };
+  const LaserScan scan{.first_angle = constant("ranges.first_angle"),
+                       .fov = constant("ranges.fov"),
+                       .period = constant("period"),
+                       .range_min = constant("ranges.range_min"),
+                       .range_max = constant("ranges.range_max"),
+                       .ranges = sample.values};
+  if (std::isnan(scan.first_angle) || std::isnan(scan.fov)) return std::nullopt;
+  return scan;
+}
 
 /// Fields of zeros are not in the message: there are as many numbers as names.
 SensorNumbers sensor_numbers(const Channel& channel, std::string_view data) {
@@ -164,34 +165,23 @@ RosMessage sensor(const Channel& channel, std::string_view data) {
   const SensorNumbers sample = sensor_numbers(channel, data);
   const std::string topic = fmt::format("/{}", fmt::join(parts_of(channel.topic, prefix), "/"));
   const std::string frame = channel.topic.substr(prefix.size());
-  CdrWriter out;
+  RosWriter out;
+  const Stamp stamp{sample.time, frame};
   const double *gyroscope = sample.vector("gyroscope"), *accelerometer = sample.vector("accelerometer");
   if (gyroscope && accelerometer) {
-    out.header(sample.time, frame);
-    out.quaternion({1, 0, 0, 0});
-    put_covariance(out, -1);
-    out.vector(vector_at(gyroscope));
-    put_covariance(out, 0);
-    out.vector(vector_at(accelerometer));
-    put_covariance(out, 0);
+    write_imu(out, stamp, {vector_at(gyroscope), vector_at(accelerometer), sample.orientation()});
     return {topic, "sensor_msgs/Imu", out.message()};
   }
   const double *force = sample.vector("force"), *torque = sample.vector("torque");
   if (force && torque) {
-    out.header(sample.time, frame);
-    out.vector(vector_at(force));
-    out.vector(vector_at(torque));
+    write_wrench(out, stamp, vector_at(force), vector_at(torque));
     return {topic, "geometry_msgs/WrenchStamped", out.message()};
   }
-  out.u32(static_cast<std::uint32_t>(sample.names.size()));
-  for (std::size_t i = 0; i < sample.names.size(); ++i) {
-    out.text(sample.names[i]);
-    out.u32(1);
-    out.u32(static_cast<std::uint32_t>(sample.names.size() - i));
+  if (const auto scan = scan_of(channel, sample)) {
+    write_scan(out, stamp, *scan);
+    return {topic, "sensor_msgs/LaserScan", out.message()};
   }
-  out.u32(0);
-  out.u32(static_cast<std::uint32_t>(sample.values.size()));
-  for (const double value : sample.values) out.f64(value);
+  write_numbers(out, sample.names, sample.values);
   return {topic, "std_msgs/Float64MultiArray", out.message()};
 }
 
@@ -204,79 +194,63 @@ RosMessage compressed_image(const std::string& topic, std::string_view data) {
     if (in.field() == 3) format = in.bytes();
     if (in.field() == 4) frame = in.bytes();
   }
-  CdrWriter out;
-  out.header(time, frame);
-  out.text(format);
-  out.bytes(bytes);
+  RosWriter out;
+  write_compressed_image(out, {time, frame}, format, bytes);
   return {topic, "sensor_msgs/CompressedImage", out.message()};
 }
 
 RosMessage image(const std::string& topic, std::string_view data) {
   Duration time{};
-  std::string_view frame, encoding, bytes;
-  std::uint32_t width = 0, height = 0, step = 0;
+  std::string_view frame;
+  dds::ros2::PictureBytes picture;
   for (ProtobufReader in(data); in.next();) {
     if (in.field() == 1) time = read_time(in.message());
-    if (in.field() == 2) width = in.fixed32();
-    if (in.field() == 3) height = in.fixed32();
-    if (in.field() == 4) encoding = in.bytes();
-    if (in.field() == 5) step = in.fixed32();
-    if (in.field() == 6) bytes = in.bytes();
+    if (in.field() == 2) picture.width = in.fixed32();
+    if (in.field() == 3) picture.height = in.fixed32();
+    if (in.field() == 4) picture.encoding = in.bytes();
+    if (in.field() == 5) picture.step = in.fixed32();
+    if (in.field() == 6) picture.bytes = in.bytes();
     if (in.field() == 7) frame = in.bytes();
   }
-  CdrWriter out;
-  out.header(time, frame);
-  out.u32(height);
-  out.u32(width);
-  out.text(encoding);
-  out.u8(0);  // little endian
-  out.u32(step);
-  out.bytes(bytes);
+  RosWriter out;
+  write_image(out, {time, frame}, picture);
   return {topic, "sensor_msgs/Image", out.message()};
 }
 
-/// `count` numbers of a packed field, zeros where it has fewer.
-void put_numbers(CdrWriter& out, std::string_view packed, std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i) {
-    double value = 0;
-    if ((i + 1) * sizeof value <= packed.size()) std::memcpy(&value, packed.data() + i * sizeof value, sizeof value);
-    out.f64(value);
-  }
+/// Numbers of a packed field.
+std::vector<double> numbers_in(std::string_view packed) {
+  std::vector<double> numbers(packed.size() / sizeof(double));
+  if (!numbers.empty()) std::memcpy(numbers.data(), packed.data(), numbers.size() * sizeof(double));
+  return numbers;
 }
 
 RosMessage camera_info(const std::string& topic, std::string_view data) {
   Duration time{};
-  std::string_view frame, model, d, k, r, p;
-  std::uint32_t width = 0, height = 0;
+  std::string_view frame;
+  std::vector<double> d, k, r, p;
+  dds::ros2::CameraCalibration told;
   for (ProtobufReader in(data); in.next();) {
     if (in.field() == 1) time = read_time(in.message());
-    if (in.field() == 2) width = in.fixed32();
-    if (in.field() == 3) height = in.fixed32();
-    if (in.field() == 4) model = in.bytes();
-    if (in.field() == 5) d = in.bytes();
-    if (in.field() == 6) k = in.bytes();
-    if (in.field() == 7) r = in.bytes();
-    if (in.field() == 8) p = in.bytes();
+    if (in.field() == 2) told.width = in.fixed32();
+    if (in.field() == 3) told.height = in.fixed32();
+    if (in.field() == 4) told.model = in.bytes();
+    if (in.field() == 5) d = numbers_in(in.bytes());
+    if (in.field() == 6) k = numbers_in(in.bytes());
+    if (in.field() == 7) r = numbers_in(in.bytes());
+    if (in.field() == 8) p = numbers_in(in.bytes());
     if (in.field() == 9) frame = in.bytes();
   }
-  CdrWriter out;
-  out.header(time, frame);
-  out.u32(height);
-  out.u32(width);
-  out.text(model == "kannala_brandt" ? "equidistant" : model);  // ROS's word for the same
-  out.u32(static_cast<std::uint32_t>(d.size() / sizeof(double)));
-  put_numbers(out, d, d.size() / sizeof(double));
-  put_numbers(out, k, 9);
-  put_numbers(out, r, 9);
-  put_numbers(out, p, 12);
-  for (int i = 0; i < 6; ++i) out.u32(0);  // no binning, all of the picture
-  out.boolean(false);
+  told.d = d;
+  told.k = k;
+  told.r = r;
+  told.p = p;
+  RosWriter out;
+  write_camera_info(out, {time, frame}, told);
   return {topic, "sensor_msgs/CameraInfo", out.message()};
 }
 
 RosMessage log_line(std::string_view data) {
   constexpr std::uint64_t foxglove_warning = 3;
-  constexpr std::uint8_t info = 20, warning = 30;  // rcl_interfaces/Log
   Duration time{};
   std::uint64_t level = 0;
   std::string_view text, name;
@@ -286,14 +260,8 @@ RosMessage log_line(std::string_view data) {
     if (in.field() == 3) text = in.bytes();
     if (in.field() == 4) name = in.bytes();
   }
-  CdrWriter out;
-  out.time(time);
-  out.u8(level >= foxglove_warning ? warning : info);
-  out.text(name);
-  out.text(text);
-  out.text("");
-  out.text("");
-  out.u32(0);
+  RosWriter out;
+  write_log(out, time, level >= foxglove_warning, name, text);
   return {"/rosout", "rcl_interfaces/Log", out.message()};
 }
 
@@ -317,18 +285,9 @@ bool is_scene(const Channel& channel) {
 
 }  // namespace
 
-std::string ros_name(std::string_view name) {
-  std::string allowed(name);
-  for (char& c : allowed) {
-    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
-  }
-  if (allowed.empty() || std::isdigit(static_cast<unsigned char>(allowed.front())) != 0) allowed.insert(0, "_");
-  return allowed;
-}
-
 RosMessage ros_clock(Duration time) {
-  CdrWriter out;
-  out.time(time);
+  RosWriter out;
+  write_clock(out, time);
   return {"/clock", "rosgraph_msgs/Clock", out.message()};
 }
 

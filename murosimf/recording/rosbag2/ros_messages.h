@@ -2,7 +2,7 @@
 ///
 ///     /tf, /cameras/tf                  /tf                            tf2_msgs/TFMessage
 ///     /joints, /targets                 /ROBOT/joint_states, /ROBOT/joint_targets     sensor_msgs/JointState, names without the robot's
-///     /sensors/ROBOT/SENSOR             /ROBOT/SENSOR                  sensor_msgs/Imu, geometry_msgs/WrenchStamped, by its outputs, or else
+///     /sensors/ROBOT/SENSOR             /ROBOT/SENSOR                  sensor_msgs/Imu, LaserScan, geometry_msgs/WrenchStamped, by its outputs, or else
 ///                                       std_msgs/Float64MultiArray, one label each
 ///     /cameras/ROBOT/CAMERA/image       /ROBOT/CAMERA/image/compressed  sensor_msgs/CompressedImage
 ///     .../depth, .../labels             /ROBOT/CAMERA/depth, labels    sensor_msgs/Image (16UC1)
@@ -18,6 +18,7 @@
 #include <string_view>
 #include <vector>
 
+#include "murosimf/dds/ros2/ros_names.h"
 #include "murosimf/recording/mcap/mcap_records.h"
 #include "murosimf/world/time.h"
 
@@ -45,7 +46,6 @@ class RosMessages {
 /// rosgraph_msgs/Clock.
 [[nodiscard]] RosMessage ros_clock(Duration time);
 
-/// "blue-1" is "blue_1", "1" is "_1".
-[[nodiscard]] std::string ros_name(std::string_view name);
+using dds::ros2::ros_name;
 
 }  // namespace murosimf::recording

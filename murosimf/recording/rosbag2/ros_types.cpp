@@ -50,6 +50,10 @@ constexpr std::array ros_types{
     RosType{"sensor_msgs/CameraInfo",
             "std_msgs/Header header\nuint32 height\nuint32 width\nstring distortion_model\nfloat64[] d\nfloat64[9] k\n"
             "float64[9] r\nfloat64[12] p\nuint32 binning_x\nuint32 binning_y\nsensor_msgs/RegionOfInterest roi\n"},
+    RosType{"sensor_msgs/LaserScan",
+            "std_msgs/Header header\nfloat32 angle_min\nfloat32 angle_max\nfloat32 angle_increment\nfloat32 "
+            "time_increment\n"
+            "float32 scan_time\nfloat32 range_min\nfloat32 range_max\nfloat32[] ranges\nfloat32[] intensities\n"},
     RosType{"rosgraph_msgs/Clock", "builtin_interfaces/Time clock\n"},
     RosType{"rcl_interfaces/Log",
             "builtin_interfaces/Time stamp\nuint8 level\nstring name\nstring msg\nstring file\nstring function\n"

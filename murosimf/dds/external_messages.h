@@ -10,12 +10,17 @@
 #include "murosimf/runtime/external_input_history.h"
 #include "murosimf/runtime/external_input_log.h"
 
-namespace murosimf::dds::booster {
+namespace murosimf::dds {
 
 class ExternalMessages {
  public:
+  /// What is said when the first program has come, and when the last one has gone.
+  struct Lines {
+    std::string came, left;
+  };
   /// `channel`: "dds:ROBOT". `say` is told when programs come and go.
-  ExternalMessages(const std::string& channel, const ExternalInputOptions& outside, control_software::SayLine say);
+  ExternalMessages(const std::string& channel, const ExternalInputOptions& outside, control_software::SayLine say,
+                   Lines lines);
 
   /// Whether this run is given the messages of an earlier one.
   [[nodiscard]] bool is_repeated() const { return repeated_ != nullptr; }
@@ -32,6 +37,7 @@ class ExternalMessages {
   [[nodiscard]] std::vector<ExternalInput> remember();
 
   control_software::SayLine say_;
+  Lines lines_;
   std::shared_ptr<ExternalInputLog> notes_;  // the pen's
   ExternalInputRecorder pen_;
   std::shared_ptr<const ExternalInputLog> repeated_;  // null: live
@@ -41,4 +47,4 @@ class ExternalMessages {
   bool client_ = false;
 };
 
-}  // namespace murosimf::dds::booster
+}  // namespace murosimf::dds

@@ -1,7 +1,8 @@
-/// cdr_writer.h - fields of ROS 2 messages, in the representation of dds/cdr.h, as bags store them.
+/// ros_writer.h - fields of ROS 2 messages, in the representation of dds/cdr.h, as topics carry and bags store them.
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -10,14 +11,18 @@
 #include "murosimf/math/vec3.h"
 #include "murosimf/world/time.h"
 
-namespace murosimf::recording {
+namespace murosimf::dds::ros2 {
 
-class CdrWriter {
+class RosWriter {
  public:
+  /// Keeps the memory.
+  void clear() { out_.clear(); }
   void u8(std::uint8_t value) { out_.number(value); }
   void boolean(bool value) { u8(value ? 1 : 0); }
   void u32(std::uint32_t value) { out_.number(value); }
   void i32(std::int32_t value) { out_.number(value); }
+  void u16(std::uint16_t value) { out_.number(value); }
+  void u64(std::uint64_t value) { out_.number(value); }
   void f32(double value) { out_.number(static_cast<float>(value)); }
   void f64(double value) { out_.number(value); }
   void text(std::string_view value) { out_.text(value); }
@@ -46,6 +51,13 @@ class CdrWriter {
     text(frame);
   }
 
+  /// Sequences.
+  void texts(std::span<const std::string> all) {
+    u32(static_cast<std::uint32_t>(all.size()));
+    for (const std::string& one : all) text(one);
+  }
+
+  [[nodiscard]] const Bytes& encoded() const { return out_.bytes(); }
   [[nodiscard]] std::string message() const { return {out_.bytes().begin(), out_.bytes().end()}; }
   /// The message with another first number, a count that is known at the end only.
   [[nodiscard]] std::string with_count(std::uint32_t count) {
@@ -54,7 +66,7 @@ class CdrWriter {
   }
 
  private:
-  dds::CdrWriter out_;
+  CdrWriter out_;
 };
 
-}  // namespace murosimf::recording
+}  // namespace murosimf::dds::ros2

@@ -1,10 +1,11 @@
-#include "murosimf/dds/booster/external_messages.h"
+#include "murosimf/dds/external_messages.h"
 
-namespace murosimf::dds::booster {
+namespace murosimf::dds {
 
 ExternalMessages::ExternalMessages(const std::string& channel, const ExternalInputOptions& outside,
-                                   control_software::SayLine say)
+                                   control_software::SayLine say, Lines lines)
     : say_(std::move(say)),
+      lines_(std::move(lines)),
       notes_(outside.notes),
       pen_(outside.channel(channel)),
       repeated_(outside.repeated),
@@ -57,11 +58,10 @@ std::vector<Arrival> ExternalMessages::at(Duration now, Inbox* inbox) {
       if (!note.bytes.empty()) messages.push_back({note.bytes.front(), {note.bytes.begin() + 1, note.bytes.end()}});
     } else {
       client_ = note.kind == ExternalInput::came;
-      say_(client_ ? "a program with the robot's SDK has come"
-                   : "the last program has gone; commands stay as they are");
+      say_(client_ ? lines_.came : lines_.left);
     }
   }
   return messages;
 }
 
-}  // namespace murosimf::dds::booster
+}  // namespace murosimf::dds

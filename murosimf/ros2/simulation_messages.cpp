@@ -1,0 +1,87 @@
+#include "murosimf/ros2/simulation_messages.h"
+
+namespace murosimf::ros2 {
+namespace {
+
+constexpr std::uint32_t most_texts = 1000, most_points = 10'000;
+
+void skip_time(dds::CdrReader& in) {
+  (void)in.number<std::int32_t>();
+  (void)in.number<std::uint32_t>();
+}
+
+Vec3d read_vector(dds::CdrReader& in) {
+  const auto x = in.number<double>(), y = in.number<double>(), z = in.number<double>();
+  return {x, y, z};
+}
+
+void read_pose_into(dds::CdrReader& in, EntityState& state) {
+  skip_time(in);
+  state.frame = in.text();
+  state.position = read_vector(in);
+  const Vec3d v = read_vector(in);
+  state.orientation = {in.number<double>(), v.x, v.y, v.z};
+}
+
+}  // namespace
+
+void put(dds::ros2::RosWriter& out, const Result& result) {
+  out.u8(static_cast<std::uint8_t>(result.code));
+  out.text(result.message);
+}
+
+std::vector<std::string> read_texts(dds::CdrReader& in) {
+  std::vector<std::string> all;
+  const std::uint32_t count = in.count(most_texts);
+  for (std::uint32_t i = 0; i < count && in.good(); ++i) all.push_back(in.text());
+  return all;
+}
+
+EntityFilters read_filters(dds::CdrReader& in) {
+  EntityFilters filters;
+  filters.names = in.text();
+  const std::uint32_t categories = in.count(most_texts);
+  for (std::uint32_t i = 0; i < categories; ++i)
+    filters.categories.push_back(static_cast<Category>(in.number<std::uint8_t>()));
+  filters.tags = read_texts(in);
+  filters.all_tags = in.number<std::uint8_t>() == 1;
+  const auto bounds = in.number<std::uint8_t>();
+  const std::uint32_t points = in.count(most_points);
+  for (std::uint32_t i = 0; i < points && in.good(); ++i) (void)read_vector(in);
+  filters.has_bounds = bounds != 0;
+  return filters;
+}
+
+void put(dds::ros2::RosWriter& out, const EntityState& state) {
+  out.header(state.time, state.frame);
+  out.vector(state.position);
+  out.quaternion(state.orientation);
+  out.vector(state.linear);
+  out.vector(state.angular);
+  for (int i = 0; i < 6; ++i) out.f64(0);  // accelerations are not told
+}
+
+EntityState read_state(dds::CdrReader& in) {
+  EntityState state;
+  read_pose_into(in, state);
+  state.linear = read_vector(in);
+  state.angular = read_vector(in);
+  for (int i = 0; i < 2; ++i) (void)read_vector(in);
+  return state;
+}
+
+EntityState read_pose(dds::CdrReader& in) {
+  EntityState state;
+  read_pose_into(in, state);
+  return state;
+}
+
+void put_world(dds::ros2::RosWriter& out, const std::string& name, const std::string& description) {
+  out.text(name);
+  out.text(name);  // uri
+  out.text("");    // resource_string
+  out.text(description);
+  out.u32(0);  // no tags
+}
+
+}  // namespace murosimf::ros2

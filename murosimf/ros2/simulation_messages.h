@@ -1,0 +1,100 @@
+/// simulation_messages.h - messages of simulation_interfaces 2.0, decoded and encoded.
+///
+/// Source: package simulation_interfaces (ros-simulation), version 2.0: fields in their order, numbers of features and results. Requests of 1.x that have the same
+/// bytes (all but Spawnable and WorldResource, which only answers have) are understood as well.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "murosimf/dds/cdr.h"
+#include "murosimf/dds/ros2/message_encoding.h"
+
+namespace murosimf::ros2 {
+
+/// simulation_interfaces/Result, and what single services add to it.
+enum class ResultCode : std::uint8_t {
+  feature_unsupported = 0,
+  ok = 1,
+  not_found = 2,
+  incorrect_state = 3,
+  operation_failed = 4,
+  name_invalid = 102,             ///< SpawnEntity
+  no_resource = 104,              ///< SpawnEntity
+  no_world_resource = 102,        ///< LoadWorld
+  world_parse_error = 103,        ///< LoadWorld
+  already_in_target_state = 101,  ///< SetSimulationState
+};
+
+struct Result {
+  ResultCode code = ResultCode::ok;
+  std::string message{};
+};
+void put(dds::ros2::RosWriter& out, const Result& result);
+
+/// simulation_interfaces/SimulatorFeatures
+enum class Feature : std::uint16_t {
+  spawning = 0,
+  deleting = 1,
+  entity_tags = 4,
+  entity_categories = 8,
+  entity_state_getting = 10,
+  entity_state_setting = 11,
+  entity_info_getting = 12,
+  spawnables = 14,
+  simulation_reset = 20,
+  simulation_state_getting = 24,
+  simulation_state_setting = 25,
+  simulation_state_pause = 26,
+  step_simulation_single = 31,
+  step_simulation_multiple = 32,
+  step_simulation_action = 33,
+  world_loading = 40,
+  world_info_getting = 44,
+  available_worlds = 45,
+};
+
+/// simulation_interfaces/EntityCategory
+enum class Category : std::uint8_t {
+  unknown = 0,
+  object = 1,
+  robot = 2,
+  human = 3,
+  dynamic_object = 4,
+  static_object = 5
+};
+
+/// simulation_interfaces/SimulationState
+enum class SimulationState : std::uint8_t { stopped = 0, playing = 1, paused = 2, quitting = 3 };
+
+/// simulation_interfaces/EntityFilters
+struct EntityFilters {
+  std::string names;  ///< POSIX extended regular expression; empty: all
+  std::vector<Category> categories;
+  std::vector<std::string> tags;
+  bool all_tags = false;
+  bool has_bounds = false;
+};
+[[nodiscard]] EntityFilters read_filters(dds::CdrReader& in);
+
+/// simulation_interfaces/EntityState: in the world, if its frame is empty.
+struct EntityState {
+  Duration time{};
+  std::string frame = "world";
+  Vec3d position;  ///< [m]
+  Quaterniond orientation{1, 0, 0, 0};
+  Vec3d linear, angular;  ///< [m/s], [rad/s] axes of the frame
+};
+void put(dds::ros2::RosWriter& out, const EntityState& state);
+[[nodiscard]] EntityState read_state(dds::CdrReader& in);
+/// geometry_msgs/PoseStamped
+[[nodiscard]] EntityState read_pose(dds::CdrReader& in);
+
+/// simulation_interfaces/WorldResource
+void put_world(dds::ros2::RosWriter& out, const std::string& name, const std::string& description);
+
+[[nodiscard]] std::vector<std::string> read_texts(dds::CdrReader& in);
+
+}  // namespace murosimf::ros2

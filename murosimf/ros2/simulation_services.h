@@ -1,0 +1,93 @@
+/// simulation_services.h - a run steered by clients of simulation_interfaces, the standard services of ROS 2 for simulators.
+///
+///     get_simulator_features, get_entities, get_entities_states, get_entity_state, set_entity_state, get_entity_info, get_entity_bounds,
+///     get_spawnables, spawn_entity, delete_entity, reset_simulation, step_simulation, get_simulation_state, set_simulation_state,
+///     get_current_world, get_available_worlds, load_world, unload_world, get_named_poses, get_named_pose_bounds; the action simulate_steps
+///
+/// Requests are answered one after the other, in a thread of its own, by the session: what they change are commands of the run, as of a supervisor. What
+/// comes with them names entities of the scene, and scenes in the folders that the run was started with; nothing else (SECURITY.md).
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "murosimf/dds/ros2/service.h"
+#include "murosimf/ros2/simulation_messages.h"
+#include "murosimf/ros2/step_action.h"
+#include "murosimf/session/session.h"
+#include "murosimf/supervise/supervision.h"
+
+namespace murosimf::ros2 {
+
+struct SimulationServicesOptions {
+  /// As of supervise::SupervisionOptions: stores the request for another scene, or throws SetupError. None: the run keeps its scene.
+  std::function<void(const supervise::SceneRequest&)> exchange{};
+  std::function<void(const std::string& line)>
+      say{};  ///< one line for the first damaged request; called by the thread of its own
+};
+
+class SimulationServices {
+ public:
+  /// The session outlives it. Throws SetupError.
+  SimulationServices(session::Session& session, dds::Participant& participant, SimulationServicesOptions options);
+  ~SimulationServices();
+  SimulationServices(const SimulationServices&) = delete;
+  SimulationServices& operator=(const SimulationServices&) = delete;
+
+ private:
+  using Answer = dds::ros2::RosWriter;
+  using Handler = void (SimulationServices::*)(dds::CdrReader&, Answer&);
+  struct Offer {
+    Handler handle = nullptr;
+    std::unique_ptr<dds::ros2::Service> service;
+  };
+  void offer(dds::Participant& participant, const std::string& type, Handler handle);
+  void offer_all(dds::Participant& participant);
+  void serve() noexcept;
+  void answer(const dds::Arrival& arrival);
+  void finish_if_wanted();
+  void visit(const std::function<void(scene::Scene&)>& look);
+  [[nodiscard]] Result attempt(const std::function<void()>& call) const;
+  [[nodiscard]] Result change(const std::vector<std::string>& changes);
+  [[nodiscard]] Result step(std::uint64_t steps);
+
+  // Of a service each: read the request, and write the answer.
+  void get_features(dds::CdrReader& in, Answer& out);
+  void get_entities(dds::CdrReader& in, Answer& out);
+  void get_entities_states(dds::CdrReader& in, Answer& out);
+  void get_entity_state(dds::CdrReader& in, Answer& out);
+  void set_entity_state(dds::CdrReader& in, Answer& out);
+  void get_entity_info(dds::CdrReader& in, Answer& out);
+  void get_entity_bounds(dds::CdrReader& in, Answer& out);
+  void get_spawnables(dds::CdrReader& in, Answer& out);
+  void spawn_entity(dds::CdrReader& in, Answer& out);
+  void delete_entity(dds::CdrReader& in, Answer& out);
+  void reset_simulation(dds::CdrReader& in, Answer& out);
+  void step_simulation(dds::CdrReader& in, Answer& out);
+  void get_simulation_state(dds::CdrReader& in, Answer& out);
+  void set_simulation_state(dds::CdrReader& in, Answer& out);
+  void get_current_world(dds::CdrReader& in, Answer& out);
+  void get_available_worlds(dds::CdrReader& in, Answer& out);
+  void load_world(dds::CdrReader& in, Answer& out);
+  void refuse(dds::CdrReader& in, Answer& out);
+  void refuse_list(dds::CdrReader& in, Answer& out);
+
+  [[nodiscard]] SimulationState state() const;
+  [[nodiscard]] Result go_to(SimulationState wanted);
+
+  session::Session& session_;
+  SimulationServicesOptions options_;
+  dds::Inbox inbox_;
+  StepAction steps_;
+  std::map<char, Offer> offers_;
+  Duration tick_{};
+  bool stopped_ = false, finishes_ = false, told_of_garbage_ = false;
+  std::atomic<bool> ends_{false};
+  std::thread thread_;
+};
+
+}  // namespace murosimf::ros2

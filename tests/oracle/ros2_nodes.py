@@ -1,0 +1,367 @@
+#!/usr/bin/env python3
+"""Nodes of ROS 2 against a running simulation: topics, commands, the action, the services. By Cyclone DDS, with types of its own.
+
+Usage: ros2_nodes.py MUROSIMF
+
+Every topic is decoded and looked at; a trajectory, an action and cmd_vel move a robot; simulation_interfaces pauses, steps, resets, spawns, places and loads.
+Garbage, a wrong type and a subscriber that is killed do not end the run. Nothing listens beside 127.0.0.1.
+Needs cyclonedds in this Python; without it, or in a build without DDS, it is skipped (exit code 77).
+"""
+
+import json
+import math
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+try:
+    import cyclonedds  # noqa: F401
+except ImportError as missing:
+    print(f"skipped: {missing}; pip install cyclonedds")
+    sys.exit(77)
+
+import ros2_interfaces as si
+import ros2_types as ros
+from errors import end, errors
+from ros2_peer import KEPT, Node, wait_for
+
+DOMAIN = 88
+DISCOVERY = "239.255.0.1"
+NAME, ROBOT = "blue-1", "blue_1"
+SCENE = """
+name = "ros2"
+duration = 60.0
+
+[field]
+size = "kid_size_2023"
+
+[ball]
+position = [1.5, 0.2]
+
+[[robots]]
+name = "blue-1"
+model = "kid21"
+level = "articulated_dynamics"
+controller = "ros2"
+
+[robots.sensors.scan]
+type = "laser"
+rate = 10
+rays = 91
+fov = 3.0
+
+[robots.sensors.wrist]
+type = "force_torque"
+frame = "left_foot_link"
+
+[[robots]]
+name = "reserve"
+model = "kid21"
+controller = "walk"
+position = [-1.0, 1.0]
+present = false
+"""
+
+
+def expect(what, good, got):
+    print(("ok      " if good else "FAILED  ") + what, got)
+    if not good:
+        errors.append(f"{what}: {got}")
+
+
+class Run:
+    def __init__(self, program, folder):
+        scene, self.report = Path(folder) / "ros2.toml", Path(folder) / "report.json"
+        scene.write_text(SCENE)
+        self.process = subprocess.Popen([program, "run", str(scene), "--ros2", str(DOMAIN), "--duration", "300",
+                                         "--json", str(self.report)], stderr=subprocess.PIPE, text=True)
+
+    def listens(self):
+        lines = subprocess.run(["ss", "-ulpn"], capture_output=True, text=True, check=True).stdout.splitlines()
+        return [line.split()[3] for line in lines if f"pid={self.process.pid}," in line]
+
+
+def look_at_topics(node):
+    topic = {name: f"/{ROBOT}/{name}" for name in ("joint_states", "imu", "odom", "ground_truth", "scan", "wrist", "left_foot")}
+    kinds = {"joint_states": ros.JointState, "imu": ros.Imu, "odom": ros.Odometry, "ground_truth": ros.Odometry,
+             "scan": ros.LaserScan, "wrist": ros.WrenchStamped, "left_foot": ros.Float64MultiArray}
+    readers = {name: node.subscribe(topic[name], kind) for name, kind in kinds.items()}
+    readers["clock"], readers["tf"] = node.subscribe("/clock", ros.Clock), node.subscribe("/tf", ros.TFMessage)
+    readers["tf_static"] = node.subscribe("/tf_static", ros.TFMessage, KEPT)
+    readers["robot_description"] = node.subscribe(f"/{ROBOT}/robot_description", ros.String, KEPT)
+    readers["image"] = node.subscribe(f"/{ROBOT}/camera/image_raw", ros.Image)
+    readers["camera_info"] = node.subscribe(f"/{ROBOT}/camera/camera_info", ros.CameraInfo)
+    got = {name: [] for name in readers}
+
+    def take():
+        for name, reader in readers.items():
+            got[name] += reader.take(N=100)
+        return all(len(samples) >= (1 if name in ("tf_static", "robot_description") else 5) for name, samples in got.items())
+
+    wait_for(take, 30)
+    print({name: len(samples) for name, samples in got.items()})
+    last = {name: samples[-1] if samples else None for name, samples in got.items()}
+    expect("all topics come", all(last.values()), [name for name, sample in last.items() if sample is None])
+    if not all(last.values()):
+        return
+    joints = last["joint_states"]
+    expect("joint states of 21 joints", len(joints.name) == len(joints.position) == len(joints.velocity) == 21, len(joints.name))
+    stamps = [sample.header.stamp.seconds() for sample in got["joint_states"]]
+    periods = [b - a for a, b in zip(stamps, stamps[1:])]
+    expect("at 100 Hz", abs(min(periods) - 0.01) < 1e-6, min(periods))
+    imu = last["imu"]
+    gravity = math.hypot(imu.linear_acceleration.x, imu.linear_acceleration.y, imu.linear_acceleration.z)
+    expect("gravity in the IMU", abs(gravity - 9.81) < 1.5, gravity)
+    expect("orientation is not measured", imu.orientation_covariance[0] == -1, imu.orientation_covariance[0])
+    scan = last["scan"]
+    expect("scan", len(scan.ranges) == 91 and abs(scan.angle_max - scan.angle_min - 3) < 1e-5 and scan.range_max == 30,
+           (len(scan.ranges), scan.angle_min, scan.angle_max))
+    frames = {t.child_frame_id: t.header.frame_id for t in last["tf"].transforms}
+    expect("frames", frames.get("ball/ball") == "world" and f"{NAME}/odom" in frames.values(), len(frames))
+    fixed = {t.child_frame_id for t in last["tf_static"].transforms}
+    expect("fixed frames", {f"{NAME}/imu", f"{NAME}/scan", f"{NAME}/camera/optical"} <= fixed, sorted(fixed))
+    expect("URDF", "<robot" in last["robot_description"].data and joints.name[0] in last["robot_description"].data,
+           len(last["robot_description"].data))
+    image, info = last["image"], last["camera_info"]
+    expect("picture", len(image.data) == image.height * image.step and image.encoding == "rgb8" and
+           (info.width, info.height) == (image.width, image.height), (image.width, image.height, info.distortion_model))
+
+
+def command(node, joints):
+    """Moves the head by a trajectory, then by the action, then walks."""
+    neck = next(name for name in joints().name if "neck" in name or "head" in name)
+
+    def angle():
+        sample = joints()
+        return sample.position[list(sample.name).index(neck)]
+
+    def to(position):
+        point = ros.JointTrajectoryPoint(positions=[position], time_from_start=ros.Duration(0, 300_000_000))
+        return ros.JointTrajectory(joint_names=[neck], points=[point])
+
+    writer = node.publish(f"/{ROBOT}/joint_trajectory_controller/joint_trajectory", ros.JointTrajectory)
+    wait_for(lambda: writer.get_publication_matched_status().current_count)
+    writer.write(to(0.4))
+    expect("a trajectory moves a joint", wait_for(lambda: abs(angle() - 0.4) < 0.03), angle())
+    name = f"/{ROBOT}/joint_trajectory_controller/follow_joint_trajectory/_action/"
+    send = node.client(name + "send_goal", si.FOLLOW + "_SendGoal", si.SendGoal, si.GoalAnswer)
+    result = node.client(name + "get_result", si.FOLLOW + "_GetResult", si.GetResult, si.ResultOfGoal)
+    cancel = node.client(name + "cancel_goal", "action_msgs/srv/CancelGoal", si.CancelGoal, si.CancelAnswer)
+    feedback, status = node.subscribe(name + "feedback", si.FeedbackMessage), node.subscribe(name + "status", si.GoalStatusArray, KEPT)
+    id = si.GoalId([7] * 16)
+    answer = send.call(id, si.Goal(to(-0.3)))
+    expect("a goal is accepted", answer and answer.accepted, answer)
+    answer = result.call(id)
+    expect("it succeeds", answer and answer.status == 4 and answer.result.error_code == 0, answer)
+    expect("the joint is there", wait_for(lambda: abs(angle() + 0.3) < 0.03), angle())
+    told = feedback.take(N=100)
+    expect("feedback", told and list(told[-1].feedback.joint_names) == [neck], len(told))
+    states = wait_for(lambda: [s for s in status.take(N=10) if s.status_list and s.status_list[-1].status == 4])
+    expect("status", states, states and len(states))
+    answer = send.call(si.GoalId([8] * 16), si.Goal(ros.JointTrajectory(joint_names=["none"], points=[ros.JointTrajectoryPoint(
+        positions=[0.0], time_from_start=ros.Duration(1, 0))])))
+    expect("a goal for an unknown joint is refused", answer and not answer.accepted, answer)
+    answer = cancel.call(si.GoalInfo(si.GoalId([0] * 16), ros.Time()))
+    expect("nothing to cancel", answer and answer.return_code == 1, answer)
+
+
+def walk(node):
+    writer, odometry = node.publish(f"/{ROBOT}/cmd_vel", ros.Twist), node.subscribe(f"/{ROBOT}/odom", ros.Odometry)
+    first = wait_for(lambda: odometry.take(N=1))[0].pose.pose.position.x
+    last = first
+    for _ in range(40):
+        writer.write(ros.Twist(linear=ros.Vector3(x=0.15)))
+        time.sleep(0.1)
+        for sample in odometry.take(N=100):
+            last = sample.pose.pose.position.x
+    expect("cmd_vel walks", last - first > 0.1, last - first)
+
+
+class Services:
+    def __init__(self, node):
+        self.clients = {name: node.client(name, "simulation_interfaces/srv/" + kind, request, answer)
+                        for name, (kind, request, answer) in si.SERVICES.items()}
+
+    def __call__(self, name, *values, seconds=20):
+        return self.clients["/" + name].call(*values, seconds=seconds)
+
+
+def steer(node, call, clock):
+    features = call("get_simulator_features", 0).simulator_features.features
+    expect("features", {0, 1, 10, 11, 20, 31, 40} <= set(features), list(features))
+    expect("unsupported is said", call("unload_world", 0).result.result == 0, "")
+    expect("unsupported bounds", call("get_entity_bounds", "ball").result.result == 0, "")
+    names = call("get_entities", si.Filters()).entities
+    expect("entities", sorted(names) == ["ball", NAME], names)
+    expect("filtered", list(call("get_entities", si.Filters(filter="^b.*1$")).entities) == [NAME], "")
+    expect("robots", list(call("get_entities", si.Filters(categories=[si.Category(2)])).entities) == [NAME], "")
+    expect("a bad filter", call("get_entities", si.Filters(filter="(")).result.result == 4, "")
+    expect("info", call("get_entity_info", NAME).info.category.category == 2, "")
+    expect("no such entity", call("get_entity_state", "nobody").result.result == 2, "")
+
+    expect("playing", call("get_simulation_state", 0).state == 1, "")
+    expect("a step needs a pause", call("step_simulation", 1).result.result == 4, "")
+    expect("pause", call("set_simulation_state", 2).result.result == 1, "")
+    expect("twice", call("set_simulation_state", 2).result.result == 101, "")
+    before = call("get_entity_state", "ball").state.header.stamp.seconds()
+    expect("100 steps", call("step_simulation", 100).result.result == 1, "")
+    after = call("get_entity_state", "ball").state.header.stamp.seconds()
+    expect("take 0.1 s", abs(after - before - 0.1) < 1e-6, after - before)
+
+    step_by_action(node, call)
+
+    state = si.EntityState()
+    state.pose.position = ros.Point(0.7, -0.4, 0.3)
+    state.twist.linear = ros.Vector3(0.0, 0.5, 0.0)
+    expect("the ball is placed", call("set_entity_state", "ball", state).result.result == 1, "")
+    there = call("get_entity_state", "ball").state
+    expect("where it was wanted", abs(there.pose.position.x - 0.7) < 1e-6 and abs(there.pose.position.z - 0.3) < 1e-6 and
+           abs(there.twist.linear.y - 0.5) < 1e-6, (there.pose.position, there.twist.linear))
+    robot = call("get_entity_state", NAME).state
+    robot.pose.position.x += 0.5
+    robot.pose.orientation = ros.Quaternion(0.0, 0.0, math.sin(0.5), math.cos(0.5))
+    expect("the robot is placed", call("set_entity_state", NAME, robot).result.result == 1, "")
+    moved = call("get_entity_state", NAME).state
+    expect("where it was wanted", abs(moved.pose.position.x - robot.pose.position.x) < 1e-6 and
+           abs(moved.pose.orientation.z - math.sin(0.5)) < 1e-6, moved.pose)
+    state.pose.orientation = ros.Quaternion(0.0, 0.0, 0.0, 0.0)
+    expect("no orientation", call("set_entity_state", "ball", state).result.result == 4, "")
+
+    absent = call("get_spawnables", []).spawnables
+    expect("spawnables", [one.entity_resource.uri for one in absent] == ["reserve"], absent)
+    pose = ros.PoseStamped()
+    pose.pose.position = ros.Point(-1.0, 0.5, robot.pose.position.z)
+    spawned = call("spawn_entity", "", True, si.Resource("reserve"), "", pose)
+    expect("spawn", spawned.result.result == 1 and spawned.entity_name == "reserve", spawned.result)
+    expect("no resource", call("spawn_entity", "", True, si.Resource(), "", pose).result.result == 104, "")
+    expect("a file is no entity", call("spawn_entity", "", True, si.Resource("/etc/passwd"), "", pose).result.result == 2, "")
+    expect("three entities", len(call("get_entities_states", si.Filters()).states) == 3, "")
+    expect("delete", call("delete_entity", "reserve").result.result == 1, "")
+    expect("delete twice", call("delete_entity", "reserve").result.result == 2, "")
+
+    expect("one scope alone", call("reset_simulation", 1).result.result == 0, "")
+    expect("reset", call("reset_simulation", 0).result.result == 1, "")
+    expect("at the start", call("get_entity_state", "ball").state.header.stamp.seconds() == 0, "")
+    expect("play", call("set_simulation_state", 1).result.result == 1, "")
+    clock.take(N=1000)
+    expect("the clock goes on", wait_for(lambda: clock.take(N=10)), "")
+
+
+def step_by_action(node, call):
+    """While the run is paused."""
+    name = "/simulate_steps/_action/"
+    send, result, cancel = (node.client(name + part, kind, request, answer) for part, kind, request, answer in (
+        ("send_goal", si.STEP + "_SendGoal", si.SendSteps, si.GoalAnswer),
+        ("get_result", si.STEP + "_GetResult", si.GetResult, si.StepsResult),
+        ("cancel_goal", "action_msgs/srv/CancelGoal", si.CancelGoal, si.CancelAnswer)))
+    feedback = node.subscribe(name + "feedback", si.StepsFeedback)
+    before = call("get_entity_state", "ball").state.header.stamp.seconds()
+    send.wait(), result.wait(), cancel.wait()
+    wait_for(lambda: feedback.get_subscription_matched_status().current_count)
+    id = si.GoalId([1] * 16)
+    expect("steps by an action", send.call(id, 200).accepted, "")
+    answer = result.call(id)
+    expect("are made", answer and answer.status == 4 and answer.result.result == 1, answer)
+    after = call("get_entity_state", "ball").state.header.stamp.seconds()
+    expect("take 0.2 s", abs(after - before - 0.2) < 1e-6, after - before)
+    told = wait_for(lambda: feedback.take(N=100))
+    expect("feedback of steps", told and told[-1].completed_steps == 200 and told[-1].remaining_steps == 0, told and told[-1])
+    id = si.GoalId([2] * 16)
+    expect("many steps", send.call(id, 1_000_000).accepted, "")
+    answer = cancel.call(si.GoalInfo(id, ros.Time()))
+    expect("are canceled", answer and answer.return_code == 0, answer)
+    expect("as the result says", result.call(id).status == 5, "")
+
+
+def load_worlds(call):
+    worlds = [world.name for world in call("get_available_worlds", [], si.TagsFilter()).worlds]
+    expect("worlds", "nudge" in worlds, len(worlds))
+    expect("current world", call("get_current_world", 0).world.name == "ros2", "")
+    expect("no file elsewhere", call("load_world", si.Resource("/etc/passwd"), False, False).result.result == 103, "")
+    expect("the run is as it was", call("get_current_world", 0).world.name == "ros2", "")
+    expect("load", call("load_world", si.Resource("nudge"), False, False).result.result == 1, "")
+    loaded = wait_for(lambda: (answer := call("get_current_world", 0, seconds=2)) and answer.world.name == "nudge", 30)
+    expect("another world", loaded, loaded)
+    expect("stopped", call("get_simulation_state", 0).state == 0, "")
+
+
+def disturb(program, node, joints):
+    """Garbage by a type of that name, and a subscriber that is killed."""
+    wrong = node.publish(f"/{ROBOT}/joint_commands", ros.String)  # a wrong type: does not match
+    wrong.write(ros.String("nonsense"))
+    numbers = node.publish(f"/{ROBOT}/forward_position_controller/commands", ros.Float64MultiArray)
+    wait_for(lambda: numbers.get_publication_matched_status().current_count)
+    numbers.write(ros.Float64MultiArray(data=[1.0, 2.0]))
+    numbers.write(ros.Float64MultiArray(data=[math.nan] * 21))
+    code = ("import sys; sys.path.insert(0, {!r}); from ros2_peer import *; import ros2_types as r\n"
+            "n = Node({}); s = n.subscribe('/{}/camera/image_raw', r.Image)\n"
+            "print(bool(wait_for(lambda: s.take(N=1))), flush=True); import time; time.sleep(60)")
+    other = subprocess.Popen([sys.executable, "-c", code.format(str(Path(__file__).parent), DOMAIN, ROBOT)],
+                             stdout=subprocess.PIPE, text=True)
+    expect("a second subscriber gets pictures", other.stdout.readline().strip() == "True", "")
+    os.kill(other.pid, signal.SIGKILL)
+    other.wait()
+    before = joints().header.stamp.seconds()
+    time.sleep(1)
+    expect("a killed subscriber stops nothing", joints().header.stamp.seconds() > before + 0.5, "")
+
+
+def round_trips(call):
+    call("get_simulation_state", 0)
+    times = []
+    for _ in range(100):
+        start = time.perf_counter()
+        call("get_simulation_state", 0)
+        times.append(time.perf_counter() - start)
+    times.sort()
+    print(f"service, 100 calls: median {1e3 * times[50]:.2f} ms, worst {1e3 * times[-1]:.2f} ms")
+
+
+def main():
+    program = sys.argv[1]
+    with tempfile.TemporaryDirectory() as folder:
+        run = Run(program, folder)
+        node = Node(DOMAIN)
+        reader = node.subscribe(f"/{ROBOT}/joint_states", ros.JointState)
+        if not wait_for(lambda: reader.take(N=1) or run.process.poll() is not None, 60) or run.process.poll() is not None:
+            said = run.process.stderr.read() if run.process.poll() is not None else "no joint states"
+            if "no DDS" in said:
+                print("skipped:", said)
+                sys.exit(77)
+            errors.append(said)
+            run.process.kill()
+            end()
+        newest = []
+
+        def joints():
+            newest[:] = (reader.take(N=100) or newest)[-1:]
+            while not newest:
+                time.sleep(0.002)
+                newest[:] = reader.take(N=100)[-1:]
+            return newest[0]
+
+        places = run.listens()
+        expect("nothing listens beside loopback", places and all(
+            place.startswith(("127.0.0.1:", DISCOVERY)) for place in places), places)
+        clock = node.subscribe("/clock", ros.Clock)
+        look_at_topics(node)
+        command(node, joints)
+        walk(node)
+        disturb(program, node, joints)
+        call = Services(node)
+        round_trips(call)
+        steer(node, call, clock)
+        load_worlds(call)
+        call("set_simulation_state", 3)
+        code = run.process.wait(60)
+        said = run.process.stderr.read()
+        expect("exit code", code == 0, (code, said[-500:]))
+    end()
+
+
+if __name__ == "__main__":
+    main()
