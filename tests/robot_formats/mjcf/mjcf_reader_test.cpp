@@ -153,18 +153,21 @@ TEST(MjcfReader, Kid21HasServosOfItsTable) {
 TEST(MjcfReader, Kid21HasSurfacesOfItsTable) {
   const auto [model, warnings, notes, table, carried, description] = robot::read_robot(kid21);
   const Shapes& foot = *model->find(properties::shapes, model->object_index("l_foot"));
-  ASSERT_EQ(foot.size(), 1u);
+  ASSERT_EQ(foot.size(), 2u);
+  EXPECT_FALSE(foot[1].collides) << "is for the eye";
   EXPECT_EQ(foot[0].surface.material, "rubber");
   EXPECT_EQ(foot[0].surface.friction, 0.8);
   expect_near(std::get<Box>(foot[0].shape).half_size, {0.075, 0.045, 0.01});
   EXPECT_EQ(model->find(properties::shapes, model->object_index("torso"))->front().surface.material, "plastic");
 }
 
-TEST(MjcfReader, Kid21HasTwentyBodiesWithOneShapeEach) {
+TEST(MjcfReader, Kid21HasTwentyBodiesWithOneShapeEachThatCollides) {
   const auto [model, warnings, notes, table, carried, description] = robot::read_robot(kid21);
   const auto with_shapes = model->having(properties::shapes);
   EXPECT_EQ(with_shapes.size(), 20u);
-  for (const int i : with_shapes) EXPECT_EQ(model->find(properties::shapes, i)->size(), 1u);
+  for (const int i : with_shapes) {
+    EXPECT_EQ(std::ranges::count_if(*model->find(properties::shapes, i), &PlacedShape::collides), 1);
+  }
   // the ankle servo is above the ground when the foot stands
   const double sole_height = 0.04;
   const Shapes& ankle = *model->find(properties::shapes, model->object_index("l_ankle"));
