@@ -37,7 +37,8 @@ void define(const Command& command, RenderOptions& options) {
            "color; depth (16 bits, mm, 0: nothing) or labels (16 bits, FILE.labels.json has their names), as PNG or "
            ".mkv; depth_shown or labels_shown: in colors, for people")
       .shows_default();
-  command.add("--light", options.light, "hall, day or night, instead of the scene's");
+  command.add("--light", options.light,
+              "hall, day, evening, spots or night: surroundings and lamps, instead of the scene's");
   command.add("--no-shadows", options.no_shadows, "No shadows in pictures from a view").excludes(camera);
   command
       .add("--stance", options.stance, "Yellow feet where a robot stands at kinematic_walking, in pictures from a view")

@@ -19,7 +19,7 @@ std::size_t render_mesh_of(const Drawable& drawable, std::size_t level, const Me
   MUROSIMF_ASSERT(level < roundness.size());
   const std::size_t box = round_forms * roundness.size();
   switch (drawable.form) {
-    case Form::sphere: return sphere * roundness.size() + level;
+    case Form::sphere: return (drawable.paneled ? catalog.first_ball : sphere * roundness.size()) + level;
     case Form::half_sphere: return half_sphere * roundness.size() + level;
     case Form::tube: return tube * roundness.size() + level;
     case Form::cylinder: return cylinder * roundness.size() + level;
@@ -123,7 +123,9 @@ MeshCatalog solid_catalog(std::span<const RenderMesh> meshes) {
   catalog.meshes.push_back(unit_box());
   catalog.first_mesh = catalog.meshes.size();
   catalog.meshes.insert(catalog.meshes.end(), meshes.begin(), meshes.end());
-  MUROSIMF_ASSERT(catalog.meshes.size() == catalog.first_mesh + meshes.size());
+  catalog.first_ball = catalog.meshes.size();
+  for (const int segments : roundness) catalog.meshes.push_back(unit_sphere(segments));
+  MUROSIMF_ASSERT(catalog.first_ball == catalog.first_mesh + meshes.size());
   return catalog;
 }
 
@@ -132,6 +134,7 @@ void InstanceList::begin(const MeshCatalog& catalog) {
   clear_.clear();
   render_mesh_of_.clear();
   first_of_.assign(catalog.meshes.size() + 1, 0);
+  first_ball_ = catalog.first_ball;
 }
 
 void InstanceList::add(std::size_t solid, const Drawable& drawable, const Transformd& optical) {
@@ -179,10 +182,12 @@ void InstanceList::fill_all(const RenderScene& render_scene, const Vec3d& eye, c
 void InstanceList::sort() {
   MUROSIMF_ASSERT(unsorted_.size() == render_mesh_of_.size());
   groups_.clear();
+  ball_groups_ = 0;
   for (std::size_t solid = 0; solid + 1 < first_of_.size(); ++solid) {
     const std::size_t count = first_of_[solid + 1];
     first_of_[solid + 1] += first_of_[solid];
     if (count > 0) groups_.push_back({solid, first_of_[solid], count});
+    if (count > 0 && solid >= first_ball_) ++ball_groups_;
   }
   sorted_.resize(unsorted_.size());
   for (std::size_t i = 0; i < unsorted_.size(); ++i) {

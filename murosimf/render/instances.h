@@ -13,13 +13,13 @@
 
 namespace murosimf::render {
 
-/// Solids for drawing; meshes begin at `first_mesh`.
+/// Solids for drawing; meshes begin at `first_mesh`, balls at `first_ball`.
 struct MeshCatalog {
   std::vector<RenderMesh> meshes;
-  std::size_t first_mesh = 0;
+  std::size_t first_mesh = 0, first_ball = 0;
 };
 
-/// Round solids at all levels of roundness, the box, then the meshes.
+/// Round solids at all levels of roundness, the box, the meshes, then spheres once more, for balls with panels.
 [[nodiscard]] MeshCatalog solid_catalog(std::span<const RenderMesh> meshes);
 
 /// One piece for the graphics device: rows of the matrix that takes the solid to optical axes.
@@ -48,8 +48,9 @@ class InstanceList {
 
   [[nodiscard]] std::span<const Instance> instances() const { return sorted_; }
   [[nodiscard]] std::span<const InstanceGroup> groups() const { return groups_; }
-  /// Groups of opaque pieces, and the others.
+  /// Groups of opaque pieces, and the others; the last `ball_groups()` of the opaque ones are balls.
   [[nodiscard]] std::span<const InstanceGroup> solid_groups() const { return groups().first(solid_groups_); }
+  [[nodiscard]] std::size_t ball_groups() const { return ball_groups_; }
   [[nodiscard]] std::span<const InstanceGroup> clear_groups() const { return groups().subspan(solid_groups_); }
 
  private:
@@ -62,7 +63,7 @@ class InstanceList {
   std::vector<std::size_t> render_mesh_of_;  // by unsorted instance
   std::vector<std::size_t> first_of_;        // by solid
   std::vector<InstanceGroup> groups_;
-  std::size_t solid_groups_ = 0;
+  std::size_t solid_groups_ = 0, ball_groups_ = 0, first_ball_ = 0;
   std::vector<std::pair<std::size_t, Instance>> clear_;  // see-through pieces with their solids
 };
 

@@ -21,6 +21,25 @@ double farthest(const RenderMesh& solid) {
   return std::sqrt(square);
 }
 
+/// A model that is nothing but one sphere.
+bool is_ball(const Model& model) {
+  const Shapes* shapes = model.size() == 1 ? model.find(properties::shapes, 0) : nullptr;
+  return shapes && shapes->size() == 1 && std::holds_alternative<Sphere>(shapes->front().shape);
+}
+
+void find_box(const std::vector<RenderMesh>& meshes, Drawable& drawable) {
+  drawable.box_half = drawable.scale;
+  if (drawable.form != Form::mesh) return;
+  Vec3d low{1e9, 1e9, 1e9}, high{-1e9, -1e9, -1e9};
+  for (const Vertex& corner : meshes[static_cast<std::size_t>(drawable.mesh)].corners) {
+    const Vec3d p{corner.place[0], corner.place[1], corner.place[2]};
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  drawable.box_middle = 0.5 * (low + high);
+  drawable.box_half = 0.5 * (high - low);
+}
+
 }  // namespace
 
 Color color_on(const Entity& entity, const Color& color) {
@@ -43,6 +62,10 @@ EntityAppearance appearance_of_shapes(const Entity& entity) {
 RenderScene::RenderScene(const World& world, const std::vector<Entity*>& moving_entities,
                          const AppearanceOf& appearance) {
   for (const auto& entity : world.entities()) add_entity(*entity, moving_entities, appearance);
+  for (Drawable& drawable : drawables_) {
+    find_box(meshes_, drawable);
+    drawable.paneled = drawable.form == Form::sphere && is_ball(owner(drawable)->model());
+  }
   // By owner and object: for_drawables() computes each pose once.
   std::stable_sort(drawables_.begin(), drawables_.end(), [](const Drawable& a, const Drawable& b) {
     return a.owner != b.owner ? a.owner < b.owner : a.object < b.object;
@@ -94,6 +117,9 @@ void RenderScene::add_entity(Entity& entity, const std::vector<Entity*>& moving_
   const EntityAppearance own = appearance(entity);
   for (const ShownShape& shown : own.shapes) {
     if (shown.placed.color.alpha <= 0) continue;
+    if (!moves && shown.placed.surface.material == "net") {
+      add_net(owners_.back().rest[static_cast<std::size_t>(shown.object)] * shown.placed.place(), shown.placed.shape);
+    }
     add_shape({.owner = owner, .object = shown.object, .color = color_on(entity, shown.placed.color), .label = label},
               shown.placed);
   }
@@ -121,6 +147,18 @@ int RenderScene::add_mesh(const RenderMesh& solid, const void* identity) {
   identities_.push_back(identity);
   MUROSIMF_ASSERT(meshes_.size() == identities_.size());
   return static_cast<int>(meshes_.size()) - 1;
+}
+
+void RenderScene::add_net(const Transformd& at, const Shape& shape) {
+  const Box* box = std::get_if<Box>(&shape);
+  if (!box || box->half_size.z > std::min(box->half_size.x, box->half_size.y)) return;  // the net's walls
+  const double x = std::abs(at.position.x);
+  nets_.push_back({.side = at.position.x > 0 ? 1.0 : -1.0,
+                   .front = x - box->half_size.x,
+                   .rear = x + box->half_size.x,
+                   .half_width = box->half_size.y,
+                   .high = at.position.z,
+                   .low = 0});
 }
 
 void RenderScene::add_shape(Drawable drawable, const PlacedShape& shape) {

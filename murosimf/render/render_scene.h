@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "murosimf/geometry/manifold.h"
+#include "murosimf/render/look.h"
 #include "murosimf/render/render_mesh.h"
 #include "murosimf/runtime/pose_frame.h"
 #include "murosimf/world/world.h"
@@ -50,8 +51,10 @@ struct Drawable {
   int mesh = -1;  ///< RenderScene::meshes
   Color color;
   std::uint16_t label = 0;
-  double radius = 0;  ///< [m] bounding radius about its origin
-  int foot = -1;      ///< 0 or 1: of the model's first or second foot, where standing feet are marked
+  double radius = 0;           ///< [m] bounding radius about its origin
+  Vec3d box_middle, box_half;  ///< [m] a box around it, in the axes of `place`
+  bool paneled = false;        ///< a ball: light with patterns shows its panels
+  int foot = -1;               ///< 0 or 1: of the model's first or second foot, where standing feet are marked
 };
 
 /// Poses at one moment, for drawing beside a running simulation: it must stay unchanged while it is shown.
@@ -85,6 +88,8 @@ class RenderScene {
   [[nodiscard]] const Entity* owner(const Drawable& drawable) const { return owners_[drawable.owner].entity; }
   /// Markings of the first entity that has some; null if none has.
   [[nodiscard]] const Markings* markings() const { return markings_; }
+  /// Nets to look at: where boxes of the material "net" lie level above goals that do not move.
+  [[nodiscard]] const std::vector<GoalNet>& nets() const { return nets_; }
 
   /// Calls visit(piece, pose) for each piece of the entities that are present; poses [m] in the world, extrapolated by `ahead` [s].
   template <class Visit>
@@ -104,6 +109,7 @@ class RenderScene {
     }
   };
   void add_entity(Entity& entity, const std::vector<Entity*>& moving_entities, const AppearanceOf& appearance);
+  void add_net(const Transformd& at, const Shape& shape);
   void add_shape(Drawable drawable, const PlacedShape& shape);
   void add_round(Drawable drawable, const Capsule& capsule);
   int add_mesh(const RenderMesh& solid, const void* identity = nullptr);
@@ -116,6 +122,7 @@ class RenderScene {
   std::vector<RenderMesh> meshes_;
   std::vector<const void*> identities_;  // of meshes that several robots share
   const Markings* markings_ = nullptr;
+  std::vector<GoalNet> nets_;
   Color standing_{};  // of feet that are marked
   const ShownMoment* moment_ = nullptr;
 };

@@ -24,6 +24,7 @@ struct RendererOptions {
   int samples = 1;         ///< to a pixel, of colors: 1, 2, 4 or 8; edges are smooth with 4
   bool ground = true;      ///< draws the ground, at z = 0
   int shadow_side = 2048;  ///< [px] of the square shadow map
+  int light_number = 0;    ///< another one with every new light
 };
 
 class Renderer final : public sensors::ViewSource {
@@ -42,6 +43,7 @@ class Renderer final : public sensors::ViewSource {
   void set_light(const Light& light, int samples) {
     options_.light = light;
     options_.samples = samples;
+    ++options_.light_number;
   }
   /// The same; before the first picture. Coarser shadows cost less where the processor draws.
   void set_shadow_side(int side) { options_.shadow_side = side; }

@@ -10,20 +10,16 @@
 #include "murosimf/scene/scene_parts.h"
 
 namespace murosimf::scene {
-namespace {
-
 render::Light light_of(const scene_file::LightSpec& spec) {
   MUROSIMF_ASSERT(spec.brightness >= 0);
   render::Light light = find_entry(render::lights(), "light", spec.name).light;
   if (spec.toward) light.toward = *spec.toward;
-  for (Color* color : {&light.lamp, &light.sky, &light.ground}) {
+  for (Color* color : {&light.lamp, &light.sky, &light.ground, &light.others[0].lamp, &light.others[1].lamp}) {
     *color = {spec.brightness * color->red, spec.brightness * color->green, spec.brightness * color->blue};
   }
   light.shadows = spec.shadows;
   return light;
 }
-
-}  // namespace
 
 std::unique_ptr<render::Renderer> make_renderer(SceneParts& parts, const scene_file::LightSpec& light) {
   appearance::AppearanceLibrary library;

@@ -6,8 +6,9 @@
 #include "murosimf/sensors/view_source.h"
 
 namespace murosimf::render {
+struct Light;
 class Renderer;
-}
+}  // namespace murosimf::render
 
 namespace murosimf::scene_file {
 struct LightSpec;
@@ -16,6 +17,9 @@ struct LightSpec;
 namespace murosimf::scene {
 
 struct SceneParts;
+
+/// The light of that name, with the changes of the scene.
+[[nodiscard]] render::Light light_of(const scene_file::LightSpec& spec);
 
 /// A renderer of the scene in this light. The scene must be initialized and outlive it. Throws SetupError if this machine
 /// or this build cannot draw.

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::array all_fields{&kid_size_2008, &kid_size_2023};
 constexpr Color carpet_green{0.16, 0.47, 0.22};
-constexpr Color net_white{0.95, 0.95, 0.95, 0.25};
+constexpr Color net_white{0.95, 0.95, 0.95, 0.06};
 
 // a polygon of 72 sides deviates from the circle of 1.5 m by less than 1 mm
 constexpr int circle_sides = 72;

@@ -11,9 +11,11 @@
 #include "murosimf/math/quaternion.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/render/render_scene.h"
+#include "murosimf/scene/scene_cameras.h"
 #include "murosimf/sensors/camera_frame.h"
 #include "murosimf/web/json_line.h"
 #include "murosimf/web/little_endian.h"
+#include "murosimf/web/look_document.h"
 
 namespace murosimf::web {
 namespace {
@@ -77,6 +79,7 @@ class Writer {
     for (const ShownEntity& shown : document_.moving) add_bodies(world, shown);
     for (const render::RenderMesh& mesh : looks.meshes()) add_mesh(mesh);
     if (const Markings* markings = looks.markings()) add_ground(*markings);
+    text_["look"] = look_document(scene::light_of(scene_.spec().light), looks, data_);
     text_["schema"] = files::json_schema("web_scene");
     text_["name"] = scene_.spec().name;
     text_["warnings"] = library.warnings();
@@ -125,6 +128,7 @@ class Writer {
       part["body"] = body_of(row, owner->model().tree().links[static_cast<std::size_t>(at.link)].object);
     }
     if (drawable.mesh >= 0) part["mesh"] = drawable.mesh;
+    if (drawable.paneled) part["panels"] = true;
     text_["parts"].push_back(std::move(part));
   }
 

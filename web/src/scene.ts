@@ -20,6 +20,31 @@ export interface Part {
   place: Numbers; // x y z, then x y z w of the rotation
   scale: Numbers;
   color: Numbers;
+  panels?: boolean; // a ball
+}
+
+interface SurfaceText {
+  at: number;
+  corners: number;
+  triangles: number;
+}
+
+export interface LookText {
+  patterns: string; // functions in GLSL, and the uniforms that they need
+  numbers: Record<string, Numbers>; // these
+  surroundings: "nothing" | "hall" | "outdoors";
+  lamps: { toward: Numbers; color: Numbers }[]; // the first one casts shadows
+  sky: Numbers;
+  earth: Numbers;
+  gloss: number;
+  background: Numbers;
+  floor: Numbers;
+  grass: Numbers;
+  net: Numbers;
+  walls: SurfaceText;
+  ceiling: SurfaceText;
+  nets: SurfaceText;
+  pile: { at: number; side: number };
 }
 
 export interface SceneText {
@@ -27,7 +52,8 @@ export interface SceneText {
   name: string;
   entities: Entity[];
   parts: Part[];
-  meshes: { at: number; corners: number; triangles: number }[];
+  meshes: SurfaceText[];
+  look: LookText;
   ground?: { half_length: number; half_width: number; lines?: { points: Numbers[]; width: number; color: Numbers }[] };
   levels?: string[];
   contacts?: string[];
@@ -39,9 +65,18 @@ export interface Mesh {
   triangles: Uint32Array;
 }
 
+export interface Surface {
+  corners: Float32Array; // five numbers each: place, and where on the surface
+  triangles: Uint32Array;
+}
+
 export class SceneDocument {
   readonly text: SceneText;
   readonly meshes: Mesh[];
+  readonly walls: Surface;
+  readonly ceiling: Surface;
+  readonly nets: Surface;
+  readonly pile: Uint8Array<ArrayBuffer>;
   readonly moving: number[]; // indices of the entities that messages of poses have, in their order
 
   constructor(bytes: Uint8Array) {
@@ -53,6 +88,13 @@ export class SceneDocument {
       corners: new Float32Array(data, at, 3 * corners),
       triangles: new Uint32Array(data, at + 12 * corners, 3 * triangles),
     }));
+    const surface = ({ at, corners, triangles }: SurfaceText) => ({
+      corners: new Float32Array(data, at, 5 * corners),
+      triangles: new Uint32Array(data, at + 20 * corners, 3 * triangles),
+    });
+    const { walls, ceiling, nets, pile } = this.text.look;
+    [this.walls, this.ceiling, this.nets] = [surface(walls), surface(ceiling), surface(nets)];
+    this.pile = new Uint8Array(data, pile.at, pile.side * pile.side);
     this.moving = this.text.entities.flatMap((entity, i) => (entity.moves ? [i] : []));
   }
 

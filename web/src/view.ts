@@ -1,14 +1,14 @@
 // The scene in three dimensions: bodies, field, names, contact forces; who is selected; where the eye is.
 import {
-  AmbientLight, ArrowHelper, BoxGeometry, BufferAttribute, BufferGeometry, Color, ConeGeometry, CylinderGeometry, DirectionalLight,
-  Group, HemisphereLight, Matrix4, Mesh, MeshLambertMaterial, MeshBasicMaterial, Object3D, PCFSoftShadowMap, PerspectiveCamera,
-  Plane, PlaneGeometry, Quaternion, Raycaster, RingGeometry, Scene, SphereGeometry, Sprite, SRGBColorSpace, Vector2,
+  ArrowHelper, BoxGeometry, BufferAttribute, BufferGeometry, Color, ConeGeometry, CylinderGeometry, DirectionalLight, Group, type Material, Matrix4,
+  Mesh, MeshBasicMaterial, Object3D, PCFSoftShadowMap, PerspectiveCamera, Plane, Quaternion, Raycaster, RingGeometry, Scene, SphereGeometry, Sprite, SRGBColorSpace, Vector2,
   Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { Drawings } from "./drawings";
 import { Ghosts, type Belief } from "./ghosts";
 import { label } from "./label";
+import { Look } from "./look";
 import { arrange, type Named, type Rect } from "./names";
 import type { Part, SceneDocument } from "./scene";
 import type { Poses } from "./poses";
@@ -107,7 +107,6 @@ export class View {
   private named = true;
   private dirty = true;
   private poses: Poses | undefined;
-  private readonly sun = new DirectionalLight(0xfff6e8, 2.2);
   private drag: { shown: Shown; body: number; start: Vector3; plane: Plane } | undefined;
   private pressed: { x: number; y: number } | undefined;
   private followed = new Vector3();
@@ -119,12 +118,7 @@ export class View {
     this.renderer.shadowMap.enabled = !window.matchMedia("(pointer: coarse)").matches; // phones do without
     this.renderer.shadowMap.type = PCFSoftShadowMap;
     this.stage.background = new Color(0xb2bcc6);
-    this.stage.add(new HemisphereLight(0xdde6ee, 0x5c6657, 1.5), new AmbientLight(0xffffff, 0.25), this.sun, this.sun.target,
-      this.content, this.forces, this.arrow, this.drawings.world, this.ghosts.world);
-    this.sun.castShadow = true;
-    this.sun.shadow.mapSize.set(2048, 2048);
-    this.sun.shadow.bias = -0.0006;
-    this.sun.shadow.normalBias = 0.01;
+    this.stage.add(this.content, this.forces, this.arrow, this.drawings.world, this.ghosts.world);
     this.arrow.visible = false;
     this.ring = new Mesh(new RingGeometry(0.2, 0.24, 48),
       new MeshBasicMaterial({ color: 0xffe14d, transparent: true, opacity: 0.9, depthWrite: false }));
@@ -151,14 +145,16 @@ export class View {
     const first = this.document === undefined;
     this.clear();
     this.document = scene;
-    this.addGround(scene);
+    const look = new Look(scene);
+    this.stage.background = look.background;
+    this.addGround(scene, look);
     const byEntity = new Map<number, Part[]>();
     for (const part of scene.text.parts) {
       if (!byEntity.has(part.entity)) byEntity.set(part.entity, []);
       byEntity.get(part.entity)!.push(part);
     }
-    const material = new MeshLambertMaterial({ vertexColors: true });
-    const clear = new MeshLambertMaterial({ vertexColors: true, transparent: true, depthWrite: false });
+    const material = look.body(), ball = look.body({ panels: true });
+    const clear = look.body({ transparent: true, depthWrite: false });
     const isClear = (part: Part) => part.color[3] !== undefined;
     scene.text.entities.forEach((entity, index) => {
       const group = new Group();
@@ -166,7 +162,7 @@ export class View {
       const bodies = (entity.bodies ?? ["world"]).map((_, body) => {
         const own = parts.filter((part) => (part.body ?? 0) === body);
         const solid = own.filter((part) => !isClear(part));
-        const object = solid.length > 0 ? new Mesh(merged(solid, scene), material) : new Object3D();
+        const object = solid.length > 0 ? new Mesh(merged(solid, scene), solid[0]!.panels ? ball : material) : new Object3D();
         object.castShadow = object.receiveShadow = true;
         for (const part of own.filter(isClear)) {
           const seen = new Mesh(merged([part], scene), clear);
@@ -328,6 +324,7 @@ export class View {
 
   private clear(): void {
     this.content.traverse((object) => {
+      if (object instanceof DirectionalLight) object.dispose();
       if (object instanceof Mesh) (object.geometry as BufferGeometry).dispose();
       if (object instanceof Sprite) object.material.map?.dispose();
     });
@@ -338,20 +335,18 @@ export class View {
     this.shown = [];
   }
 
-  private addGround(scene: SceneDocument): void {
+  private addGround(scene: SceneDocument, look: Look): void {
     const ground = scene.text.ground;
-    const [length, width] = [ground?.half_length ?? 12, ground?.half_width ?? 12];
-    const plane = new Mesh(new PlaneGeometry(2 * length, 2 * width),
-      new MeshLambertMaterial({ color: ground ? colorOf([0.21, 0.5, 0.24]) : colorOf([0.48, 0.48, 0.47]) }));
-    plane.receiveShadow = true;
-    this.content.add(plane);
-    const surroundings = new Mesh(new PlaneGeometry(200, 200), new MeshLambertMaterial({ color: colorOf([0.5, 0.52, 0.52]) }));
-    surroundings.position.z = -0.012;
-    this.content.add(surroundings);
-    for (const line of ground?.lines ?? []) this.content.add(paint(line.points, line.width, colorOf(line.color)));
-    const far = 1.15 * Math.max(length, width);
-    this.sun.position.set(-0.45 * far, -0.4 * far, 1.3 * far);
-    const box = this.sun.shadow.camera;
+    this.content.add(...look.ground(ground?.half_length, ground?.half_width), ...look.scenery());
+    for (const line of ground?.lines ?? []) this.content.add(paint(line.points, line.width, look.paint(line.color)));
+    const far = 1.15 * Math.max(ground?.half_length ?? 12, ground?.half_width ?? 12);
+    this.content.add(...look.lights(far));
+    look.sun.castShadow = true;
+    look.sun.shadow.mapSize.set(2048, 2048);
+    look.sun.shadow.bias = -0.0006;
+    look.sun.shadow.normalBias = 0.01;
+    look.sun.shadow.radius = 3;
+    const box = look.sun.shadow.camera;
     [box.left, box.right, box.top, box.bottom, box.near, box.far] = [-far, far, far, -far, 0.1, 4 * far];
     box.updateProjectionMatrix();
   }
@@ -493,7 +488,7 @@ export class View {
 }
 
 // A painted line, as a strip on the ground.
-function paint(points: number[][], width: number, color: Color): Mesh {
+function paint(points: number[][], width: number, material: Material): Mesh {
   const corners: number[] = [], indices: number[] = [];
   for (let i = 0; i + 1 < points.length; ++i) {
     const a = new Vector3(...(points[i] as [number, number, number]));
@@ -512,7 +507,7 @@ function paint(points: number[][], width: number, color: Color): Mesh {
   geometry.setAttribute("position", new BufferAttribute(new Float32Array(corners), 3));
   geometry.setIndex(indices);
   geometry.computeVertexNormals();
-  const mesh = new Mesh(geometry, new MeshLambertMaterial({ color, side: 2, polygonOffset: true, polygonOffsetFactor: -1 }));
+  const mesh = new Mesh(geometry, material);
   mesh.receiveShadow = true;
   return mesh;
 }
