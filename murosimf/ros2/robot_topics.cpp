@@ -1,6 +1,7 @@
 #include "murosimf/ros2/robot_topics.h"
 
 #include <cmath>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -23,9 +24,30 @@ Transformd seen_from(const Transformd& outer, const Transformd& inner) {
           transpose(outer.orientation) * inner.orientation};
 }
 
-std::vector<recording::RecordedEntity> recorded(const Entity& robot) {
+/// Links of a URDF text by the joints above them.
+std::map<std::string, std::string> links_in(std::string_view urdf) {
+  constexpr std::string_view joint = "<joint name=\"", child = "<child link=\"";
+  const auto value_at = [&](std::size_t begin) {
+    return std::string(urdf.substr(begin, urdf.find('"', begin) - begin));
+  };
+  std::map<std::string, std::string> links;
+  for (std::size_t at = urdf.find(joint); at != std::string_view::npos; at = urdf.find(joint, at + 1)) {
+    const std::size_t link = urdf.find(child, at);
+    if (link == std::string_view::npos) break;
+    links.emplace(value_at(at + joint.size()), value_at(link + child.size()));
+  }
+  return links;
+}
+
+/// With frames named as the links of its description, so that viewers find them; without one, as the joints.
+std::vector<recording::RecordedEntity> recorded(const Entity& robot, std::string_view description) {
   std::vector<recording::RecordedEntity> all;
   all.push_back(recording::recorded_entity(robot));
+  const std::map<std::string, std::string> links = links_in(description);
+  for (recording::RecordedEntity::Link& link : all[0].links) {
+    const auto found = links.find(robot.model().objects()[static_cast<std::size_t>(link.object)].name);
+    if (found != links.end()) link.frame = fmt::format("{}/{}", robot.name(), found->second);
+  }
   return all;
 }
 
@@ -55,7 +77,7 @@ RobotTopics::RobotTopics(Topics topics, const Entity& robot, const std::string& 
     : robot_(robot),
       name_(ros_name(robot.name())),
       odometry_frame_(robot.name() + "/odom"),
-      recorded_(recorded(robot)),
+      recorded_(recorded(robot, description)),
       joint_timer_(joint_rate),
       motion_timer_(motion_rate),
       odometry_(robot),
@@ -65,7 +87,7 @@ RobotTopics::RobotTopics(Topics topics, const Entity& robot, const std::string& 
     joint_names_.push_back(robot.model().objects()[static_cast<std::size_t>(joint)].name);
   if (odometry_.is_there()) odom_ = &topics.stream(fmt::format("/{}/odom", name_), "nav_msgs/Odometry");
   for (const sensors::Reading* reading : sensors::readings_of(robot)) {
-    if (!reading->info->outputs.empty()) sensors_.emplace_back(topics, robot, *reading);
+    if (!reading->info->outputs.empty()) sensors_.emplace_back(topics, recorded_[0], *reading);
   }
   for (const recording::RecordedCamera& camera : recording::recorded_cameras(recorded_))
     cameras_.emplace_back(topics, camera);

@@ -9,7 +9,7 @@
 ///     /NAME/CAMERA/camera_info       sensor_msgs/CameraInfo, with each picture
 ///     /NAME/robot_description        std_msgs/String, kept: the robot as URDF
 ///
-/// Rates are of simulated time. Frames are NAME/LINK, NAME/SENSOR, NAME/CAMERA/optical and NAME/odom (REP 105).
+/// Rates are of simulated time. Frames are NAME/LINK, as the description names links, NAME/SENSOR, NAME/CAMERA/optical and NAME/odom (REP 105).
 #pragma once
 
 #include <string>

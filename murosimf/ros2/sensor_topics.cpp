@@ -66,17 +66,17 @@ std::string topic_of(const recording::RecordedCamera& camera, std::string_view w
 
 }  // namespace
 
-SensorTopic::SensorTopic(Topics topics, const Entity& robot, const sensors::Reading& reading)
-    : reading_(&reading), frame_(fmt::format("{}/{}", robot.name(), reading.info->name)) {
-  const Model& model = robot.model();
+SensorTopic::SensorTopic(Topics topics, const recording::RecordedEntity& robot, const sensors::Reading& reading)
+    : reading_(&reading), frame_(fmt::format("{}/{}", robot.name, reading.info->name)) {
+  if (std::ranges::find(robot.links, frame_, &recording::RecordedEntity::Link::frame) != robot.links.end())
+    frame_ += "_sensor";  // a link is called so
+  const Model& model = robot.entity->model();
   const sensors::SensorInfo& info = *reading.info;
   const FixedObject mounted = model.placement(model.find_object(info.frame).value_or(0));
-  const Link& link = model.tree().links[static_cast<std::size_t>(mounted.link)];
-  const Transformd frame{mounted.offset, mounted.turn};
-  link_ = fmt::format("{}/{}", robot.name(), model.objects()[static_cast<std::size_t>(link.object)].name);
-  pose_ = frame * Transformd{info.position, info.orientation};
+  link_ = robot.links[static_cast<std::size_t>(mounted.link)].frame;
+  pose_ = Transformd{mounted.offset, mounted.turn} * Transformd{info.position, info.orientation};
   choose_message();
-  topic_ = &topics.stream(fmt::format("/{}/{}", ros_name(robot.name()), ros_name(info.name)), type_);
+  topic_ = &topics.stream(fmt::format("/{}/{}", ros_name(robot.name), ros_name(info.name)), type_);
 }
 
 void SensorTopic::choose_message() {

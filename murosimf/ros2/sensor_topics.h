@@ -15,7 +15,8 @@ namespace murosimf::ros2 {
 
 class SensorTopic {
  public:
-  SensorTopic(Topics topics, const Entity& robot, const sensors::Reading& reading);
+  /// `robot`: with the frames of its links, in the order of its tree.
+  SensorTopic(Topics topics, const recording::RecordedEntity& robot, const sensors::Reading& reading);
   void publish(Outlet& outlet);
   [[nodiscard]] dds::ros2::FramePose frame() const;
 

@@ -11,6 +11,7 @@ Needs cyclonedds in this Python; without it, or in a build without DDS, it is sk
 import json
 import math
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -56,7 +57,7 @@ fov = 3.0
 
 [robots.sensors.wrist]
 type = "force_torque"
-frame = "left_foot_link"
+frame = "head"
 
 [[robots]]
 name = "reserve"
@@ -122,6 +123,9 @@ def look_at_topics(node):
            (len(scan.ranges), scan.angle_min, scan.angle_max))
     frames = {t.child_frame_id: t.header.frame_id for t in last["tf"].transforms}
     expect("frames", frames.get("ball/ball") == "world" and f"{NAME}/odom" in frames.values(), len(frames))
+    links = set(re.findall(r'<link name="([^"]*)"', last["robot_description"].data))
+    known = {f"{NAME}/{link}" for link in links}
+    expect("links of the URDF have frames", {f"{NAME}/torso", f"{NAME}/l_shin"} <= known & set(frames), sorted(frames)[:5])
     fixed = {t.child_frame_id for t in last["tf_static"].transforms}
     expect("fixed frames", {f"{NAME}/imu", f"{NAME}/scan", f"{NAME}/camera/optical"} <= fixed, sorted(fixed))
     expect("URDF", "<robot" in last["robot_description"].data and joints.name[0] in last["robot_description"].data,
