@@ -135,7 +135,7 @@ class Player:
         assert by_class.state_hash == by_built_in.state_hash
 
 
-def test_an_exception_freezes_its_robot_and_no_other(tmp_path: Path) -> None:
+def test_an_exception_freezes_its_robot_and_no_other(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
     text = WAVE.replace(
         "        self.calls += 1",
         "        self.calls += 1\n        if robot.name == 'r0' and self.calls > 10:\n            self.fail()",
@@ -157,6 +157,7 @@ def test_an_exception_freezes_its_robot_and_no_other(tmp_path: Path) -> None:
     assert any(why in one for one in found["warnings"])
     frozen, whole = ms.Scene(str(scene), libraries=True), ms.Scene(str(scene), libraries=True)
     frozen.run(0.5)
+    assert capfd.readouterr().err.endswith("ValueError: out of ideas\n")
     whole.run(0.19)
     np.testing.assert_array_equal(frozen["r0"].joint_target, whole["r0"].joint_target)
     assert frozen["r0"].level == "simplified_dynamics"
@@ -286,6 +287,21 @@ def test_goes_back_in_time_and_begins_again(tmp_path: Path) -> None:
             scene.load(saved)
             scene.run(0.2)
             assert scene.state_hash == end
+
+
+def test_batches_have_classes_too(tmp_path: Path) -> None:
+    (tmp_path / "soft.py").write_text(WAVE)
+    named = {
+        "walker.controller": "python",
+        "walker.options.class": f"{tmp_path}/soft.py:Wave",
+        "walker.level": "simplified_dynamics",
+    }
+    batch = ms.Batch("walk", 3, threads=2, set=named, seed=4)
+    batch.step(200)
+    for i in range(3):
+        alone = ms.Scene("walk", set=named, seed=4 + i)
+        alone.run(0.2)
+        assert batch[i].state_hash == alone.state_hash
 
 
 def test_a_call_without_end_is_ended(tmp_path: Path) -> None:

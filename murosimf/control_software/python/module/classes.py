@@ -143,7 +143,10 @@ def explain(error, file):
     text = where if kind == "late" else f"{where}: {told(error)}" if where else told(error)
     stack = traceback.TracebackException.from_exception(error)
     stack.stack = traceback.StackSummary.from_list([frame for frame in stack.stack if not is_inside(frame)])
-    return kind, text, "".join(stack.format()).splitlines()
+    lines = "".join(stack.format()).splitlines()
+    if kind != "interrupted" and not OWN_INTERPRETER:
+        print(*lines, sep="\n", file=sys.stderr)  # a Python program has no report
+    return kind, text, lines
 
 
 def is_same(module, file):
