@@ -34,7 +34,8 @@ std::unique_ptr<Ros2> join_ros2(scene::Scene& scene, const Ros2Arguments& argume
   if (arguments.domain.empty()) return nullptr;
   return with_context("--ros2", [&] {
     auto joined = std::make_unique<Ros2>();
-    joined->participant = std::make_unique<dds::Participant>(read_domain("", arguments.domain));
+    joined->domain = read_domain("--ros2", arguments.domain);
+    joined->participant = std::make_unique<dds::Participant>(joined->domain);
     joined->topics = std::make_unique<ros2::SceneTopics>(scene, *joined->participant,
                                                          [](const std::string& line) { say_warning(line); });
     return joined;
@@ -45,7 +46,7 @@ std::unique_ptr<ros2::SimulationServices> services_of(session::Session& session,
   if (!joined) return nullptr;
   return with_context("--ros2", [&] {
     return std::make_unique<ros2::SimulationServices>(
-        session, *joined->participant,
+        session, joined->domain,
         ros2::SimulationServicesOptions{
             .exchange = [&steering](const supervise::SceneRequest& request) { steering.exchange(request); },
             .say = [](const std::string& line) { say_warning(line); }});

@@ -23,6 +23,7 @@ void check(const Ros2Arguments& arguments);
 
 /// What the run is in ROS 2.
 struct Ros2 {
+  int domain = 0;
   std::unique_ptr<dds::Participant> participant;
   std::unique_ptr<ros2::SceneTopics> topics;
 };

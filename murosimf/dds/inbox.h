@@ -24,18 +24,20 @@ struct Arrival {
   char topic = 0;  ///< chosen by the owner of the inbox
   Bytes message;
   SampleIdentity from{};
+  SampleIdentity request{};  ///< of an answer: that it answers
 };
 
 class Inbox {
  public:
   static constexpr std::size_t most_messages = 1000, longest_message = 65000;  ///< [1], [byte]; what is beyond is lost
 
-  void put(char topic, std::span<const std::uint8_t> message, const SampleIdentity& from = {}) {
+  void put(char topic, std::span<const std::uint8_t> message, const SampleIdentity& from = {},
+           const SampleIdentity& request = {}) {
     const std::lock_guard lock(mutex_);
     if (arrived_.size() >= most_messages || message.size() > longest_message) {
       ++lost_;
     } else {
-      arrived_.push_back({topic, {message.begin(), message.end()}, from});
+      arrived_.push_back({topic, {message.begin(), message.end()}, from, request});
     }
     news_.notify_one();
   }

@@ -76,9 +76,9 @@ TextMap prismatic_joints(const std::vector<RecordedEntity>& entities) {
 }
 
 /// Names of a sensor's fields in logs, by number of the field: "2" is "gyroscope.x [rad/s]". A list has all names, by lines.
-/// Further "period" [s], and constants of its outputs.
+/// Of outputs with constants also these, "ranges.fov", and "period" [s].
 TextMap names_of(const RecordedSensor& sensor) {
-  TextMap names{{"period", fmt::format("{}", seconds(sensor.reading->info->period))}};
+  TextMap names;
   const auto unit = [](const sensors::Output& output) {
     return output.unit.empty() ? std::string{} : fmt::format(" [{}]", output.unit);
   };
@@ -93,6 +93,7 @@ TextMap names_of(const RecordedSensor& sensor) {
       if (!list) names[fmt::format("{}", field++)] = name;
     }
     if (list) names[fmt::format("{}", field++)] = all;
+    if (!output.constants.empty()) names["period"] = fmt::format("{}", seconds(sensor.reading->info->period));
     for (const auto& [constant, value] : output.constants)
       names[fmt::format("{}.{}", output.name, constant)] = fmt::format("{}", value);
   }

@@ -197,7 +197,10 @@ class MessageNumbers {
     std::map<int, std::vector<LogSeries*>> fields;
     const std::string sensor = dotted(std::string_view(channel.topic).substr(9));
     std::map<int, std::string> names_of_fields;  // sorted by number, which is the order of the sensor's outputs
-    for (const auto& [number, names] : channel.metadata) names_of_fields[std::atoi(number.c_str())] = names;
+    for (const auto& [key, names] : channel.metadata) {
+      const int number = std::atoi(key.c_str());  // 0: it is no number, but a constant of an output
+      if (number > 0) names_of_fields[number] = names;
+    }
     for (const auto& [number, names] : names_of_fields) {
       std::vector<LogSeries*>& series = fields[number];
       for (std::size_t begin = 0; begin <= names.size();) {

@@ -32,15 +32,15 @@ std::string service_name(const std::string& type) {
 
 }  // namespace
 
-SimulationServices::SimulationServices(session::Session& session, dds::Participant& participant,
-                                       SimulationServicesOptions options)
+SimulationServices::SimulationServices(session::Session& session, int domain, SimulationServicesOptions options)
     : session_(session),
       options_(std::move(options)),
-      steps_(session, participant, inbox_),
+      participant_(domain),
+      steps_(session, participant_, inbox_),
       tick_(session.scene().simulation().tick()) {
   const session::SessionStatus status = session.status();
   stopped_ = status.paused && status.time == Duration{};
-  offer_all(participant);
+  offer_all();
   thread_ = std::thread([this] { serve(); });
 }
 
@@ -49,35 +49,35 @@ SimulationServices::~SimulationServices() {
   thread_.join();
 }
 
-void SimulationServices::offer(dds::Participant& participant, const std::string& type, Handler handle) {
+void SimulationServices::offer(const std::string& type, Handler handle) {
   const char mark = static_cast<char>('A' + offers_.size());
-  auto service = std::make_unique<dds::ros2::Service>(participant, service_name(type),
+  auto service = std::make_unique<dds::ros2::Service>(participant_, service_name(type),
                                                       "simulation_interfaces/srv/" + type, inbox_, mark);
   offers_.emplace(mark, Offer{handle, std::move(service)});
 }
 
-void SimulationServices::offer_all(dds::Participant& participant) {
+void SimulationServices::offer_all() {
   using Self = SimulationServices;
-  offer(participant, "GetSimulatorFeatures", &Self::get_features);
-  offer(participant, "GetEntities", &Self::get_entities);
-  offer(participant, "GetEntitiesStates", &Self::get_entities_states);
-  offer(participant, "GetEntityState", &Self::get_entity_state);
-  offer(participant, "SetEntityState", &Self::set_entity_state);
-  offer(participant, "GetEntityInfo", &Self::get_entity_info);
-  offer(participant, "GetEntityBounds", &Self::get_entity_bounds);
-  offer(participant, "GetSpawnables", &Self::get_spawnables);
-  offer(participant, "SpawnEntity", &Self::spawn_entity);
-  offer(participant, "DeleteEntity", &Self::delete_entity);
-  offer(participant, "ResetSimulation", &Self::reset_simulation);
-  offer(participant, "StepSimulation", &Self::step_simulation);
-  offer(participant, "GetSimulationState", &Self::get_simulation_state);
-  offer(participant, "SetSimulationState", &Self::set_simulation_state);
-  offer(participant, "GetCurrentWorld", &Self::get_current_world);
-  offer(participant, "GetAvailableWorlds", &Self::get_available_worlds);
-  offer(participant, "LoadWorld", &Self::load_world);
-  offer(participant, "UnloadWorld", &Self::refuse);
-  offer(participant, "GetNamedPoses", &Self::refuse_list);
-  offer(participant, "GetNamedPoseBounds", &Self::get_entity_bounds);
+  offer("GetSimulatorFeatures", &Self::get_features);
+  offer("GetEntities", &Self::get_entities);
+  offer("GetEntitiesStates", &Self::get_entities_states);
+  offer("GetEntityState", &Self::get_entity_state);
+  offer("SetEntityState", &Self::set_entity_state);
+  offer("GetEntityInfo", &Self::get_entity_info);
+  offer("GetEntityBounds", &Self::get_entity_bounds);
+  offer("GetSpawnables", &Self::get_spawnables);
+  offer("SpawnEntity", &Self::spawn_entity);
+  offer("DeleteEntity", &Self::delete_entity);
+  offer("ResetSimulation", &Self::reset_simulation);
+  offer("StepSimulation", &Self::step_simulation);
+  offer("GetSimulationState", &Self::get_simulation_state);
+  offer("SetSimulationState", &Self::set_simulation_state);
+  offer("GetCurrentWorld", &Self::get_current_world);
+  offer("GetAvailableWorlds", &Self::get_available_worlds);
+  offer("LoadWorld", &Self::load_world);
+  offer("UnloadWorld", &Self::refuse);
+  offer("GetNamedPoses", &Self::refuse_list);
+  offer("GetNamedPoseBounds", &Self::get_entity_bounds);
 }
 
 void SimulationServices::serve() noexcept {

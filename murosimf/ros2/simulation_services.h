@@ -32,8 +32,8 @@ struct SimulationServicesOptions {
 
 class SimulationServices {
  public:
-  /// The session outlives it. Throws SetupError.
-  SimulationServices(session::Session& session, dds::Participant& participant, SimulationServicesOptions options);
+  /// The session outlives it. It has a participant of its own, which ends with it. Throws SetupError.
+  SimulationServices(session::Session& session, int domain, SimulationServicesOptions options);
   ~SimulationServices();
   SimulationServices(const SimulationServices&) = delete;
   SimulationServices& operator=(const SimulationServices&) = delete;
@@ -45,8 +45,8 @@ class SimulationServices {
     Handler handle = nullptr;
     std::unique_ptr<dds::ros2::Service> service;
   };
-  void offer(dds::Participant& participant, const std::string& type, Handler handle);
-  void offer_all(dds::Participant& participant);
+  void offer(const std::string& type, Handler handle);
+  void offer_all();
   void serve() noexcept;
   void answer(const dds::Arrival& arrival);
   void finish_if_wanted();
@@ -82,6 +82,7 @@ class SimulationServices {
   session::Session& session_;
   SimulationServicesOptions options_;
   dds::Inbox inbox_;
+  dds::Participant participant_;  // ends before the inbox
   StepAction steps_;
   std::map<char, Offer> offers_;
   Duration tick_{};

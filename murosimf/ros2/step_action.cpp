@@ -10,7 +10,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr std::uint64_t most_steps = 1'000'000'000;  // as of a supervisor
+constexpr std::uint64_t longest_goal = 1'000'000'000;  // as of a supervisor
 constexpr std::size_t most_waiting = 100;
 const std::string step_name = "/simulate_steps/_action/", step_type = "simulation_interfaces/action/SimulateSteps";
 
@@ -63,7 +63,7 @@ bool StepAction::accept(const dds::ros2::ServiceCall& call) {
   goal.steps = in.number<std::uint64_t>();
   if (!in.good()) return false;
   const session::SessionStatus status = session_.status();
-  const bool accepted = !is_busy() && goal.steps <= most_steps;
+  const bool accepted = !is_busy() && goal.steps <= longest_goal;
   out_.clear();
   out_.boolean(accepted);
   out_.time(status.time);

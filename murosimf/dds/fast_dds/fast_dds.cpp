@@ -83,7 +83,8 @@ class Listener final : public DataReaderListener {
   void on_data_available(DataReader* reader) override {
     SampleInfo info;
     while (reader->take_next_sample(&bytes_, &info) == eprosima::fastrtps::types::ReturnCode_t::RETCODE_OK) {
-      if (info.valid_data) inbox_->put(mark_, bytes_, of_ours(info.sample_identity));
+      if (info.valid_data)
+        inbox_->put(mark_, bytes_, of_ours(info.sample_identity), of_ours(info.related_sample_identity));
     }
   }
   void on_subscription_matched(DataReader*, const SubscriptionMatchedStatus& status) override {
