@@ -38,7 +38,7 @@ void define(const Command& command, RenderOptions& options) {
            ".mkv; depth_shown or labels_shown: in colors, for people")
       .shows_default();
   command.add("--light", options.light,
-              "hall, day, evening, spots or night: surroundings and lamps, instead of the scene's");
+              "hall, day, evening, spots, night or plain: surroundings and lamps, instead of the scene's");
   command.add("--no-shadows", options.no_shadows, "No shadows in pictures from a view").excludes(camera);
   command
       .add("--stance", options.stance, "Yellow feet where a robot stands at kinematic_walking, in pictures from a view")

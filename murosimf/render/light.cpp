@@ -79,6 +79,7 @@ constexpr std::array named{
                                  .horizon = {0.07, 0.08, 0.13},
                                  .hedge = {0.02, 0.025, 0.03},
                                  .sun = {0.5, 0.5, 0.55}}}},
+    NamedLight{"plain", "one lamp, an even field and nothing around it: the cheapest where the processor draws", {}},
 };
 
 double height_of(const Vec3d& toward) { return std::max(0.0, toward.z / norm(toward)); }

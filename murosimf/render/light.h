@@ -54,7 +54,7 @@ struct NamedLight {
   Light light;
 };
 
-/// "hall", "day", "evening", "spots", "night".
+/// "hall", "day", "evening", "spots", "night", "plain".
 [[nodiscard]] std::span<const NamedLight> lights();
 
 /// [1] Linear brightness that a level surface shows for each of red, green and blue; `lit`: also from the lamp that casts shadows.

@@ -60,7 +60,7 @@ const Section<ViewpointSpec>& viewpoint_section() {
 const Section<LightSpec>& light_section() {
   static const Section<LightSpec> section(
       "[light]", {{"name", Choice<LightSpec>{&LightSpec::name, "light", [] { return entry_names(render::lights()); }},
-                   "", "surroundings and lamps: hall, day, evening, spots, night"},
+                   "", "surroundings and lamps: hall, day, evening, spots, night, plain"},
                   {"toward", read_toward, "", "[x, y, z]: to the lamp, upwards", {}, "the lamp's own"},
                   {"brightness", &LightSpec::brightness, "", "of all light", between(0, 100)},
                   {"shadows", &LightSpec::shadows, "", "whether the lamp casts them"},

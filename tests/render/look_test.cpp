@@ -28,7 +28,6 @@ render::RendererOptions in_light(std::string_view name) {
   for (const render::NamedLight& named : render::lights()) {
     if (named.name == name) options.light = named.light;
   }
-  EXPECT_TRUE(options.light.patterns) << name;
   options.light.shadows = false;
   return options;
 }
@@ -63,7 +62,8 @@ TEST_F(Look, ChangesNeitherLabelsNorDepths) {
       }
     }
     EXPECT_EQ(wrong, 0) << named.name;
-    EXPECT_LT(same_color, view.width * view.height / 20) << named.name;
+    const double same = static_cast<double>(same_color) / (view.width * view.height);
+    EXPECT_EQ(same > 0.05, named.name == "plain") << named.name << ": " << same;
   }
 }
 
@@ -71,7 +71,7 @@ TEST_F(Look, ChangesNeitherLabelsNorDepths) {
 TEST_F(Look, FromFarTheFieldIsAsBrightAsItIs) {
   DrawnWorld world;
   world.world.add("field", scene_file::field_model(scene_file::kid_size_2008, "carpet", {}, {.goals = false}));
-  auto down = along_x({0.75, 1, 6}, 0.05, 60, 60);  // between lines
+  auto down = along_x({0.75, 1, 6}, 0.02, 12, 12);  // between lines, in one stripe; pixels of 2 cm
   down.axes = {{0, -1, 0}, {-1, 0, 0}, {0, 0, -1}};
   auto near = down;
   near.eye.z = 0.6;
@@ -84,14 +84,14 @@ TEST_F(Look, FromFarTheFieldIsAsBrightAsItIs) {
       sum += pixel.green;
       squares += pixel.green * pixel.green;
     }
-    const double mean = sum / 3600;
-    return std::pair{mean, std::sqrt(std::max(0.0, squares / 3600 - mean * mean))};
+    const double count = static_cast<double>(drawn.color.pixels().size()), mean = sum / count;
+    return std::pair{mean, std::sqrt(std::max(0.0, squares / count - mean * mean))};
   };
   const auto [even, none] = mean_and_spread(down, without);
   const auto [far, little] = mean_and_spread(down, with);
   const auto [close, much] = mean_and_spread(near, with);
   EXPECT_LT(none, 0.5);
-  EXPECT_NEAR(far, even, 0.06 * even) << "one stripe or two";
+  EXPECT_NEAR(far, even, 0.08 * even) << "but for the stripe";
   EXPECT_GT(much, 2 * little) << "fibers are seen from near";
 }
 
@@ -108,7 +108,7 @@ TEST_F(Look, SurroundingsEndTheVoid) {
         colors.insert({pixel.red, pixel.green, pixel.blue});
       }
     }
-    EXPECT_GT(colors.size(), 20U) << named.name;
+    EXPECT_EQ(colors.size() > 20, named.name != "plain") << named.name << ": " << colors.size();
   }
 }
 
