@@ -8,6 +8,7 @@
 #include "apps/processor.h"
 #include "apps/scene_arguments.h"
 #include "murosimf/catalog/algorithm_catalog.h"
+#include "murosimf/control_software/python/python_interpreter.h"
 #include "murosimf/files/file_roles.h"
 
 // All commands, in the order of --help: apps/NAME.cpp defines add_NAME.
@@ -65,6 +66,7 @@ int main(int argc, char** argv) {
   }
   report_uncaught_exceptions();
   catch_signals();
+  murosimf::control_software::end_python_calls_if(interrupted);
   const murosimf::files::FileRoles roles;
   try {
     CommandLine line;

@@ -11,6 +11,7 @@
 #include "murosimf/control_software/command_arrival.h"
 #include "murosimf/control_software/controller_task.h"
 #include "murosimf/control_software/library_software.h"
+#include "murosimf/control_software/python/python_software.h"
 #include "murosimf/control_software/tcp/tcp_server.h"
 #include "murosimf/control_software/trajectory_file.h"
 #include "murosimf/control_software/trajectory_player.h"
@@ -213,6 +214,32 @@ void attach_library(Simulation& simulation, Entity& robot, const ControllerOptio
                   {.software = file.string(), .budget = given.budget, .crashes = options.crashes}, options);
 }
 
+/// The class says itself how often it is called, and when in a step.
+void attach_python(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
+  control_software::PythonOptions given{.folder = options.folder,
+                                        .options = options.own,
+                                        .seed = options.seed,
+                                        .budget = from_seconds(options.call_budget)};
+  if (const auto target = given.options.find("class"); target != given.options.end()) {
+    if (const auto* text = std::get_if<std::string>(&target->second)) given.target = *text;
+    given.options.erase(target);
+  }
+  control_software::PythonClass made(robot, given);
+  const std::string name = made.name();
+  const Phase phase = made.phase();
+  const double rate = usual_rate(options.rate, made.traits().rate);
+  Entity& common = simulation.world().common();
+  const control_software::SoftwareMaker make = [&](Setup& setup, control_software::RobotPort& port,
+                                                   const control_software::SayLine& say) {
+    control_software::python_in_turns(setup, common);
+    return std::make_unique<control_software::PythonSoftware>(setup, port, say, std::move(made),
+                                                              options.moving_entities);
+  };
+  attach_software(simulation, robot, rate, make,
+                  {.software = name, .budget = given.budget, .crashes = options.crashes, .memory = {}, .phase = phase},
+                  options);
+}
+
 /// Without a file of the bus, joints get ids in their order.
 void attach_serial(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
   serial::SerialOptions given;
@@ -339,6 +366,12 @@ std::vector<ControllerType> built_in_controllers() {
                      "control software of one's own in a shared library (murosimf_controller.h)",
                      "library call_budget link",
                      attach_library,
+                     {},
+                     true},
+      ControllerType{"python",
+                     "control software of one's own as a class in Python: options = {class = \"module:Class\"}",
+                     "call_budget link",
+                     attach_python,
                      {},
                      true},
       ControllerType{"tcp", "control software in another program, over TCP: murosimf run --listen PORT",

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "murosimf/control_software/guard/call_outcome.h"
 #include "murosimf/control_software/robot_port.h"
@@ -28,6 +29,9 @@ class ControlSoftware {
   [[nodiscard]] virtual bool keeps_state() const { return true; }
   /// Whether external input is logged and repeated (external_input_history.h): a repeated step then runs like any other step.
   [[nodiscard]] virtual bool repeats_itself() const { return false; }
+  /// What it has written besides commands, so that it can be repeated without the software (controller_task.h).
+  [[nodiscard]] virtual std::vector<double> written() const { return {}; }
+  virtual void write(const std::vector<double>&) noexcept {}
   /// Reason why no client controls the robot at present, though one may still connect; empty: a client is connected.
   [[nodiscard]] virtual std::string absence() const { return {}; }
 };

@@ -108,6 +108,7 @@ CallOutcome ControllerTask::noted(ExternalInput::Kind kind, const Call& call) {
   if (!notes) return outcome;
   CallNote note = port_.told();
   note.good = static_cast<bool>(outcome);
+  note.written = software_->written();
   memory_->write(kind, to_bytes(std::move(note)));
   return outcome;
 }
@@ -124,6 +125,7 @@ bool ControllerTask::repeat_call(ExternalInput::Kind kind) {
   memory_->pass();
   if (kind == ExternalInput::sent) port_.refresh(now_);
   port_.repeat(done);
+  software_->write(done.written);
   return done.good;
 }
 

@@ -24,6 +24,7 @@ struct ControllerTaskOptions {
   ControlLinkOptions link{};                          ///< between the robot and the software
   std::uint64_t seed = 1;                             ///< of the link's random numbers
   std::shared_ptr<ExternalInputHistory> memory = {};  ///< where its calls are written down; null: nowhere
+  Phase phase = Phase::control;                       ///< in which it is called
 };
 
 class ControllerTask final : public Algorithm {
@@ -31,7 +32,7 @@ class ControllerTask final : public Algorithm {
   /// Throws what `make` throws.
   ControllerTask(Setup& setup, const SoftwareMaker& make, ControllerTaskOptions options);
 
-  [[nodiscard]] Phase phase() const noexcept override { return Phase::control; }
+  [[nodiscard]] Phase phase() const noexcept override { return options_.phase; }
   void initialize() override;
   void step(const Instant& instant) noexcept override;
   void state(StateArchive& archive) override;

@@ -64,8 +64,9 @@ struct CallNote {
   std::uint64_t received = 0;     ///< number of team messages read
   std::vector<std::string> sent;  ///< messages to the team, also those that were refused
   std::vector<DrawnGroup> drawn;  ///< including refused ones
+  std::vector<double> written;    ///< besides commands (ControlSoftware::written)
 
-  void state(StateArchive& archive) { archive(good, commands, received, sent, drawn); }
+  void state(StateArchive& archive) { archive(good, commands, received, sent, drawn, written); }
 };
 
 class RobotPort {

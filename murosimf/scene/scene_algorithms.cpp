@@ -51,26 +51,36 @@ catalog::ControllerOptions controller_options(const SceneParts& parts, const sce
   return options;
 }
 
+/// What of others a robot has loaded, a library or a class in Python; empty: nothing.
+std::string software_of(const scene_file::RobotSpec& robot) {
+  if (robot.controller != "python") return robot.library;
+  const auto named = robot.options.find("class");
+  return named == robot.options.end() ? std::string() : value_text(named->second);
+}
+
 /// Reading a file must not run code that it names, unless the command line or a program permits it. Requests over a network
 /// cannot permit it.
-void refuse_library_of_file(const SceneParts& parts, const scene_file::RobotSpec& robot) {
-  const auto given = robot.given.find("library");
-  const bool by_command_line =
-      given != robot.given.end() && given->second.where.starts_with("--set") && !parts.files.only_from;
-  if (parts.libraries || given == robot.given.end() || by_command_line) return;
+void refuse_software_of_file(const SceneParts& parts, const scene_file::RobotSpec& robot) {
+  const std::string software = software_of(robot);
+  if (parts.libraries || software.empty()) return;
+  const bool of_python = robot.controller == "python";
+  const auto given = robot.given.find(of_python ? "options.class" : "library");
+  if (given == robot.given.end() && !of_python) return;  // a program has named it
+  const std::string where = given == robot.given.end() ? robot.where : given->second.where;
+  if (where.starts_with("--set") && !parts.files.only_from) return;
   throw SetupError(fmt::format(
       "{}: this file has control software loaded, '{}', which may do what it likes; if you trust it: --libraries",
-      given->second.where, robot.library));
+      where, software));
 }
 
 }  // namespace
 
 /// A run that is only shown takes positions from a recording: no software is started.
 void attach_controller(SceneParts& parts, const scene_file::RobotSpec& robot, Entity& entity) {
-  const bool from_outside = robot.controller == "library" || robot.controller == "serial" ||
-                            robot.controller == "tcp" || robot.controller == "booster";
+  const bool from_outside = robot.controller == "library" || robot.controller == "python" ||
+                            robot.controller == "serial" || robot.controller == "tcp" || robot.controller == "booster";
   if (parts.only_shown && from_outside) return;
-  refuse_library_of_file(parts, robot);
+  refuse_software_of_file(parts, robot);
   const catalog::ControllerOptions options = controller_options(parts, robot);
   const catalog::ControllerType& controller = find_entry(catalog::controllers(), "controller", robot.controller);
   with_context(robot.where, [&] { controller.attach(*parts.simulation, entity, options); });

@@ -99,6 +99,9 @@ void read_options(const RobotOptions& options, const toml::table& node, RobotSpe
   const std::vector<OptionInfo> known = takes_any(options, robot) ? options_as_given(node) : options_of(options, robot);
   refuse_others(node, fmt::format("{} '{}'", options.kind, robot.*options.owner), option_names(known));
   take(node, known, robot.*options.values);
+  // a class that is loaded: whether the file or the command line names it
+  if (const toml::node* named = node.get("class"); named && takes_any(options, robot))
+    robot.given["options.class"] = {files::where(named->source())};
 }
 
 void read_default_options(const RobotOptions& options, const toml::table& node, RobotSpec& robot) {

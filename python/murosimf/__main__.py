@@ -7,7 +7,7 @@ import os
 import sys
 
 from . import __version__
-from ._program import program
+from ._program import environment, program
 from .demo import demo
 from .errors import Error
 
@@ -24,7 +24,7 @@ def main(arguments: list[str]) -> int:
         if not arguments or arguments[0] in ("-h", "--help"):
             print(__doc__)
             return 0
-        os.execv(program(), [program(), *arguments])
+        os.execve(program(), [program(), *arguments], environment())
     except Error as error:
         print(f"murosimf: {error}", file=sys.stderr)
         return 2
@@ -32,7 +32,7 @@ def main(arguments: list[str]) -> int:
 
 def entry() -> None:
     """The command `murosimf` of the package: the program itself."""
-    os.execv(program(), [program(), *sys.argv[1:]])
+    os.execve(program(), [program(), *sys.argv[1:]], environment())
 
 
 if __name__ == "__main__":

@@ -6,6 +6,8 @@ import json
 import os
 import shutil
 import subprocess
+import sys
+import sysconfig
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -26,9 +28,17 @@ def program() -> str:
     return found
 
 
+def environment() -> dict[str, str]:
+    """Of the program: classes in Python take this Python there, too, if it has a shared library (docs/python.md)."""
+    library = Path(sysconfig.get_config_var("LIBDIR") or "", sysconfig.get_config_var("INSTSONAME") or "")
+    if ".so" not in library.name or not library.is_file():
+        return dict(os.environ)
+    return {"MUROSIMF_PYTHON": sys.executable, "MUROSIMF_LIBPYTHON": str(library), **os.environ}
+
+
 def output_of(arguments: Sequence[str]) -> str:
     """What the program prints. Raises InputError with its line for exit code 2, SimulationError for others but 0 and 1."""
-    done = subprocess.run([program(), *arguments], capture_output=True, text=True, check=False)
+    done = subprocess.run([program(), *arguments], capture_output=True, text=True, check=False, env=environment())
     if done.returncode not in (0, 1):
         line = done.stderr.strip().removeprefix("murosimf: ") or f"murosimf ended with {done.returncode}"
         raise (InputError if done.returncode == 2 else SimulationError)(line)

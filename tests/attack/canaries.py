@@ -70,6 +70,10 @@ class World:
         os.mkfifo(self.run / "pipe.toml")
         for name, library in (("library", f"{out}/code.so"), ("own_library", "./code.so"), ("up_library", "../outside/code.so")):
             scene(f"names_{name}.toml", f'controller = "library"\nlibrary = "{library}"\n')
+        shutil.copy(out / "code.py", self.run / "code.py")
+        for name, file in (("class", f"{out}/code.py"), ("own_class", "./code.py"), ("module", "code"),
+                           ("up_class", "../outside/code.py")):
+            scene(f"names_{name}.toml", f'controller = "python"\noptions = {{class = "{file}:X"}}\n')
         scene("names_table.toml", f'controller = "trajectory"\noptions = {{file = "{out}/table.csv"}}\n')
         scene("names_motion.toml", f'controller = "keyframes"\nmotion = "{out}/motions/secret.toml"\n')
         scene("names_bus.toml", f'controller = "serial"\noptions = {{bus = "{out}/table.csv"}}\n')

@@ -37,6 +37,7 @@ def settings(world):
         for value in (f"{out}/code.so", "./code.so", f'"{out}/code.so"', f"'{out}/code.so'"):
             yield f"{path}={value}"
     for key, value in (("controller", "library"), ("controller", "tcp"), ("controller", "serial"), ("model", f"{out}/model.xml"),
+                       ("controller", "python"), ("options.class", f"{out}/code.py:X"), ("options.class", "code:X"),
                        ("model", "../outside/model.xml"), ("model", "way_out/model.xml"), ("model", "/dev/zero"),
                        ("motion", f"{out}/motions/secret.toml"), ("motion", "../outside/motions/secret"),
                        ("options.file", f"{out}/table.csv"), ("options.bus", f"{out}/table.csv"), ("reload", "true"),

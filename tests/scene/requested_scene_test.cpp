@@ -118,6 +118,18 @@ TEST_F(RequestedScene, LoadsNoSoftware) {
   EXPECT_TRUE(says(whole_, {"--libraries"}));
   EXPECT_TRUE(says(ask(in_run("first.toml"), {"robot.library=soft.so"}), {"'library' is not among the settings"}));
   EXPECT_TRUE(says(ask(in_run("first.toml"), {"robot.controller=library", "robot.library=soft.so"}), {"command line"}));
+  write("run/class.toml", std::string(walker) + "controller = \"python\"\noptions = {class = \"soft:Walk\"}\n");
+  write("run/soft.py", "open('" + (root_ / "ran").string() + "', 'w')\n");
+  EXPECT_TRUE(says(ask(in_run("class.toml")), {"class.toml:", "the scene cannot be built"}));
+  EXPECT_TRUE(says(whole_, {"'soft:Walk'", "--libraries"}));
+  for (const char* text : {"robot.controller=python", "defaults.controller=python"}) {
+    EXPECT_TRUE(says(ask(in_run("first.toml"), {text}), {"command line"})) << text;
+  }
+  EXPECT_TRUE(says(ask(in_run("first.toml"), {"robot.options.class=soft:Walk"}), {"texts"}));
+  EXPECT_FALSE(std::filesystem::exists(root_ / "ran")) << "nothing of it was run";
+  write("run/away.toml", std::string(walker) + "controller = \"python\"\noptions = {class = \"json:JSONDecoder\"}\n");
+  EXPECT_FALSE(ask(in_run("away.toml"), {}, {.libraries = true}).empty());
+  EXPECT_TRUE(says(whole_, {"no module 'json' beside the scene"}));
   EXPECT_FALSE(ask(in_run("soft.toml"), {}, {.libraries = true}).empty());
   EXPECT_TRUE(says(whole_, {"soft.so", "cannot be loaded"})) << "allowed, but none";
   EXPECT_FALSE(ask(in_run("elsewhere.toml"), {}, {.libraries = true}).empty());

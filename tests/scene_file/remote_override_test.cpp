@@ -84,6 +84,8 @@ TEST(RemoteOverride, NothingThatLoadsSoftwareOrNamesFiles) {
                            "robot.reload=true",
                            "robot.call_budget=1",
                            "robot.controller=library",
+                           "robot.controller=python",
+                           "robot.options.class=soft:Walk",
                            "robot.controller=tcp",
                            "robot.controller=serial",
                            "defaults.controller=library",
