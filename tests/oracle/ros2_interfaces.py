@@ -4,8 +4,20 @@ from dataclasses import dataclass, field
 
 from cyclonedds.idl import IdlStruct
 from cyclonedds.idl.types import array, float64, int8, int32, sequence, uint8, uint16, uint64
-from ros2_types import (Accel, Duration, Header, JointTrajectory, JointTrajectoryPoint, Pose, PoseStamped, Time, Twist,
-                        Vector3, Transform, message)
+from ros2_types import (
+    Accel,
+    Duration,
+    Header,
+    JointTrajectory,
+    JointTrajectoryPoint,
+    Pose,
+    PoseStamped,
+    Time,
+    Transform,
+    Twist,
+    Vector3,
+    message,
+)
 
 
 def of_simulation(name):

@@ -3,12 +3,12 @@
 
 Usage: ros2_nodes.py MUROSIMF
 
-Every topic is decoded and looked at; a trajectory, an action and cmd_vel move a robot; simulation_interfaces pauses, steps, resets, spawns, places and loads.
+Every topic is decoded and looked at; a trajectory, an action and cmd_vel move a robot; simulation_interfaces pauses, steps,
+resets, spawns, places and loads.
 Garbage, a wrong type and a subscriber that is killed do not end the run. Nothing listens beside 127.0.0.1.
 Needs cyclonedds in this Python; without it, or in a build without DDS, it is skipped (exit code 77).
 """
 
-import json
 import math
 import os
 import re
@@ -112,7 +112,7 @@ def look_at_topics(node):
     joints = last["joint_states"]
     expect("joint states of 21 joints", len(joints.name) == len(joints.position) == len(joints.velocity) == 21, len(joints.name))
     stamps = [sample.header.stamp.seconds() for sample in got["joint_states"]]
-    periods = [b - a for a, b in zip(stamps, stamps[1:])]
+    periods = [b - a for a, b in zip(stamps, stamps[1:], strict=False)]
     expect("at 100 Hz", abs(min(periods) - 0.01) < 1e-6, min(periods))
     imu = last["imu"]
     gravity = math.hypot(imu.linear_acceleration.x, imu.linear_acceleration.y, imu.linear_acceleration.z)
@@ -155,7 +155,8 @@ def command(node, joints):
     send = node.client(name + "send_goal", si.FOLLOW + "_SendGoal", si.SendGoal, si.GoalAnswer)
     result = node.client(name + "get_result", si.FOLLOW + "_GetResult", si.GetResult, si.ResultOfGoal)
     cancel = node.client(name + "cancel_goal", "action_msgs/srv/CancelGoal", si.CancelGoal, si.CancelAnswer)
-    feedback, status = node.subscribe(name + "feedback", si.FeedbackMessage), node.subscribe(name + "status", si.GoalStatusArray, KEPT)
+    feedback = node.subscribe(name + "feedback", si.FeedbackMessage)
+    status = node.subscribe(name + "status", si.GoalStatusArray, KEPT)
     id = si.GoalId([7] * 16)
     answer = send.call(id, si.Goal(to(-0.3)))
     expect("a goal is accepted", answer and answer.accepted, answer)

@@ -14,8 +14,8 @@ os.environ.setdefault("CYCLONEDDS_URI", PEER)
 
 from cyclonedds.core import Policy, Qos  # noqa: E402
 from cyclonedds.domain import DomainParticipant  # noqa: E402
-from cyclonedds.idl.types import int64, uint64  # noqa: E402
 from cyclonedds.idl import IdlStruct  # noqa: E402
+from cyclonedds.idl.types import int64, uint64  # noqa: E402
 from cyclonedds.pub import DataWriter  # noqa: E402
 from cyclonedds.sub import DataReader  # noqa: E402
 from cyclonedds.topic import Topic  # noqa: E402

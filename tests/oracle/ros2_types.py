@@ -1,4 +1,7 @@
-"""Messages of ROS 2 as types of Cyclone DDS, written down anew: not by the code that they test. Names of types are those that ROS gives them in DDS."""
+"""Messages of ROS 2 as types of Cyclone DDS, written down anew: not by the code that they test.
+
+Names of types are those that ROS gives them in DDS.
+"""
 
 from dataclasses import dataclass, field
 
