@@ -316,6 +316,14 @@ def test_batches_have_classes_too(tmp_path: Path) -> None:
         assert batch[i].state_hash == alone.state_hash
 
 
+def test_knows_the_seed_of_the_run(tmp_path: Path) -> None:
+    text = "class A:\n    def start(self, robot, time): robot.joint_target[0] = 0.001 * robot.seed\n"
+    scene = ms.Scene(str(scene_of(tmp_path, text + BEGIN.split("\n")[1] + "\n", "A")), libraries=True, seed=3)
+    assert scene["r0"].joint_target[0] == 0.003
+    scene.reset(seed=7)
+    assert scene["r0"].joint_target[0] == 0.007
+
+
 def test_a_call_without_end_is_ended(tmp_path: Path) -> None:
     text = "import time as clock\nclass A:\n    def __call__(self, robot, time):\n        while time > 0.1:\n            pass\n"
     scene = scene_of(tmp_path, text, "A", more="call_budget = 0.01\n")
