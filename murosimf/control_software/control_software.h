@@ -4,6 +4,7 @@
 /// A constructor receives a RobotPort, requests signals and commands by name, and keeps the pointers.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,8 @@ class ControlSoftware {
   virtual void state(StateArchive&) {}
   /// Whether the software holds state beyond that: it, or the program behind it, continues unchanged when a state is loaded.
   [[nodiscard]] virtual bool keeps_state() const { return true; }
+  /// The run has this seed from now on.
+  virtual void reseed(std::uint64_t) {}
   /// Whether external input is logged and repeated (external_input_history.h): a repeated step then runs like any other step.
   [[nodiscard]] virtual bool repeats_itself() const { return false; }
   /// What it has written besides commands, so that it can be repeated without the software (controller_task.h).

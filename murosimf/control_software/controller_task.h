@@ -36,7 +36,10 @@ class ControllerTask final : public Algorithm {
   void initialize() override;
   void step(const Instant& instant) noexcept override;
   void state(StateArchive& archive) override;
-  void reseed(std::uint64_t seed) override { port_.reseed(seed); }
+  void reseed(std::uint64_t seed) override {
+    port_.reseed(seed);
+    software_->reseed(seed);
+  }
 
   [[nodiscard]] const RobotPort& port() const { return port_; }
   [[nodiscard]] RobotPort& port() { return port_; }

@@ -70,6 +70,8 @@ class PythonObject {
   [[nodiscard]] virtual double* add(const PythonRow& row, PythonOutcome& outcome) noexcept = 0;
   /// Where lines that it prints go, from now on; those it has printed before come first.
   virtual void print_to(std::function<void(const std::string& line)> say) noexcept = 0;
+  /// Seed of the run, which the class sees.
+  virtual void reseed(std::uint64_t seed) noexcept = 0;
   /// Replaces it by a new object of its class.
   [[nodiscard]] virtual PythonOutcome renew(Duration limit) noexcept = 0;
   /// `time` [s]

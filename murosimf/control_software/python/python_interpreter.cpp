@@ -47,11 +47,6 @@ std::string module_file() {
                                name, MUROSIMF_PYTHON_INSTALLED));
 }
 
-bool is_python_program() {
-  auto* const initialized = reinterpret_cast<int (*)()>(dlsym(RTLD_DEFAULT, "Py_IsInitialized"));
-  return initialized && initialized() != 0;
-}
-
 /// Its symbols are for all: extensions of Python, like NumPy, need them.
 bool load_library_of_python(const std::string& file) {
   return !file.empty() && dlopen(file.c_str(), RTLD_NOW | RTLD_GLOBAL) != nullptr;
@@ -77,7 +72,7 @@ std::string load_python() {
 
 PythonBackend* start() {
   const std::string file = module_file();
-  const std::string program = is_python_program() ? "" : load_python();
+  const std::string program = in_python_program() ? "" : load_python();
   void* const module = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   auto* const begin = module ? reinterpret_cast<StartPython*>(dlsym(module, start_python_name)) : nullptr;
   if (!begin) throw SetupError(fmt::format("controller 'python': {} cannot be loaded: {}", file, dlerror()));
@@ -96,6 +91,15 @@ PythonBackend& python_backend() {
   const std::lock_guard lock(starting);
   if (!backend) backend = start();
   return *backend;
+}
+
+/// Asked before the program's own interpreter begins.
+bool in_python_program() {
+  static const bool is_one = [] {
+    auto* const initialized = reinterpret_cast<int (*)()>(dlsym(RTLD_DEFAULT, "Py_IsInitialized"));
+    return initialized && initialized() != 0;
+  }();
+  return is_one;
 }
 
 void end_python_calls_if(bool (*asked)()) { end_asked = asked; }

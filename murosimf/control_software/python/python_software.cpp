@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <mutex>
 #include <string_view>
 #include <utility>
 
@@ -94,6 +95,14 @@ GuardedCall guard_of(const PythonOptions& options, const Entity& robot, std::sha
           false};
 }
 
+/// Held during a guarded call. The guard has a lock of its own, which a call may take in its middle and then wait for the interpreter's: calls
+/// of several simulations would wait for each other for ever. In a Python program, whose threads come with the interpreter's lock, the
+/// guard watches no functions, and so takes none.
+std::unique_lock<std::mutex> one_call() {
+  static std::mutex calls;
+  return in_python_program() ? std::unique_lock<std::mutex>() : std::unique_lock(calls);
+}
+
 /// After a jump out of Python nothing of it can be called again.
 CallOutcome left_by_jump(CallOutcome outcome) {
   python_backend().abandon();
@@ -113,10 +122,11 @@ PythonClass::PythonClass(const Entity& robot, const PythonOptions& options)
   PythonBackend& backend = python_backend();
   GuardedCall guard = guard_;
   guard.what = "its loading";
-  guard.keeps_process = true;
+  guard.keeps_process = !in_python_program();  // which would take that lock
   PythonOutcome made;
   constexpr Duration longest_loading = std::chrono::seconds(60);
   guard.limit = patience * longest_loading;
+  const auto alone = one_call();
   const CallOutcome outcome = guard([&] { object_.reset(backend.load(request, longest_loading, made)); });
   if (!outcome) throw SoftwareCrash(left_by_jump(outcome).text);
   if (!object_) throw SetupError(made.text);
@@ -148,6 +158,7 @@ template <class Call>
 CallOutcome PythonSoftware::guarded(const char* what, const Call& call) {
   PythonOutcome python;
   made_.guard_.what = what;
+  const auto alone = one_call();
   CallOutcome outcome = made_.guard_([&] { python = call(*made_.object_); });
   if (!outcome) return left_by_jump(std::move(outcome));
   if (made_.threads_->ended) return outcome_of(*made_.threads_);

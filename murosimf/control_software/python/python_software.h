@@ -58,6 +58,7 @@ class PythonSoftware final : public ControlSoftware {
   [[nodiscard]] CallOutcome step(Duration now) noexcept override;
   void state(StateArchive& archive) override;
   [[nodiscard]] bool keeps_state() const override { return !made_.traits().saves; }
+  void reseed(std::uint64_t seed) override { made_.object_->reseed(seed); }
   [[nodiscard]] std::vector<double> written() const override { return rows_.written(); }
   void write(const std::vector<double>& numbers) noexcept override { rows_.write(numbers); }
 

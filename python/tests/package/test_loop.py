@@ -1,11 +1,13 @@
 """Classes in Python as control software: in scene files, in the program and in the package."""
 
+import copy
 import json
 import os
 import shutil
 import signal
 import subprocess
 import sys
+import threading
 import time
 from pathlib import Path
 from typing import Any
@@ -314,6 +316,14 @@ def test_batches_have_classes_too(tmp_path: Path) -> None:
         assert batch[i].state_hash == alone.state_hash
 
 
+def test_knows_the_seed_of_the_run(tmp_path: Path) -> None:
+    text = "class A:\n    def start(self, robot, time): robot.joint_target[0] = 0.001 * robot.seed\n"
+    scene = ms.Scene(str(scene_of(tmp_path, text + BEGIN.split("\n")[1] + "\n", "A")), libraries=True, seed=3)
+    assert scene["r0"].joint_target[0] == 0.003
+    scene.reset(seed=7)
+    assert scene["r0"].joint_target[0] == 0.007
+
+
 def test_a_call_without_end_is_ended(tmp_path: Path) -> None:
     text = "import time as clock\nclass A:\n    def __call__(self, robot, time):\n        while time > 0.1:\n            pass\n"
     scene = scene_of(tmp_path, text, "A", more="call_budget = 0.01\n")
@@ -391,6 +401,30 @@ def test_an_end_of_the_process_in_it_ends_the_run_with_its_reports(tmp_path: Pat
         done = run(scene_of(tmp_path, text, "A", robots=2), "--libraries", "--json", "-", "--threads", 2, expect=3)
         assert f"class 'soft:A' of r0: its step {what}" in done.stderr + done.stdout
         assert json.loads(done.stdout)["stopped"]["by"] == "a crash"
+
+
+def test_scenes_in_several_threads_do_not_wait_for_each_other(tmp_path: Path) -> None:
+    path = scene_of(tmp_path, WAVE, "Wave", robots=2)
+    hashes = []
+
+    def play(threads: int) -> None:
+        scene = ms.Scene(str(path), libraries=True, threads=threads)
+        for seed in range(3):
+            scene.reset(seed=seed)
+            scene.run(0.05)
+            other = copy.copy(scene)
+            for one in (scene, other):
+                one.run(0.05)
+            assert other.state_hash == scene.state_hash
+        hashes.append(scene.state_hash)
+
+    players = [threading.Thread(target=play, args=(threads,), daemon=True) for threads in (1, 2, 2, 1)]
+    for player in players:
+        player.start()
+    for player in players:
+        player.join(timeout=30)
+    assert len(hashes) == 4
+    assert len(set(hashes)) == 1
 
 
 def test_forked_children_go_on(tmp_path: Path) -> None:

@@ -283,6 +283,9 @@ class Loaded:
         """An object as it begins."""
         self.object = self.cls(**self.given)
 
+    def reseed(self, seed):
+        self.robot.__dict__["seed"] = seed
+
     def declare(self):
         cls, made = self.cls, self.object
         if not callable(made):

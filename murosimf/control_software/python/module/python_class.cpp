@@ -148,6 +148,11 @@ void Class::say(const std::string& line) const {
   }
 }
 
+void Class::reseed(std::uint64_t seed) noexcept {
+  (void)call(std::chrono::seconds(10),
+             [&] { (void)loaded_.attribute("reseed")(Object(PyLong_FromUnsignedLongLong(seed))); });
+}
+
 PythonOutcome Class::renew(Duration limit) noexcept {
   return call(limit, [&] {
     (void)loaded_.attribute("renew")();

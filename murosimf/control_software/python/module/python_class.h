@@ -27,6 +27,7 @@ class Class final : public PythonObject {
   [[nodiscard]] const PythonTraits& traits() const noexcept override { return traits_; }
   [[nodiscard]] double* add(const PythonRow& row, PythonOutcome& outcome) noexcept override;
   void print_to(std::function<void(const std::string& line)> say) noexcept override;
+  void reseed(std::uint64_t seed) noexcept override;
   [[nodiscard]] PythonOutcome renew(Duration limit) noexcept override;
   [[nodiscard]] PythonOutcome start(double time, Duration limit) noexcept override;
   [[nodiscard]] PythonOutcome step(double time, Duration limit) noexcept override;
