@@ -177,6 +177,13 @@ TEST(SceneDocument, HasWhatIsSeen) {
     end = 4 + length + mesh["at"].get<std::size_t>() +
           12 * (mesh["corners"].get<std::size_t>() + mesh["triangles"].get<std::size_t>());
   }
+  const auto& look = text["look"];
+  for (const char* name : {"walls", "ceiling", "nets"}) {
+    EXPECT_EQ(4 + length + look[name]["at"].get<std::size_t>(), end) << name;
+    end += 20 * look[name]["corners"].get<std::size_t>() + 12 * look[name]["triangles"].get<std::size_t>();
+  }
+  EXPECT_EQ(4 + length + look["pile"]["at"].get<std::size_t>(), end);
+  end += look["pile"]["side"].get<std::size_t>() * look["pile"]["side"].get<std::size_t>();
   EXPECT_EQ(end, made.bytes.size());
   for (const auto& part : text["parts"]) {
     const auto& entity = text["entities"][part["entity"].get<std::size_t>()];

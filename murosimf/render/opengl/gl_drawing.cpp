@@ -192,7 +192,7 @@ void GlDrawing::draw_shadows(const sensors::Perspective& view, const RendererOpt
   const Vec3d shift = transposed_times(lamp.axes, view.eye - lamp.eye);
   map.to_lamp = half_and_half() * (clip * matrix_of(turn, shift));
   list_.fill_all(render_scene_, lamp.eye, lamp.axes, ahead, catalog_);
-  if (map.shows(list_.instances(), clip)) return;
+  if (map.remember(list_.instances(), clip)) return;  // drawn for another view of this instant
   glBindFramebuffer(GL_FRAMEBUFFER, *map.frame);
   glDisable(GL_SCISSOR_TEST);
   glViewport(0, 0, map.side, map.side);

@@ -35,8 +35,8 @@ struct ShadowMap {
     glReadBuffer(GL_NONE);
   }
 
-  /// Whether the map has the shadows of these pieces already: views of one instant share it.
-  [[nodiscard]] bool shows(std::span<const Instance> pieces, const GlMatrix& from_lamp) {
+  /// Remembers these pieces. Returns whether the map has their shadows already: views of one instant share it.
+  [[nodiscard]] bool remember(std::span<const Instance> pieces, const GlMatrix& from_lamp) {
     const bool same = from_lamp == clip && pieces.size() == drawn.size() &&
                       (drawn.empty() || std::memcmp(pieces.data(), drawn.data(), pieces.size_bytes()) == 0);
     if (!same) drawn.assign(pieces.begin(), pieces.end());
