@@ -62,7 +62,8 @@ class Task:
         ball = "" if self.ball is None else f"[ball]\nposition = [{self.ball[0]}, {self.ball[1]}]\nmass = 0.15\nradius = 0.065\n"
         return (f'name = "{type(self).__name__}"\nduration = 1000.0\nrate = {rate}\n{ball}[field]\ngoals = false\n'
                 f"[start]\njitter_posture_deg = {jitter}\n"
-                f'[[robots]]\nname = "robot"\nmodel = "{model}"\nlevel = "{level}"\ncontroller = "none"\nsensors = false\n{self.pose()}')
+                f'[[robots]]\nname = "robot"\nmodel = "{model}"\nlevel = "{level}"\ncontroller = "none"\n'
+                f"sensors = false\n{self.pose()}")
 
     def pose(self) -> str:
         """Lines of the robot in the scene: how it begins."""
