@@ -2,7 +2,7 @@
 
 #include <charconv>
 
-#include <CLI/App.hpp>
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace murosimf::app {
