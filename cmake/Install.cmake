@@ -63,7 +63,7 @@ endif()
 # What finds all that. The shared library brings its own; whoever links the static one links these, too.
 set(murosimf_static_libraries -lfmt -ltinyxml2 -ltomlplusplus -lqhull_r -lpthread -ldl)
 foreach(part PkgConfig::cairo=-lcairo,-lpng PkgConfig::opengl=-lepoxy,-lEGL PkgConfig::zstd=-lzstd yaml-cpp::yaml-cpp=-lyaml-cpp
-    protobuf::libprotobuf-lite=-lprotobuf-lite ZLIB::ZLIB=-lz)
+    protobuf::libprotobuf-lite=-lprotobuf-lite PkgConfig::websockets=-lwebsockets ZLIB::ZLIB=-lz)
   string(REGEX MATCH "^(.+)=(.+)$" part ${part})
   string(REPLACE "," ";" libraries ${CMAKE_MATCH_2})
   if(TARGET ${CMAKE_MATCH_1})

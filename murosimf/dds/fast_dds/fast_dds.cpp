@@ -121,12 +121,26 @@ class Writer final : public TopicWriter, public DataWriterListener {
   std::atomic<int> readers_{0};
 };
 
+/// Pictures go out in portions, with time between them: a reader that does not ask for lost fragments again has 212,992 bytes of buffer where the system's
+/// settings are as they come.
+std::shared_ptr<eprosima::fastdds::rtps::FlowControllerDescriptor> paced() {
+  static const auto flow = [] {
+    auto made = std::make_shared<eprosima::fastdds::rtps::FlowControllerDescriptor>();
+    made->name = "pictures";
+    made->max_bytes_per_period = 66'000;  // one fragment
+    made->period_ms = 1;
+    return made;
+  }();
+  return flow;
+}
+
 DomainParticipantQos on_this_machine_alone() {
   const auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
   udp->interfaceWhiteList.emplace_back("127.0.0.1");
   DomainParticipantQos qos;
   qos.transport().use_builtin_transports = false;
   qos.transport().user_transports.push_back(udp);
+  qos.flow_controllers().push_back(paced());
   qos.wire_protocol().builtin.discovery_config.leaseDuration_announcementperiod = eprosima::fastrtps::Duration_t(0.2);
   return qos;
 }
@@ -186,6 +200,7 @@ TopicWriter* FastDds::writer(const Topic& topic) noexcept {
   qos.history().depth = topic.depth > 0 ? topic.depth : topic.reliable ? kept_replies : 1;
   if (topic.large) {
     qos.publish_mode().kind = ASYNCHRONOUS_PUBLISH_MODE;
+    qos.publish_mode().flow_controller_name = paced()->name;
     qos.reliable_writer_qos().times.heartbeatPeriod = heartbeat_of_large;
   }
   Writer& writer = writers_.emplace_back();

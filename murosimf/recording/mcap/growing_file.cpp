@@ -162,7 +162,8 @@ void GrowingFile::write(std::string_view bytes) {
 }
 
 void GrowingFile::sync() {
-  if (begun_ && !complete_ && ::fdatasync(descriptor_) != 0 && errno != EINVAL) refuse(errno);  // EINVAL: a device without a buffer
+  if (begun_ && !complete_ && ::fdatasync(descriptor_) != 0 && errno != EINVAL)
+    refuse(errno);  // EINVAL: a device without a buffer
 }
 
 void GrowingFile::finish() {
