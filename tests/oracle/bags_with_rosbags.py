@@ -90,7 +90,9 @@ def compare_sensors(program, recording, topics):
         for axis in "xyz":
             for vector, output in [(message.angular_velocity, "gyroscope"), (message.linear_acceleration, "accelerometer")]:
                 check(getattr(vector, axis) == columns[f"robot.imu.{output}.{axis}"][k], f"{output} {axis} {k}")
-        check(message.orientation_covariance[0] == -1, "an orientation that is not measured")
+        turn = [getattr(message.orientation, axis) for axis in "wxyz"]
+        check(turn == [columns[f"robot.imu.orientation.{axis}"][k] for axis in "wxyz"], f"orientation {k}: {turn}")
+        check(message.orientation_covariance[0] == 0, "an orientation that is measured")
     times, columns = table(program, recording, "robot.left_foot")
     for k, (_, message) in enumerate(topics["/robot/left_foot"]):
         labels = [dim.label.partition(" [")[0] for dim in message.layout.dim]
