@@ -131,8 +131,8 @@ class Description(unittest.TestCase):
         self.assertEqual({link["joint"] for link in self.found["links"][1:]}, joints)
 
     def test_shapes_are_those_of_the_file(self):
-        seen = {default.get("class") for default in self.file.iter("default") for geom in default.findall("geom") if geom.get("contype") == "0"}
-        bodies = sum(1 for body in self.file.iter("body") for geom in body.findall("geom") if geom.get("class") not in seen)
+        seen = {default.get("class") for default in self.file.iter("default") if default.find("geom[@contype='0']") is not None}
+        bodies = sum(geom.get("class") not in seen for body in self.file.iter("body") for geom in body.findall("geom"))
         self.assertEqual(sum(len(link["shapes"]) for link in self.found["links"]), bodies)
         self.assertEqual([shape["kind"] for shape in self.found["statics"]], ["box"])
 

@@ -118,8 +118,8 @@ def look_at_topics(node):
     gravity = math.hypot(imu.linear_acceleration.x, imu.linear_acceleration.y, imu.linear_acceleration.z)
     expect("gravity in the IMU", abs(gravity - 9.81) < 1.5, gravity)
     turn = imu.orientation
-    expect("orientation is measured", imu.orientation_covariance[0] == 0 and abs(math.hypot(turn.x, turn.y, turn.z, turn.w) - 1) < 1e-6,
-           (turn.x, turn.y, turn.z, turn.w))
+    length = math.hypot(turn.x, turn.y, turn.z, turn.w)
+    expect("orientation is measured", imu.orientation_covariance[0] == 0 and abs(length - 1) < 1e-6, length)
     scan = last["scan"]
     expect("scan", len(scan.ranges) == 91 and abs(scan.angle_max - scan.angle_min - 3) < 1e-5 and scan.range_max == 30,
            (len(scan.ranges), scan.angle_min, scan.angle_max))
