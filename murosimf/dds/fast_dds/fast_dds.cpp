@@ -151,7 +151,7 @@ constexpr int kept_replies = 64;  // of a reliable topic, until they are acknowl
 
 template <class Qos>
 void use_network_only(Qos& qos) {
-  qos.endpoint().history_memory_policy = rtps::DYNAMIC_REUSABLE_MEMORY_MODE;
+  qos.endpoint().history_memory_policy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
   qos.data_sharing().off();
 }
 

@@ -18,6 +18,13 @@
 #include "murosimf/scene/scene.h"
 #include "tests/recording/repeatable_run.h"
 
+// Fast DDS 2.9 of Debian deletes an object of a reader with another size than it has made it with (both in libfastrtps, ~RTPSReader). The address
+// sanitizer compares no sizes in these tests; it looks for all else.
+#ifdef MUROSIMF_ADDRESS_SANITIZER
+extern "C" const char* __asan_default_options();  // NOLINT: the sanitizer's name
+extern "C" const char* __asan_default_options() { return "new_delete_type_mismatch=0"; }
+#endif
+
 namespace murosimf::dds::booster {
 namespace {
 
