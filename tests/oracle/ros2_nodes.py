@@ -29,6 +29,7 @@ import ros2_interfaces as si
 import ros2_types as ros
 from errors import end, errors
 from ros2_peer import KEPT, Node, wait_for
+from udp_places import udp_places
 
 DOMAIN = 88
 DISCOVERY = "239.255.0.1"
@@ -80,10 +81,6 @@ class Run:
         scene.write_text(SCENE)
         self.process = subprocess.Popen([program, "run", str(scene), "--ros2", str(DOMAIN), "--duration", "300",
                                          "--json", str(self.report)], stderr=subprocess.PIPE, text=True)
-
-    def listens(self):
-        lines = subprocess.run(["ss", "-ulpn"], capture_output=True, text=True, check=True).stdout.splitlines()
-        return [line.split()[3] for line in lines if f"pid={self.process.pid}," in line]
 
 
 def look_at_topics(node):
@@ -354,7 +351,7 @@ def main():
                 newest[:] = reader.take(N=100)[-1:]
             return newest[0]
 
-        places = run.listens()
+        places = udp_places(run.process.pid)
         expect("nothing listens beside loopback", places and all(
             place.startswith(("127.0.0.1:", DISCOVERY)) for place in places), places)
         clock = node.subscribe("/clock", ros.Clock)
