@@ -13,7 +13,6 @@ Needs booster-robotics-sdk-python in this Python; without it, or in a build with
 import csv
 import json
 import math
-import os
 import signal
 import subprocess
 import sys
@@ -29,6 +28,7 @@ except ImportError as missing:
     sys.exit(77)
 
 from errors import end, errors
+from socket_places import hex_address, socket_places
 
 DOMAIN = 87
 MODEL = Path(__file__).resolve().parents[2] / "models" / "booster_k1.xml"
@@ -131,25 +131,9 @@ def median(values):
     return sorted(values)[len(values) // 2] if values else math.nan
 
 
-def hex_address(text):
-    """Of /proc/net: 0100007F:1CF2."""
-    number = int(text.split(":")[0], 16)
-    return ".".join(str(number >> shift & 255) for shift in (0, 8, 16, 24))
-
-
 def check_sockets(process):
     """All sockets are on 127.0.0.1, or hear the group of DDS's discovery, which only the loopback interface has joined."""
-    inodes = set()
-    for link in Path(f"/proc/{process}/fd").iterdir():
-        target = os.readlink(link) if link.is_symlink() else ""
-        if target.startswith("socket:["):
-            inodes.add(target[8:-1])
-    found = set()
-    for table in ("udp", "tcp", "udp6", "tcp6"):
-        for line in Path(f"/proc/{process}/net/{table}").read_text().splitlines()[1:]:
-            fields = line.split()
-            if fields[9] in inodes:
-                found.add(table if table.endswith("6") else hex_address(fields[1]))
+    found = {place.rpartition(":")[0] for place in socket_places(process)}
     expect("sockets", bool(found) and found <= {"127.0.0.1", DISCOVERY}, sorted(found))
     interface, joined = "", set()
     for line in Path(f"/proc/{process}/net/igmp").read_text().splitlines()[1:]:

@@ -29,7 +29,7 @@ import ros2_interfaces as si
 import ros2_types as ros
 from errors import end, errors
 from ros2_peer import KEPT, Node, wait_for
-from udp_places import udp_places
+from socket_places import socket_places
 
 DOMAIN = 88
 DISCOVERY = "239.255.0.1"
@@ -351,7 +351,7 @@ def main():
                 newest[:] = reader.take(N=100)[-1:]
             return newest[0]
 
-        places = udp_places(run.process.pid)
+        places = socket_places(run.process.pid)
         expect("nothing listens beside loopback", places and all(
             place.startswith(("127.0.0.1:", DISCOVERY)) for place in places), places)
         clock = node.subscribe("/clock", ros.Clock)
