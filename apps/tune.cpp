@@ -164,7 +164,11 @@ studies::MotionTask task_of(const TuneArguments& arguments) {
   return task;
 }
 
-bool is_device(const std::string& out) { return out.starts_with("/dev/"); }
+/// What is there and is no file: a terminal, a pipe, /dev/null. /dev/shm holds files.
+bool is_device(const std::string& out) {
+  std::error_code none;
+  return std::filesystem::is_other(out, none);
+}
 
 /// Of a balance, beside --out; empty: it goes nowhere.
 std::filesystem::path steps_file(const TuneArguments& arguments) {

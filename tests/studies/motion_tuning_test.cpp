@@ -238,7 +238,7 @@ TEST(MotionTuning, KeepsWhereTheBallLies) {
 }
 
 TEST(MotionTuning, ThreadsDoNotMatter) {
-  EXPECT_EQ(to_toml(tune_motion(small_tuning(1, 34)), ""), to_toml(tune_motion(small_tuning(3, 34)), ""));
+  EXPECT_EQ(to_toml(tune_motion(small_tuning(1, 17)), ""), to_toml(tune_motion(small_tuning(3, 17)), ""));
 }
 
 TEST(MotionTuning, NamesWhatIsWrong) {
