@@ -16,6 +16,7 @@
   COMMAND(run)                     \
   COMMAND(view)                    \
   COMMAND(render)                  \
+  COMMAND(highlights)              \
   COMMAND(plot)                    \
   COMMAND(replay)                  \
   COMMAND(rerun)                   \

@@ -17,6 +17,7 @@
 #include "murosimf/render/image_png.h"
 #include "murosimf/render/renderer.h"
 #include "murosimf/render/seen_drawing.h"
+#include "murosimf/scene/action_view.h"
 #include "murosimf/scene/scene_pictures.h"
 #include "murosimf/scene/scene_viewpoints.h"
 
@@ -64,7 +65,11 @@ class Eye final : public PictureSource {
         fps_(options.fps),
         slow_(options.slow) {
     if (!drawings_.empty() && !layer_.is(Kind::color)) throw SetupError("--drawings are drawn over colors");
-    (void)scene::viewpoint_perspective(scene, view_, size_.width, size_.height);
+    if (!options.follow.empty()) {
+      follow(options.follow);
+    } else {
+      (void)scene::viewpoint_perspective(scene, view_, size_.width, size_.height);
+    }
     const auto for_people = [shadows = !options.no_shadows](scene_file::LightSpec& light) {
       light.shadows = shadows;
       light.samples = std::max(light.samples, 4);
@@ -82,7 +87,7 @@ class Eye final : public PictureSource {
     sensors::View view;
     const sensors::Layers layers{layer_.is(Kind::color), layer_.is(Kind::depth), layer_.is(Kind::labels)};
     render::Renderer& renderer = painter_->renderer();
-    const sensors::Perspective from = scene::viewpoint_perspective(scene_, view_, size_.width, size_.height);
+    const sensors::Perspective from = perspective();
     renderer.draw(from, layers, 0, view);
     if (const std::string trouble = renderer.trouble(); !trouble.empty()) throw SetupError(trouble);
     if (!drawings_.empty()) draw_drawings(from, view.color);
@@ -92,6 +97,20 @@ class Eye final : public PictureSource {
   }
 
  private:
+  void follow(const std::vector<std::string>& names) {
+    std::vector<std::string> all = names;
+    if (names == std::vector<std::string>{"all"}) {
+      all.clear();
+      for (const Entity* entity : scene_.moving_entities()) all.push_back(entity->name());
+    }
+    following_.emplace(scene_);
+    with_context("--follow", [&] { following_->follow(all, true); });
+  }
+  [[nodiscard]] sensors::Perspective perspective() {
+    return following_ ? following_->look(size_.width, size_.height)
+                      : scene::viewpoint_perspective(scene_, view_, size_.width, size_.height);
+  }
+
   /// By robots now, and by others then.
   [[nodiscard]] std::vector<drawing::Drawn> all_drawn() {
     const World& world = scene_.simulation().world();
@@ -130,6 +149,7 @@ class Eye final : public PictureSource {
   std::set<std::string> drawings_;
   double fps_, slow_;
   std::unique_ptr<scene::ScenePainter> painter_;
+  std::optional<scene::ActionView> following_;
   std::optional<recording::DrawingReader> recorded_;
   std::optional<recording::RecordedExternalDrawings> others_;
 };

@@ -7,7 +7,9 @@
 #include "apps/command_line.h"
 #include "apps/error_output.h"
 #include "apps/interruption.h"
+#include "apps/option_values.h"
 #include "apps/picture_files.h"
+#include "apps/picture_sheet.h"
 #include "apps/picture_source.h"
 #include "apps/render_options.h"
 #include "apps/repeat_arguments.h"
@@ -16,7 +18,6 @@
 #include "murosimf/files/file_roles.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/recording/recorded_series.h"
-#include "murosimf/render/light.h"
 #include "murosimf/scene/scene.h"
 #include "murosimf/scene/scene_labels.h"
 #include "murosimf/scene/scene_report.h"
@@ -31,6 +32,11 @@ void define(const Command& command, RenderOptions& options) {
   command.add("--view", options.view,
               "From where: overview (usual), top, side, left, right, a robot's name, or a view of the scene");
   const Option camera = command.add("--camera", options.camera, "ROBOT.CAMERA: through a camera that a robot carries");
+  command
+      .add("--follow", options.follow,
+           "From near, with these robots or the ball in the picture as they move; 'all': everything that moves")
+      .separated_by(',')
+      .excludes(camera);
   command.add("--size", options.size, "WIDTHxHEIGHT in pixels; 1280x720 if not given");
   command
       .add("--layer", options.layer,
@@ -50,7 +56,13 @@ void define(const Command& command, RenderOptions& options) {
       .value_if_alone("all")
       .separated_by(',')
       .excludes(camera);
-  command.add("--out", options.out, "PNG file to write");
+  const Option out = command.add("--out", options.out, "PNG file to write");
+  command
+      .add(
+          "--sheet", options.sheet,
+          "COLUMNSxROWS: so many pictures of --size over the duration, row by row, each with its time, in one PNG file")
+      .needs(out)
+      .excludes(camera);
   const Option video = command.add("--video", options.video, "Video file to write, .mp4, .webm or .gif (needs ffmpeg)");
   command.add("--fps", options.fps, "Pictures per second of a video; a camera has its own")
       .needs(video)
@@ -59,20 +71,13 @@ void define(const Command& command, RenderOptions& options) {
   command.add("--slow", options.slow, "Slow motion: a video takes so many times longer than what it shows")
       .needs(video)
       .shows_default();
-  command.add("--duration", options.duration, "Simulated seconds of a video, instead of the scene's").needs(video);
+  command.add("--duration", options.duration, "Simulated seconds of a video or a sheet, instead of the scene's");
 }
 
 Duration time_of(const char* option, double s) {
   if (!(s >= 0 && s <= scene_file::longest_duration))
     throw SetupError(fmt::format("{} {}: must be a number from 0", option, s));
   return from_seconds(s);
-}
-
-void check_light(const std::string& name) {
-  std::vector<std::string_view> names;
-  for (const render::NamedLight& light : render::lights()) names.push_back(light.name);
-  if (std::ranges::find(names, name) != names.end()) return;
-  throw SetupError("--light: " + unknown_name("light", name, names));
 }
 
 /// "seen.labels.json" beside "seen.png".
@@ -87,13 +92,12 @@ void check(const RenderOptions& options) {
     throw SetupError("say where the picture goes: either --out FILE.png or --video FILE.mp4");
   }
   if (!options.view.empty() && !options.camera.empty()) throw SetupError("either --view or --camera, not both");
-  if (!(options.fps >= 1 && options.fps <= 240)) {
-    throw SetupError(fmt::format("--fps {}: must be from 1 to 240", options.fps));
+  if (!options.view.empty() && !options.follow.empty()) throw SetupError("either --view or --follow, not both");
+  check_rates(options.fps, options.slow);
+  if (options.duration && options.video.empty() && options.sheet.empty()) {
+    throw SetupError("--duration: a picture has none; --time says when it is taken");
   }
-  if (!(options.slow >= 0.01 && options.slow <= 1000)) {
-    throw SetupError(
-        fmt::format("--slow {}: must be from 0.01 to 1000; 1 shows things as fast as they are", options.slow));
-  }
+  if (!options.sheet.empty()) (void)read_sheet(options);
   if (options.duration && time_of("--duration", *options.duration) == Duration{}) refuse_no_time();
   if (!options.light.empty()) check_light(options.light);
   if (options.video.empty()) {
@@ -154,8 +158,8 @@ int render(const RenderOptions& given) {
   check(given);
   end_gently();
   RenderOptions options = given;
-  if (options.view.empty() && options.camera.empty()) options.view = "overview";
-  if (options.camera.empty() && options.size.empty()) options.size = "1280x720";
+  if (options.view.empty() && options.camera.empty() && options.follow.empty()) options.view = "overview";
+  if (options.camera.empty() && options.size.empty()) options.size = options.sheet.empty() ? "1280x720" : "480x270";
   const Duration time = time_of("--time", options.time);
   const std::unique_ptr<const recording::RecordedRun> run = run_of(options.scene);
   const std::shared_ptr<scene::Scene> built = run ? build(*run, options) : build(options);
@@ -171,11 +175,11 @@ int render(const RenderOptions& given) {
   if (!source) source = make_eye(scene, options, run.get());
   for (const std::string& warning : make_report(scene).warnings) say_warning(warning);
   run_with_progress(simulation, time);
-  const bool written = options.video.empty()
-                           ? write_picture(*source, simulation, options)
-                           : write_video(*source, simulation, options,
-                                         options.duration.value_or(run ? seconds(run->end() - simulation.now())
-                                                                       : scene.spec().duration));
+  const double duration =
+      options.duration.value_or(run ? seconds(run->end() - simulation.now()) : scene.spec().duration);
+  const bool written = !options.video.empty()   ? write_video(*source, simulation, options, duration)
+                       : !options.sheet.empty() ? write_sheet(*source, simulation, options, duration)
+                                                : write_picture(*source, simulation, options);
   if (written && has_labels(options)) files::write_file(label_file(options), scene::label_table_json(scene) + "\n");
   if (const auto line = events_to_come(scene); !run && !interrupted() && !line.empty()) say_warning(line);
   if (interrupted()) say_stopped(options, simulation, written);

@@ -13,6 +13,8 @@ struct RenderOptions {
   SceneArguments scene;
   double time = 0;                    ///< [s] of the picture, or of the video's beginning
   std::string view;                   ///< name of a place (scene/scene_viewpoints.h)
+  std::vector<std::string> follow;    ///< names; "all"; instead of a place
+  std::string sheet;                  ///< COLUMNSxROWS; empty: one picture
   std::string camera;                 ///< ROBOT.CAMERA instead
   std::string size;                   ///< WIDTHxHEIGHT; empty: 1280x720
   std::string layer = "color";        ///< or depth, labels, depth_shown, labels_shown

@@ -50,11 +50,12 @@ std::int64_t last_frame(const std::string& progress) {
   return count;
 }
 
-/// Output options: most players need even sizes and 4:2:0; a GIF has a palette for each picture; numbers are stored without loss.
+/// Output options: most players need even sizes and 4:2:0; a GIF has a palette for each picture and
+/// no dither, which would double its size; numbers are stored without loss.
 std::vector<std::string> form_of(const std::filesystem::path& file, VideoFile::Pixels pixels) {
   if (pixels == VideoFile::Pixels::numbers) return {"-c:v", "ffv1", "-level", "3", "-pix_fmt", "gray16le"};
   if (file.extension() == ".gif") {
-    return {"-vf", "split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1"};
+    return {"-vf", "split[a][b];[a]palettegen=stats_mode=single:max_colors=128[p];[b][p]paletteuse=new=1:dither=none"};
   }
   return {"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p"};
 }

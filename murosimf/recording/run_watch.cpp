@@ -15,6 +15,17 @@ const std::vector<std::string>& watchable() {
   return names;
 }
 
+bool ball_in_goal(const scene::Scene& scene) {
+  const Entity* ball = scene.parts().ball;
+  if (!ball || !ball->present() || !scene.spec().ball) return false;
+  const Column<Vec3d>* position = ball->find(properties::position);
+  if (!position) return false;
+  const scene_file::FieldSize& field = scene_file::field_size(scene.spec().field.size);
+  const Vec3d r = position->values[0];
+  return std::abs(r.x) > field.length / 2 + scene.spec().ball->radius && std::abs(r.y) < field.goal_width / 2 &&
+         r.z < field.goal_height;
+}
+
 RunWatch::RunWatch(const scene::Scene& scene, std::set<std::string> what) : scene_(scene), what_(std::move(what)) {}
 
 std::vector<std::string> RunWatch::look() {
@@ -31,23 +42,11 @@ std::vector<std::string> RunWatch::look() {
     one.falls = falls;
     one.frozen = frozen;
   }
-  const bool in_goal = what_.contains("goal") && ball_in_goal();
+  const bool in_goal = what_.contains("goal") && ball_in_goal(scene_);
   if (begun_ && in_goal && !in_goal_) happened.emplace_back("goal");
   in_goal_ = in_goal;
   begun_ = true;
   return happened;
-}
-
-/// Behind the line, between the posts and below the bar.
-bool RunWatch::ball_in_goal() const {
-  const Entity* ball = scene_.parts().ball;
-  if (!ball || !ball->present() || !scene_.spec().ball) return false;
-  const Column<Vec3d>* position = ball->find(properties::position);
-  if (!position) return false;
-  const scene_file::FieldSize& field = scene_file::field_size(scene_.spec().field.size);
-  const Vec3d r = position->values[0];
-  return std::abs(r.x) > field.length / 2 + scene_.spec().ball->radius && std::abs(r.y) < field.goal_width / 2 &&
-         r.z < field.goal_height;
 }
 
 }  // namespace murosimf::recording

@@ -23,7 +23,6 @@ class RunWatch {
     double falls = 0;
     bool frozen = false;
   };
-  [[nodiscard]] bool ball_in_goal() const;
 
   const scene::Scene& scene_;
   std::set<std::string> what_;
@@ -31,8 +30,11 @@ class RunWatch {
   bool in_goal_ = false, begun_ = false;
 };
 
-/// "fall": a base tilted over 60 degrees. "goal": the whole ball is behind a goal line, between the posts and under the crossbar.
-/// "freeze": an entity was frozen because of invalid numbers. "asked": Recorder::ask, which is handled outside of RunWatch.
+/// Whether the whole ball is behind a goal line, between the posts and under the crossbar; false without a ball.
+[[nodiscard]] bool ball_in_goal(const scene::Scene& scene);
+
+/// "fall": a base tilted over 60 degrees. "goal": ball_in_goal() becomes true. "freeze": an entity was
+/// frozen because of invalid numbers. "asked": Recorder::ask, which is handled outside of RunWatch.
 [[nodiscard]] const std::vector<std::string>& watchable();
 
 }  // namespace murosimf::recording

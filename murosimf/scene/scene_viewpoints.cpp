@@ -89,6 +89,14 @@ render::ParallelView parallel_view(const Scene& scene, int width, int height) {
   return {.center = spec.center, .axes = axes, .pixel = spec.width / width, .width = width, .height = height};
 }
 
+sensors::Perspective perspective_around(const Scene& scene, const std::vector<Vec3d>& points, double elevation,
+                                        int width, int height) {
+  MUROSIMF_ASSERT(!points.empty());
+  Vec3d middle;
+  for (const Vec3d& p : points) middle += (1.0 / static_cast<double>(points.size())) * p;
+  return around(points, middle, direction(scene.spec().view.azimuth, elevation), width, height);
+}
+
 std::vector<std::string> viewpoint_names(const Scene& scene) {
   std::vector<std::string> names{"overview", "top", "side", "left", "right"};
   for (const scene_file::ViewpointSpec& eye : scene.spec().viewpoints) names.push_back(eye.name);

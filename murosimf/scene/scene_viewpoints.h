@@ -20,6 +20,10 @@ namespace murosimf::scene {
 [[nodiscard]] sensors::Perspective viewpoint_perspective(const Scene& scene, const std::string& name, int width,
                                                          int height);
 
+/// From the azimuth of the scene's [view], `elevation` [rad] up, at the smallest distance with all points [m, world] in the picture.
+[[nodiscard]] sensors::Perspective perspective_around(const Scene& scene, const std::vector<Vec3d>& points,
+                                                      double elevation, int width, int height);
+
 /// By parallel rays along the scene's [view]: all of its field, or `width` [m] about `center`.
 [[nodiscard]] render::ParallelView parallel_view(const Scene& scene, int width, int height);
 

@@ -225,6 +225,17 @@ TEST_F(Render, SlowMotionIsOfVideosAndOfAPossibleSpeed) {
   }
 }
 
+TEST_F(Render, ASheetIsPicturesInRows) {
+  EXPECT_EQ(size_of_png(draw("--sheet 3x2 --size 60x40 --duration 0.5")), "180x80");
+  EXPECT_NE(draw("--sheet 3x2 --size 60x40 --duration 0.5"), draw("--sheet 3x2 --size 60x40 --duration 1"));
+  EXPECT_EQ(size_of_png(draw("--sheet 1x1 --duration 1")), "480x270");
+}
+
+TEST_F(Render, FollowsRobotsAndBall) {  // tests/scene/action_view_test.cpp
+  EXPECT_NE(draw("--size 120x70 --follow one"), draw("--size 120x70 --follow one,ball"));
+  EXPECT_NE(draw("--size 120x70 --follow all"), draw("--size 120x70"));
+}
+
 TEST_F(Render, NamesWithColonsAndSpacesAreFiles) {
   if (!has_ffmpeg()) GTEST_SKIP() << "no ffmpeg here";
   const std::string name = "goal: one.gif";
@@ -329,7 +340,14 @@ TEST_F(Drawing, RefusesOutputsThatCannotBe) {
 
 TEST_F(Drawing, RefusesOptionsOfVideosForPictures) {
   expect_refused("--fps 10" + out(), {"--fps", "--video"});
-  expect_refused("--duration 1" + out(), {"--duration", "--video"});
+  expect_refused("--duration 1" + out(), {"--duration", "--time"});
+  expect_refused("--sheet 3x2 --time 1e9" + video("a.mp4"), {"--sheet", "--out"});
+  for (const char* sheet : {"3", "0x2", "axb", "3x2x1"})
+    expect_refused(std::string("--time 1e9 --sheet ") + sheet + out(), {"--sheet", sheet, "COLUMNSxROWS"});
+  expect_refused("--time 1e9 --sheet 200x2 --size 640x480" + out(), {"--sheet 200x2", "16384"});
+  expect_refused("--time 1e9 --sheet 3x2 --layer depth" + out(), {"--sheet", "depth"});
+  expect_refused("--time 1e9 --view top --follow one" + out(), {"--view", "--follow"});
+  expect_refused("--follow ona" + out(), {"--follow", "ona", "did you mean 'one'?"});
   expect_refused("--fps 10 --camera one.camera" + video("a.mp4"), {"--fps", "--camera"});
   for (const char* rate : {"0", "-1", "241", "nan"})
     expect_refused(std::string("--fps ") + rate + video("a.mp4"), {"--fps", "must be from 1 to 240"});

@@ -1,0 +1,58 @@
+// Highlights of a recording as a user meets them: a table, a video, and what is wrong in one line.
+#include <nlohmann/json.hpp>
+
+#include "tests/apps/folder.h"
+#include "tests/apps/program.h"
+
+namespace murosimf::test {
+namespace {
+
+/// A robot that lies at the start and gets up.
+std::string recording() {
+  static const std::string file = [] {
+    const std::string name = (fixtures::temp_folder() / "get_up.mcap").string();
+    EXPECT_EQ(murosimf("run get_up --record " + name).exit_code, 0);
+    return name;
+  }();
+  return file;
+}
+
+TEST(Highlights, AreATableAndJson) {
+  const Result table = murosimf("highlights " + recording());
+  EXPECT_EQ(table.exit_code, 0) << table.errors;
+  EXPECT_NE(table.output.find("robot gets up"), std::string::npos) << table.output;
+  const Result result = murosimf("highlights " + recording() + " --json -");
+  const auto json = nlohmann::json::parse(result.output);
+  ASSERT_EQ(json["moments"].size(), 1U);
+  EXPECT_EQ(json["moments"][0]["kind"], "get_up");
+  EXPECT_EQ(json["moments"][0]["robot"], "robot");
+  ASSERT_EQ(json["clips"].size(), 1U);
+  EXPECT_LE(json["clips"][0]["begin"].get<double>(), json["moments"][0]["time"].get<double>());
+  EXPECT_NE(murosimf("highlights " + recording() + " --what goal").output.find("no moments"), std::string::npos);
+}
+
+TEST(Highlights, AreAVideo) {
+  if (std::system("ffmpeg -version >/dev/null 2>&1") != 0) GTEST_SKIP() << "no ffmpeg here";
+  const fs::path video = scratch("up.gif");
+  const Result result = murosimf("highlights " + recording() + " --size 64x36 --fps 5 --video " + video.string());
+  if (result.errors.find("no pictures by OpenGL") != std::string::npos) GTEST_SKIP() << result.errors;
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_EQ(read_file(video).substr(0, 4), "GIF8");
+  const fs::path none = scratch("none.gif");
+  expect_mistake("highlights " + recording() + " --what goal,kick --video " + none.string(),
+                 {"goal, kick", "no video"});
+  EXPECT_FALSE(fs::exists(none));
+}
+
+TEST(Highlights, SayWhatIsWrong) {
+  expect_mistake("highlights missing.mcap", {"missing.mcap"});
+  expect_mistake("highlights " + recording() + " --what goals", {"--what", "goals"});
+  expect_mistake("highlights " + recording() + " --video film.txt", {"film.txt", ".mp4"});
+  expect_mistake("highlights " + recording() + " --video " + recording(), {"its extension must say which kind"});
+  expect_mistake("highlights " + recording() + " --size 3 --video a.gif", {"--size '3'"});
+  expect_mistake("highlights " + recording() + " --light noon --video a.gif", {"--light", "noon"});
+  expect_mistake("highlights " + recording() + " --fps 0 --video a.gif", {"--fps"});
+}
+
+}  // namespace
+}  // namespace murosimf::test
