@@ -30,6 +30,12 @@ TEST(UnitreeG1, HasTheSizesThatArePublished) {
   EXPECT_NEAR(norm(right - Vec3d{sole.x, -sole.y, sole.z}), 0, 1e-12) << "mirror images";
 }
 
+TEST(UnitreeG1, WalksOnKinematicFeet) {
+  const Walk result = walk_two_meters(g1());
+  EXPECT_NEAR(result.moved.x, 2.2, 0.2) << "2.25 m, less the start";
+  EXPECT_NEAR(result.moved.y, 0, 0.1);
+}
+
 class UnitreeG1AtLevel : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Levels, UnitreeG1AtLevel, testing::ValuesIn(dynamic_levels()), level_name);
 
