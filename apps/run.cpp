@@ -36,7 +36,7 @@ int run_scene(const RunOptions& options, Steering& steering) {
   const scene::SceneOptions scene_options = scene_options_of(options);
   scene::Scene scene(options.scene.file, scene_options);
   check_serial(scene.spec(), options.serial);
-  check_booster(scene.spec(), options.booster);
+  check_vendors(scene.spec(), options);
   const double asked = options.duration.value_or(scene.spec().duration);
   const Duration end = read_duration(asked);
   const std::unique_ptr<league::League> game = game_of(scene, options.game);

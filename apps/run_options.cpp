@@ -33,6 +33,37 @@ std::shared_ptr<control_software::TcpServer> server_at(const std::string& where)
   return server;
 }
 
+/// Robots that programs of their vendor control over DDS.
+struct Vendor {
+  std::string controller, option, software;
+  std::string domain;  ///< of the command line; empty: none
+};
+
+template <class Options>
+void check_vendor(const scene_file::SceneSpec& spec, const Vendor& vendor, const OptionTable<Options>& table) {
+  std::map<std::pair<int, std::string>, std::string> taken;  // robots by domain and suffix
+  for (const scene_file::RobotSpec& robot : spec.robots) {
+    if (robot.controller != vendor.controller) continue;
+    if (vendor.domain.empty()) {
+      say_warning(fmt::format("{}: no program can reach {}; to let {} in: {}", robot.where, robot.name, vendor.software,
+                              vendor.option));
+      continue;
+    }
+    Options options;
+    table.apply(robot.options, options);
+    const int own = options.domain >= 0 ? options.domain : read_domain(vendor.option, vendor.domain);
+    const auto [place, fresh] = taken.try_emplace({own, options.suffix}, robot.name);
+    if (fresh) continue;
+    throw SetupError(
+        fmt::format("{}: {} and {} are in the same DDS domain, {}; give one another: options = {{domain = {}}}",
+                    robot.where, place->second, robot.name, own, own + 1));
+  }
+  if (!vendor.domain.empty() && taken.empty()) {
+    throw SetupError(fmt::format("{}: no robot is controlled by {} (controller = \"{}\")", vendor.option,
+                                 vendor.software, vendor.controller));
+  }
+}
+
 }  // namespace
 
 void define_run(const Command& command, RunOptions& options) {
@@ -73,12 +104,18 @@ void define_run(const Command& command, RunOptions& options) {
            "Let programs with the SDK of Booster, on this computer alone, control robots with controller = "
            "\"booster\"; a value: DOMAIN of DDS")
       .value_if_alone("0");
+  command
+      .add("--unitree", options.unitree,
+           "Let low-level programs for a Unitree G1, on this computer alone, control robots with controller = "
+           "\"unitree\"; a value: DOMAIN of DDS")
+      .value_if_alone("0");
   add_ros2(command, options.ros2);
   add_no_cameras(command, options.no_cameras);
 }
 
 void check(const RunOptions& options) {
   if (!options.booster.empty()) (void)read_domain("--booster", options.booster);
+  if (!options.unitree.empty()) (void)read_domain("--unitree", options.unitree);
   (void)speed_of(options);
   if (options.duration) (void)read_duration(*options.duration);
   check(options.record, !options.supervision.where.empty());
@@ -105,27 +142,11 @@ void check_serial(const scene_file::SceneSpec& spec, const std::string& folder) 
   }
 }
 
-void check_booster(const scene_file::SceneSpec& spec, const std::string& domain) {
-  std::map<std::pair<int, std::string>, std::string> taken;  // robots by domain and suffix
-  for (const scene_file::RobotSpec& robot : spec.robots) {
-    if (robot.controller != "booster") continue;
-    if (domain.empty()) {
-      say_warning(fmt::format("{}: no program can reach {}; to let programs with Booster's SDK in: --booster",
-                              robot.where, robot.name));
-      continue;
-    }
-    dds::booster::BoosterOptions options;
-    catalog::booster_options().apply(robot.options, options);
-    const int own = options.domain >= 0 ? options.domain : read_domain("--booster", domain);
-    const auto [place, fresh] = taken.try_emplace({own, options.suffix}, robot.name);
-    if (fresh) continue;
-    throw SetupError(
-        fmt::format("{}: {} and {} are in the same DDS domain, {}; give one another: options = {{domain = {}}}",
-                    robot.where, place->second, robot.name, own, own + 1));
-  }
-  if (!domain.empty() && taken.empty()) {
-    throw SetupError("--booster: no robot is controlled by Booster's SDK (controller = \"booster\")");
-  }
+void check_vendors(const scene_file::SceneSpec& spec, const RunOptions& options) {
+  check_vendor(spec, {"booster", "--booster", "programs with Booster's SDK", options.booster},
+               catalog::booster_options());
+  check_vendor(spec, {"unitree", "--unitree", "low-level programs of Unitree", options.unitree},
+               catalog::unitree_options());
 }
 
 bool is_steered(const RunOptions& options) {
@@ -154,6 +175,7 @@ scene::SceneOptions scene_options_of(const RunOptions& options) {
   all.terminals = options.serial;
   if (!options.ros2.domain.empty()) all.ros2_domain = read_domain("--ros2", options.ros2.domain);
   if (!options.booster.empty()) all.dds_domain = read_domain("--booster", options.booster);
+  if (!options.unitree.empty()) all.unitree_domain = read_domain("--unitree", options.unitree);
   all.pushable = is_steered(options);
   if (!options.from.empty()) all.pushable = recording::was_pushable(options.from).value_or(all.pushable);
   all.software = server_at(options.listen);

@@ -31,6 +31,7 @@ struct RunOptions {
   RecordOptions record;
   std::string serial;   ///< folder for links to serial lines
   std::string booster;  ///< domain of DDS; empty: none
+  std::string unitree;  ///< the same
   Ros2Arguments ros2;
   bool no_cameras = false;           ///< nothing is drawn for cameras
   std::string from, save_state;      ///< files
@@ -47,8 +48,9 @@ void check(const RunOptions& options);
 
 /// Serial lines need a place where programs find them, and a place needs lines. Throws SetupError.
 void check_serial(const scene_file::SceneSpec& spec, const std::string& folder);
-/// Throws SetupError: two robots of Booster in one domain, or a domain without such robots. Without a domain a note says that none is reached.
-void check_booster(const scene_file::SceneSpec& spec, const std::string& domain);
+/// Throws SetupError: two robots of Booster, or of Unitree, in one domain, or a domain without such robots. Without a domain a note says that none is
+/// reached.
+void check_vendors(const scene_file::SceneSpec& spec, const RunOptions& options);
 /// Whether others steer the run: browsers, supervisors, nodes of ROS 2.
 [[nodiscard]] bool is_steered(const RunOptions& options);
 /// Whether such a run pauses at its end, until they end it.

@@ -20,8 +20,8 @@ std::string why_it_stays(const RunOptions& options) {
   if (!game.game_controller.empty() || !game.team_links.empty() || !game.repeat.empty()) {
     return "it has to do with the world outside";
   }
-  if (!options.listen.empty() || !options.serial.empty() || !options.booster.empty())
-    return "its robots have software (--listen, --serial, --booster)";
+  if (!options.listen.empty() || !options.serial.empty() || !options.booster.empty() || !options.unitree.empty())
+    return "its robots have software (--listen, --serial, --booster, --unitree)";
   if (!options.save_at.empty() || !options.save_state.empty()) return "its states are saved (--save-at, --save-state)";
   return options.picture.empty() ? "" : "a picture is made of it (--picture)";
 }
@@ -61,7 +61,7 @@ void Steering::exchange(const supervise::SceneRequest& request) {
   const auto build = [&] {
     scene::Scene scene(options.scene.file, scene_options);
     check_serial(scene.spec(), options.serial);
-    check_booster(scene.spec(), options.booster);
+    check_vendors(scene.spec(), options);
     scene.simulation().initialize();
   };
   try {

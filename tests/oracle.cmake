@@ -55,6 +55,8 @@ if(TARGET fastrtps)
   set_tests_properties(oracle.booster_sdk PROPERTIES PROCESSORS 3 COST 213 TIMEOUT 300)  # in real time
   add_oracle_test(ros2_nodes $<TARGET_FILE:murosimf_app>)
   set_tests_properties(oracle.ros2_nodes PROPERTIES PROCESSORS 3 COST 212 TIMEOUT 300)  # in real time
+  add_oracle_test(unitree_hg $<TARGET_FILE:murosimf_app>)
+  set_tests_properties(oracle.unitree_hg PROPERTIES PROCESSORS 3 COST 211 TIMEOUT 120)  # in real time
 endif()
 
 # Collision against FCL, where it is installed.

@@ -102,11 +102,12 @@ struct ControllerOptions {
   control_software::ControlLinkOptions link{};            ///< between the robot and software outside of the program
   std::shared_ptr<control_software::CrashNote> crashes;   ///< null: crashes are not recorded
   std::shared_ptr<control_software::TcpServer> software;  ///< accepts the software of the controller "tcp"; null: none
-  std::filesystem::path folder;      ///< folder of the scene's file, searched for files that it names
-  std::filesystem::path terminals;   ///< folder for links to serial lines; empty: there are none
-  std::optional<int> dds_domain{};   ///< of robots of Booster that name no other; nothing: there is no DDS
-  std::optional<int> ros2_domain{};  ///< of robots that nodes of ROS 2 command; nothing: none do
-  ExternalInputOptions outside;      ///< recording and repetition of external input
+  std::filesystem::path folder;         ///< folder of the scene's file, searched for files that it names
+  std::filesystem::path terminals;      ///< folder for links to serial lines; empty: there are none
+  std::optional<int> dds_domain{};      ///< of robots of Booster that name no other; nothing: there is no DDS
+  std::optional<int> unitree_domain{};  ///< the same of robots of Unitree
+  std::optional<int> ros2_domain{};     ///< of robots that nodes of ROS 2 command; nothing: none do
+  ExternalInputOptions outside;         ///< recording and repetition of external input
 };
 
 struct ControllerType {

@@ -17,6 +17,7 @@
 #include "murosimf/control_software/trajectory_player.h"
 #include "murosimf/dds/booster/booster_software.h"
 #include "murosimf/dds/ros2/ros_software.h"
+#include "murosimf/dds/unitree/unitree_software.h"
 #include "murosimf/files/data_path.h"
 #include "murosimf/locomotion/gait_seed.h"
 #include "murosimf/locomotion/keyframe_player.h"
@@ -276,6 +277,21 @@ void attach_booster(Simulation& simulation, Entity& robot, const ControllerOptio
   attach_software(simulation, robot, rate_of<BoosterSoftware>(options), make, {.software = "Booster SDK"}, options);
 }
 
+/// The same.
+void attach_unitree(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
+  using dds::unitree::UnitreeSoftware;
+  dds::unitree::UnitreeOptions given;
+  unitree_options().apply(options.own, given);
+  std::optional<int> domain = options.unitree_domain;
+  if (domain && given.domain >= 0) domain = given.domain;
+  attach_missing_senses(simulation, robot);
+  const control_software::SoftwareMaker make = [&](Setup& setup, control_software::RobotPort& port,
+                                                   const control_software::SayLine& say) {
+    return std::make_unique<UnitreeSoftware>(setup, port, say, given, domain, options.outside);
+  };
+  attach_software(simulation, robot, rate_of<UnitreeSoftware>(options), make, {.software = "unitree_hg"}, options);
+}
+
 /// Only the command line lets nodes in.
 void attach_ros2(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
   using dds::ros2::RosSoftware;
@@ -395,6 +411,9 @@ std::vector<ControllerType> built_in_controllers() {
       ControllerType{"booster",
                      "programs with the SDK of the robot's vendor, Booster, over DDS: murosimf run --booster", "link",
                      attach_booster, booster_options().infos()},
+      ControllerType{"unitree",
+                     "low-level programs for a Unitree G1, by its vendor's messages over DDS: murosimf run --unitree",
+                     "link", attach_unitree, unitree_options().infos()},
       ControllerType{"ros2", "nodes of ROS 2 on this computer, over DDS: murosimf run --ros2", "link", attach_ros2,
                      ros2_options().infos()},
       ControllerType{"drive", "drives a car with the speed and turning rate in walk_command", "command", attach_drive,

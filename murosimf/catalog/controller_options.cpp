@@ -89,6 +89,18 @@ const OptionTable<dds::booster::BoosterOptions>& booster_options() {
   return table;
 }
 
+const OptionTable<dds::unitree::UnitreeOptions>& unitree_options() {
+  using Options = dds::unitree::UnitreeOptions;
+  static const OptionTable<Options> table{
+      {"domain", &Options::domain, "", "of DDS; -1: that of --unitree", -1, dds::Participant::highest_domain},
+      {"suffix", &Options::suffix, "", "behind the names of all topics, for several robots in a domain"},
+      {"stands", &Options::stands, "", "until a program takes its motors; false: they are off until then"},
+      {"lock_step", &Options::lock_step, "s",
+       "wall time that a cycle waits for a command once a program has the motors; 0: it does not", 0, longest_limit},
+  };
+  return table;
+}
+
 const OptionTable<dds::ros2::RosOptions>& ros2_options() {
   using Options = dds::ros2::RosOptions;
   static const OptionTable<Options> table{

@@ -7,6 +7,7 @@
 #include "murosimf/control_software/trajectory_player.h"
 #include "murosimf/dds/booster/booster_options.h"
 #include "murosimf/dds/ros2/ros_options.h"
+#include "murosimf/dds/unitree/unitree_options.h"
 #include "murosimf/locomotion/ankle_strategy.h"
 #include "murosimf/locomotion/drive.h"
 #include "murosimf/model/option.h"
@@ -22,6 +23,7 @@ namespace murosimf::catalog {
 [[nodiscard]] const OptionTable<control_software::TcpOptions>& tcp_options();
 [[nodiscard]] const OptionTable<serial::SerialOptions>& serial_options();
 [[nodiscard]] const OptionTable<dds::booster::BoosterOptions>& booster_options();
+[[nodiscard]] const OptionTable<dds::unitree::UnitreeOptions>& unitree_options();
 [[nodiscard]] const OptionTable<dds::ros2::RosOptions>& ros2_options();
 [[nodiscard]] const OptionTable<locomotion::DriveOptions>& drive_options();
 [[nodiscard]] const OptionTable<soccer::BallChaserOptions>& ball_chaser_options();

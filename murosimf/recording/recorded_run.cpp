@@ -98,7 +98,7 @@ std::unique_ptr<scene::Scene> RecordedRun::build_to_show(const RepeatOptions& op
 /// Software outside of the program is repeated from what it sent, which must be in the recording.
 void RecordedRun::check_repeatable(const scene::Scene& scene) const {
   for (const scene_file::RobotSpec& robot : scene.spec().robots) {
-    const bool over_dds = robot.controller == "booster" || robot.controller == "ros2";
+    const bool over_dds = robot.controller == "booster" || robot.controller == "unitree" || robot.controller == "ros2";
     if (!over_dds && robot.controller != "tcp" && robot.controller != "serial") continue;
     if (takes_part(description_, (over_dds ? "dds" : robot.controller) + ":" + robot.name)) continue;
     throw SetupError(fmt::format("'{}' was moved by another program (controller '{}'), of which there is no record",

@@ -34,6 +34,7 @@ catalog::ControllerOptions controller_options(const SceneParts& parts, const sce
   options.folder = spec.file.parent_path();
   options.terminals = parts.terminals;
   options.dds_domain = parts.dds_domain;
+  options.unitree_domain = parts.unitree_domain;
   options.ros2_domain = parts.ros2_domain;
   options.outside = parts.outside;
   const scene_file::FieldSize& field = scene_file::field_size(spec.field.size);
@@ -80,7 +81,8 @@ void refuse_software_of_file(const SceneParts& parts, const scene_file::RobotSpe
 void attach_controller(SceneParts& parts, const scene_file::RobotSpec& robot, Entity& entity) {
   const bool from_outside = robot.controller == "library" || robot.controller == "python" ||
                             robot.controller == "serial" || robot.controller == "tcp" ||
-                            robot.controller == "booster" || robot.controller == "ros2";
+                            robot.controller == "booster" || robot.controller == "unitree" ||
+                            robot.controller == "ros2";
   if (parts.only_shown && from_outside) return;
   refuse_software_of_file(parts, robot);
   const catalog::ControllerOptions options = controller_options(parts, robot);

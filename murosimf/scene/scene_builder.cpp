@@ -104,6 +104,7 @@ void build(SceneParts& parts, const SceneOptions& options) {
   parts.software = options.software;
   parts.terminals = options.terminals;
   parts.dds_domain = options.dds_domain;
+  parts.unitree_domain = options.unitree_domain;
   parts.ros2_domain = options.ros2_domain;
   parts.outside = options.outside;
   if (!parts.outside.memory) parts.outside.memory = std::make_shared<ExternalInputHistory>();

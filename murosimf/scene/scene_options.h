@@ -21,20 +21,21 @@ class Assets;  // assets.h
 
 struct SceneOptions {
   int threads = 1;
-  std::optional<std::uint64_t> seed;   ///< replaces the scene's
-  std::vector<std::string> overrides;  ///< PATH=VALUE, as for --set
-  std::vector<std::string> events;     ///< TIME:PATH=VALUE, as for --at
-  std::vector<std::string> pushes;     ///< `OBJECT=FORCE@BEGIN..END`, as for --push
-  bool libraries = false;              ///< control software that the file names may be loaded: it can run any code
-  std::string terminals;               ///< folder for links to robots' serial lines; empty: there are none
-  std::optional<int> ros2_domain{};    ///< for robots that nodes of ROS 2 command; nothing: none do
-  std::optional<int> dds_domain{};     ///< for robots of Booster; nothing: they have no DDS
-  bool lenient = false;                ///< accept unknown elements in model files
-  bool lanes = true;                   ///< false: equal robots are not stepped together (Simulation::use_lanes)
-  bool cameras = true;                 ///< false: nothing is drawn for cameras; they have no frames
-  bool only_shown = false;             ///< it makes no steps: control software and its connections are left out
-  bool pushable = false;               ///< moving entities can be pushed while it runs, also without a push in the file
-  bool paths = false;                  ///< record the paths of all entities, for write_picture
+  std::optional<std::uint64_t> seed;    ///< replaces the scene's
+  std::vector<std::string> overrides;   ///< PATH=VALUE, as for --set
+  std::vector<std::string> events;      ///< TIME:PATH=VALUE, as for --at
+  std::vector<std::string> pushes;      ///< `OBJECT=FORCE@BEGIN..END`, as for --push
+  bool libraries = false;               ///< control software that the file names may be loaded: it can run any code
+  std::string terminals;                ///< folder for links to robots' serial lines; empty: there are none
+  std::optional<int> ros2_domain{};     ///< for robots that nodes of ROS 2 command; nothing: none do
+  std::optional<int> dds_domain{};      ///< for robots of Booster; nothing: they have no DDS
+  std::optional<int> unitree_domain{};  ///< the same for robots of Unitree
+  bool lenient = false;                 ///< accept unknown elements in model files
+  bool lanes = true;                    ///< false: equal robots are not stepped together (Simulation::use_lanes)
+  bool cameras = true;                  ///< false: nothing is drawn for cameras; they have no frames
+  bool only_shown = false;              ///< it makes no steps: control software and its connections are left out
+  bool pushable = false;  ///< moving entities can be pushed while it runs, also without a push in the file
+  bool paths = false;     ///< record the paths of all entities, for write_picture
   std::shared_ptr<control_software::TcpServer>
       software{};                    ///< where control software of the controller "tcp" comes in; null: nowhere
   ExternalInputOptions outside{};    ///< what is done with all that comes from outside

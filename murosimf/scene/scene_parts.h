@@ -88,6 +88,7 @@ struct SceneParts {
   std::shared_ptr<control_software::TcpServer> software;  ///< accepts that of the controller "tcp"; null: none
   std::string terminals;                                  ///< folder for links to serial lines; empty: there are none
   std::optional<int> dds_domain{};                        ///< for robots of Booster; nothing: they have no DDS
+  std::optional<int> unitree_domain{};                    ///< the same for robots of Unitree
   std::optional<int> ros2_domain{};                       ///< for robots that nodes of ROS 2 command; nothing: none do
   ExternalInputOptions outside;                           ///< recording and repetition of external input
   bool libraries = false;                                 ///< whether libraries named by files are loaded

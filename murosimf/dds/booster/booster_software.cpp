@@ -40,7 +40,6 @@ BoosterSoftware::BoosterSoftware(Setup& setup, control_software::RobotPort& port
     : say_(std::move(say)),
       name_(setup.entity().name()),
       period_(seconds(setup.period())),
-      longest_wait_(from_seconds(options.lock_step)),
       first_mode_(mode_of(options.mode)),
       joints_(place_joints(names_of_joints(setup.model()))),
       objects_(objects_of(setup.model(), joints_)),
@@ -51,6 +50,7 @@ BoosterSoftware::BoosterSoftware(Setup& setup, control_software::RobotPort& port
       motions_(setup, port),
       outside_("dds:" + name_, outside, say_,
                {"a program with the robot's SDK has come", "the last program has gone; commands stay as they are"}),
+      command_wait_(options.lock_step, say_),
       modes_(first_mode_),
       held_(joints_.places.size()) {
   handle_requests();
@@ -81,12 +81,9 @@ control_software::CallOutcome BoosterSoftware::step(Duration now) noexcept {
   return {};
 }
 
-/// Lock-step: a program that computes for longer than a cycle of simulated time is waited for.
 void BoosterSoftware::wait_for_command() {
-  if (!link_ || longest_wait_.count() <= 0 || modes_.mode() != Mode::custom || outside_.remembers()) return;
-  if (link_->inbox().wait_for(low_command_mark, longest_wait_)) return;
-  say_once(told_of_waiting_,
-           fmt::format("no low-level command came within {} s: a cycle went on without it", seconds(longest_wait_)));
+  if (!link_ || modes_.mode() != Mode::custom || outside_.remembers()) return;
+  command_wait_.wait(link_->inbox(), low_command_mark);
 }
 
 void BoosterSoftware::take(const Arrival& arrival) {

@@ -2,10 +2,9 @@
 ///
 /// In every cycle, 500 per simulated second, messages that have arrived are taken and answered, then the robot's state is sent and its joints are
 /// commanded. In the modes prepare, walking and soccer the motion engine moves the robot (locomotion/motion_engine.h), in custom mode low-level commands
-/// do (low_level.h). Messages are written down with the step that takes them, so that a recorded run is repeated without the SDK.
+/// do (dds/low_level.h). Messages are written down with the step that takes them, so that a recorded run is repeated without the SDK.
 #pragma once
 
-#include <chrono>
 #include <memory>
 #include <optional>
 #include <span>
@@ -18,13 +17,14 @@
 #include "murosimf/dds/booster/booster_options.h"
 #include "murosimf/dds/booster/head_motion.h"
 #include "murosimf/dds/booster/joint_order.h"
-#include "murosimf/dds/booster/low_level.h"
 #include "murosimf/dds/booster/motion_requests.h"
 #include "murosimf/dds/booster/robot_modes.h"
 #include "murosimf/dds/booster/robot_sensing.h"
 #include "murosimf/dds/booster/rpc.h"
 #include "murosimf/dds/booster/visual_kick.h"
+#include "murosimf/dds/command_wait.h"
 #include "murosimf/dds/external_messages.h"
+#include "murosimf/dds/low_level.h"
 
 namespace murosimf::dds::booster {
 
@@ -63,8 +63,7 @@ class BoosterSoftware final : public control_software::ControlSoftware {
 
   control_software::SayLine say_;
   std::string name_;
-  double period_;                          // [s]
-  std::chrono::nanoseconds longest_wait_;  // for a command; 0: none
+  double period_;  // [s]
   Mode first_mode_;
   PlacedJoints joints_;
   std::vector<int> objects_;        // of the model, by joint
@@ -76,6 +75,7 @@ class BoosterSoftware final : public control_software::ControlSoftware {
   RpcHandlers handlers_;
   std::unique_ptr<BoosterLink> link_;  // null: nothing is sent
   ExternalMessages outside_;
+  CommandWait command_wait_;
   CdrWriter message_;
   RobotModes modes_;
   std::vector<double> held_;            // [rad] by joint: where commands begin
@@ -84,7 +84,7 @@ class BoosterSoftware final : public control_software::ControlSoftware {
   VisualKick visual_kick_;
   bool upper_body_ = false;  // arms follow low-level commands, whatever moves the legs
   std::uint64_t cycle_ = 0;
-  bool told_of_size_ = false, told_of_garbage_ = false, told_of_waiting_ = false;
+  bool told_of_size_ = false, told_of_garbage_ = false;
 };
 
 }  // namespace murosimf::dds::booster

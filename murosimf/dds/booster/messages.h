@@ -4,7 +4,6 @@
 /// Source: messages of the vendor's SDK 1.6.3 (PyPI booster-robotics-sdk-python), as they go over the wire; tests/oracle/booster_sdk.py.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -12,26 +11,11 @@
 #include <vector>
 
 #include "murosimf/dds/cdr.h"
+#include "murosimf/dds/motors.h"
 
 namespace murosimf::dds::booster {
 
-struct ImuState {
-  std::array<float, 3> rpy{};   ///< [rad] roll, pitch, yaw
-  std::array<float, 3> gyro{};  ///< [rad/s]
-  std::array<float, 3> acc{};   ///< [m/s^2] specific force: +9.81 upward at rest
-};
-
-struct MotorState {
-  float q = 0, dq = 0, ddq = 0, tau = 0;
-  std::uint8_t temperature = 0;  ///< [C]
-};
-
-/// Without its `mode`, whose meaning is not published. Floats and nothing else, so that it can be saved.
-struct MotorCommand {
-  float q = 0, dq = 0, tau = 0, kp = 0, kd = 0;
-  float weight = 0;  ///< [1] 1: this command alone
-};
-
+/// Motors are sent without their `mode`, whose meaning is not published.
 struct LowCommand {
   enum Kind : std::int32_t { parallel = 0, serial = 1 };
   std::int32_t kind = serial;

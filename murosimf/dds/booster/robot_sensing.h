@@ -7,7 +7,8 @@
 #include "murosimf/control_software/robot_port.h"
 #include "murosimf/dds/booster/messages.h"
 #include "murosimf/dds/booster/robot_modes.h"
-#include "murosimf/locomotion/attitude_filter.h"
+#include "murosimf/dds/imu_sensing.h"
+#include "murosimf/dds/joint_sensing.h"
 
 namespace murosimf::dds::booster {
 
@@ -23,8 +24,8 @@ class RobotSensing {
   /// To be called once in each cycle.
   void follow();
 
-  [[nodiscard]] const ImuState& imu() const { return imu_; }
-  [[nodiscard]] std::span<const MotorState> motors() const { return motors_; }
+  [[nodiscard]] const ImuState& imu() const { return imu_.imu(); }
+  [[nodiscard]] std::span<const MotorState> motors() const { return joints_.motors(); }
   [[nodiscard]] Posture posture() const;
   [[nodiscard]] Odometer odometer() const;
   /// The odometer shows this from now on [m, m, rad].
@@ -32,22 +33,14 @@ class RobotSensing {
 
   template <class Archive>
   void state(Archive& archive) {
-    archive(attitude_.up, attitude_.bias, yaw_, started_, rates_, origin_, shown_);
+    archive(imu_, joints_, origin_, shown_);
   }
 
  private:
-  void follow_imu();
-
-  double period_, gravity_;  // [s], [m/s^2]
-  std::vector<std::size_t> places_;
-  const murosimf_signal *position_, *velocity_, *torque_, *gyroscope_, *accelerometer_, *mode_, *odometry_;
-  std::vector<MotorState> motors_;
-  ImuState imu_;
+  JointSensing joints_;
+  ImuSensing imu_;
+  const murosimf_signal *mode_, *odometry_;
   // state
-  locomotion::AttitudeFilter attitude_;
-  double yaw_ = 0;             // [rad]
-  bool started_ = false;       // the filter has had a sample
-  std::vector<double> rates_;  // [rad/s] in the cycle before, by joint
   PlanarPose origin_, shown_;  // the odometer shows `shown_` where the robot's odometry is `origin_`
 };
 

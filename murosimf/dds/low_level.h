@@ -1,19 +1,19 @@
-/// low_level.h - commands of a Booster's joints: its servos with their own gains, limp, or as a program says.
+/// low_level.h - commands of a robot's joints by its vendor's software: servos with their own gains, limp, or as a program says.
 ///
 ///     tau = kp (q_d - q) + kd (dq_d - dq) + tau_ff
 ///
 /// within the limits of the servo (dynamics/servo/servo_law.h), where levels have servos; others follow q_d. A command's `weight` w from 0 to 1 blends
 /// it with holding the joint, with the servo's own gains, where it was when the program took it over: each of q_d, kp, kd is
-/// (1 - w) own + w given, and dq_d and tau_ff count w times. How the real robot blends is not published: this is our own law.
+/// (1 - w) own + w given, and dq_d and tau_ff count w times. How real robots blend is not published: this is our own law.
 #pragma once
 
 #include <span>
 #include <vector>
 
 #include "murosimf/control_software/robot_port.h"
-#include "murosimf/dds/booster/messages.h"
+#include "murosimf/dds/motors.h"
 
-namespace murosimf::dds::booster {
+namespace murosimf::dds {
 
 class LowLevel {
  public:
@@ -46,4 +46,4 @@ class LowLevel {
   std::vector<double> own_kp_, own_kd_;  // by joint
 };
 
-}  // namespace murosimf::dds::booster
+}  // namespace murosimf::dds

@@ -1,10 +1,10 @@
-#include "murosimf/dds/booster/low_level.h"
+#include "murosimf/dds/low_level.h"
 
 #include <algorithm>
 
 #include "murosimf/math/assert.h"
 
-namespace murosimf::dds::booster {
+namespace murosimf::dds {
 
 LowLevel::LowLevel(control_software::RobotPort& port, std::vector<std::size_t> places)
     : places_(std::move(places)), engine_(port.command("motion.joints")), target_(port.command("joint.target")) {
@@ -57,4 +57,4 @@ void LowLevel::drive(std::size_t joint, const MotorCommand& command, double held
       false);
 }
 
-}  // namespace murosimf::dds::booster
+}  // namespace murosimf::dds

@@ -1,0 +1,59 @@
+#include "murosimf/dds/imu_sensing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "murosimf/math/assert.h"
+#include "murosimf/world/world.h"
+
+namespace murosimf::dds {
+namespace {
+
+constexpr double at_rest = 0.1;  // [1] of gravity: specific force that far from it tells no direction to start with
+
+Vec3d vector_of(const murosimf_signal& signal) {
+  MUROSIMF_ASSERT(signal.count >= 3);
+  return {signal.values[0], signal.values[1], signal.values[2]};
+}
+
+std::array<float, 3> row_of(const Vec3d& v) {
+  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+}  // namespace
+
+ImuSensing::ImuSensing(const Setup& setup, control_software::RobotPort& port, const std::string& name)
+    : period_(seconds(setup.period())),
+      gravity_(std::max(norm(setup.world().gravity), 0.1)),
+      gyroscope_(port.signal(name + ".gyroscope")),
+      accelerometer_(port.signal(name + ".accelerometer")) {}
+
+void ImuSensing::restart() {
+  attitude_ = {};
+  yaw_ = 0;
+  started_ = false;
+  imu_ = {};
+}
+
+void ImuSensing::follow() {
+  const Vec3d gyroscope = vector_of(*gyroscope_), force = vector_of(*accelerometer_);
+  if (gyroscope_->samples == 0 || accelerometer_->samples == 0) return;
+  imu_ = {{}, row_of(gyroscope), row_of(force)};
+  if (!started_) {
+    if (std::abs(norm(force) - gravity_) > at_rest * gravity_) return;
+    attitude_.start(force);
+    started_ = true;
+  }
+  attitude_.follow(period_, gyroscope, force, gravity_, {}, false);
+  const double roll = attitude_.roll(), pitch = attitude_.pitch();
+  constexpr double least_cosine = 0.05;  // straight up or down there is no yaw
+  if (std::cos(pitch) > least_cosine) {
+    const Vec3d rate = gyroscope - attitude_.bias;
+    yaw_ += period_ * (rate.y * std::sin(roll) + rate.z * std::cos(roll)) / std::cos(pitch);
+    yaw_ = std::remainder(yaw_, 2 * pi);
+  }
+  imu_.rpy = row_of({roll, pitch, yaw_});
+}
+
+}  // namespace murosimf::dds
