@@ -9,6 +9,7 @@
 #include "apps/interruption.h"
 #include "apps/picture_files.h"
 #include "apps/picture_source.h"
+#include "apps/render_dataset.h"
 #include "apps/render_options.h"
 #include "apps/repeat_arguments.h"
 #include "apps/results.h"
@@ -60,6 +61,20 @@ void define(const Command& command, RenderOptions& options) {
       .needs(video)
       .shows_default();
   command.add("--duration", options.duration, "Simulated seconds of a video, instead of the scene's").needs(video);
+  const Option dataset =
+      command.add("--dataset", options.dataset,
+                  "Folder for labelled pictures to train vision with (COCO, YOLO, depths, masks); continues it");
+  command.add("--frames", options.frames, "Pictures of a data set")
+      .needs(dataset)
+      .within(1, 10'000'000)
+      .shows_default();
+  command
+      .add("--randomise", options.randomise,
+           "What varies in a data set: a file (TOML), or the name of one that comes with the program")
+      .needs(dataset)
+      .offers_list("datasets")
+      .shows_default();
+  command.add("--normals", options.normals, "Pictures of a data set have normals of surfaces, too").needs(dataset);
 }
 
 Duration time_of(const char* option, double s) {
@@ -84,7 +99,7 @@ std::string label_file(const RenderOptions& options) {
 /// What can be found out before anything is computed.
 void check(const RenderOptions& options) {
   if (options.out.empty() == options.video.empty()) {
-    throw SetupError("say where the picture goes: either --out FILE.png or --video FILE.mp4");
+    throw SetupError("say where the picture goes: --out FILE.png, --video FILE.mp4, or --dataset FOLDER");
   }
   if (!options.view.empty() && !options.camera.empty()) throw SetupError("either --view or --camera, not both");
   if (!(options.fps >= 1 && options.fps <= 240)) {
@@ -151,6 +166,7 @@ void begin(const recording::RecordedRun& run, scene::Scene& scene, const RenderO
 }
 
 int render(const RenderOptions& given) {
+  if (!given.dataset.empty()) return render_dataset(given);
   check(given);
   end_gently();
   RenderOptions options = given;
