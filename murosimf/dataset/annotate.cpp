@@ -138,6 +138,7 @@ class Annotator {
     const std::size_t first = arrangement_.frame.first[actor.place];
     const Vec3d& base = arrangement_.frame.position[first];
     one.pose = {base, arrangement_.frame.orientation[first]};
+    one.own = arrangement_.camera.starts_with(actor.entity->name() + ".");
     if (actor.role == Actor::Role::ball) one.keypoints = {finder_.inside(base, actor.label, 2 * actor.reach)};
     if (actor.role == Actor::Role::robot) one.keypoints = robot_keypoints(finder_, actor, arrangement_.frame);
     result_.annotations.push_back(std::move(one));

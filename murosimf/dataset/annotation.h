@@ -23,6 +23,7 @@ struct Keypoint {
 struct Annotation {
   std::uint16_t instance = 0, category = 0;
   std::string name;              ///< "blue1"
+  bool own = false;              ///< the robot that carries the camera: its arms and feet are seen
   PixelBox box;                  ///< of the pixels that show it
   std::optional<PixelBox> full;  ///< of all of it (ProjectedBox)
   std::uint64_t area = 0;        ///< [px] that show it

@@ -96,6 +96,7 @@ Outcome write_dataset(const Request& request) {
   const nlohmann::json manifest = manifest_of(request, randomisation, stage, drawn_by);
   check_continued(request.folder, manifest);
   folder.make(request.normals);
+  folder.remove_parts();
   folder.replace(manifest_name, files::json_text(manifest));
   Crew crew(request, folder);
   crew.work(painters);

@@ -32,6 +32,13 @@ void Folder::make(bool normals) const {
   }
 }
 
+void Folder::remove_parts() const {
+  std::error_code error;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(root_, error)) {
+    if (entry.path().extension() == ".part") std::filesystem::remove(entry.path(), error);
+  }
+}
+
 const char* Folder::part_of(std::uint64_t picture) const {
   return Dice(seed_, "part", picture).chance(validation_) ? "val" : "train";
 }

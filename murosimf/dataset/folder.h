@@ -23,6 +23,9 @@ class Folder {
   /// Makes the folders that are missing. Throws SetupError: cannot make 'folder': reason.
   void make(bool normals) const;
 
+  /// Removes half-written files of a call that was killed.
+  void remove_parts() const;
+
   /// "train" or "val".
   [[nodiscard]] const char* part_of(std::uint64_t picture) const;
   // Names in the root.

@@ -62,6 +62,7 @@ json annotation_of(const Annotation& annotation, const imaging::LensSpec& lens) 
     one["position"] = vector_of(annotation.pose->position);
     one["rotation"] = matrix_of(annotation.pose->orientation);
   }
+  if (annotation.own) one["own"] = true;
   if (annotation.keypoints.empty()) return one;
   json keypoints = json::array();
   int count = 0;
@@ -91,7 +92,7 @@ std::string yolo_text(const std::vector<Annotation>& annotations, const std::vec
   std::string text;
   for (const Annotation& one : annotations) {
     const int number = class_of.at(one.category);
-    if (number < 0) continue;
+    if (number < 0 || one.own) continue;
     const PixelBox& box = one.box;
     text += fmt::format("{} {:.6f} {:.6f} {:.6f} {:.6f}\n", number, 0.5 * (box.left + box.right) / width,
                         0.5 * (box.top + box.bottom) / height, (box.right - box.left) / width,

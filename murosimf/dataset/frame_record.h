@@ -21,7 +21,8 @@ struct FrameRecord {
                                      const std::vector<Annotation>& annotations);
 
 /// YOLO: a line for each thing, "class x y width height", of its visible box as shares of the picture. `class_of`: 0, 1, ... by category;
-/// below 0: it is left out.
+/// below 0: it is left out, as is
+/// the body of the robot that carries the camera.
 [[nodiscard]] std::string yolo_text(const std::vector<Annotation>& annotations, const std::vector<int>& class_of,
                                     int width, int height);
 

@@ -50,6 +50,13 @@ scene_file::SceneSpec alone(const scene_file::SceneSpec& spec, const scene_file:
   return result;
 }
 
+/// Where motions of the robot stand: in a folder with the name of its model, with or without a number at its end, or in none.
+std::vector<std::string> motion_folders(const scene_file::RobotSpec& robot) {
+  const std::string model = std::filesystem::path(robot.model).stem().string();
+  const std::string family = model.substr(0, model.find_last_not_of("0123456789") + 1);
+  return {model + "/", family + "/", ""};
+}
+
 }  // namespace
 
 PostureBank::PostureBank(const scene_file::SceneSpec& spec, const scene::SceneOptions& options, double seconds) {
@@ -67,16 +74,19 @@ PostureBank::PostureBank(const scene_file::SceneSpec& spec, const scene::SceneOp
 
 const Postures& PostureBank::of(const scene_file::RobotSpec& robot) const { return kinds_.at(kind_of(robot)); }
 
-/// Motions of the model's own, or those that come with the program; a robot that they do not fit stays up.
+/// The first motion that fits the robot; one that none fits is only seen on its feet.
 void PostureBank::record_get_up(const scene_file::SceneSpec& spec, const scene_file::RobotSpec& robot,
                                 const scene::SceneOptions& options) {
   for (const auto& [motion, pitch] : {std::pair{"get_up_back", -pi / 2}, std::pair{"get_up_front", pi / 2}}) {
-    try {
-      scene::Scene scene(alone(spec, robot, motion, pitch), options);
-      scene.simulation().initialize();
-      record(scene, get_up_time, true);
-    } catch (const SetupError&) {
-      continue;
+    for (const std::string& folder : motion_folders(robot)) {
+      try {
+        scene::Scene scene(alone(spec, robot, folder + motion, pitch), options);
+        scene.simulation().initialize();
+        record(scene, get_up_time, true);
+        break;
+      } catch (const SetupError&) {
+        continue;
+      }
     }
   }
 }

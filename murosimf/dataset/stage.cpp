@@ -41,6 +41,7 @@ scene_file::BodySpec thing(std::size_t number, std::uint64_t seed) {
     default: body.shape = Ellipsoid{{width, 0.6 * width, 0.6 * width}}; break;
   }
   body.mass = 1;
+  body.color = Color{};  // that of the entity, which is another one in each picture
   body.position = {aside + crowding * static_cast<double>(number), -aside, 0};
   return body;
 }
