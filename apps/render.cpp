@@ -32,7 +32,7 @@ void define(const Command& command, RenderOptions& options) {
   command.add("--view", options.view,
               "From where: overview (usual), top, side, left, right, a robot's name, or a view of the scene");
   const Option camera = command.add("--camera", options.camera, "ROBOT.CAMERA: through a camera that a robot carries");
-  command.add("--size", options.size, "WIDTHxHEIGHT in pixels; 1280x720 if not given");
+  command.add("--size", options.size, "WIDTHxHEIGHT in pixels; 1280x720 if not given, 640x480 of a data set");
   command
       .add("--layer", options.layer,
            "color; depth (16 bits, mm, 0: nothing) or labels (16 bits, FILE.labels.json has their names), as PNG or "
@@ -99,7 +99,8 @@ std::string label_file(const RenderOptions& options) {
 /// What can be found out before anything is computed.
 void check(const RenderOptions& options) {
   if (options.out.empty() == options.video.empty()) {
-    throw SetupError("say where the picture goes: --out FILE.png, --video FILE.mp4, or --dataset FOLDER");
+    throw SetupError(
+        "say where the picture goes: either --out FILE.png or --video FILE.mp4; a data set: --dataset FOLDER");
   }
   if (!options.view.empty() && !options.camera.empty()) throw SetupError("either --view or --camera, not both");
   if (!(options.fps >= 1 && options.fps <= 240)) {
