@@ -1,4 +1,4 @@
-// `murosimf list`: names of levels, laws, controllers, sensors, parts, lenses, materials, properties, keys of scene files,
+// `murosimf list`: names of levels, laws, controllers, sensors, parts, lenses, data sets, materials, properties, keys of scene files,
 // formats, commands; and the order of a tick.
 #include <algorithm>
 #include <array>
@@ -164,7 +164,7 @@ void define(const Command& command, ListOptions& options) {
                                        "servo_laws",  "controllers", "sensors",       "parts",      "lenses",
                                        "materials",   "scenes",      "models",        "properties", "keys",
                                        "options",     "formats",     "commands",      "plan",       "joint_references",
-                                       "viewer_keys", "mjcf",        "urdf",          "sdf"};
+                                       "viewer_keys", "mjcf",        "urdf",          "sdf",        "datasets"};
   command.add("what", options.what, fmt::format("{}", fmt::join(kinds, ", "))).required().one_of(kinds).offers(kinds);
   command.add("scene", options.scene, "of 'plan': whose algorithms, in the order of a tick");
   add_plugins(command, options.plugins);
@@ -196,6 +196,7 @@ int list(const ListOptions& options, const CommandLine& line) {
     for (const auto& name : component_files::lens_names()) text += fmt::format("{}\n", name);
   }
   if (what == "scenes") text = file_names("scenes", ".toml");
+  if (what == "datasets") text = file_names("datasets", ".toml");
   if (what == "models") text = file_names("models", ".xml");
   if (what == "materials") text = materials_text();
   if (what == "properties") text = properties_text();

@@ -11,6 +11,7 @@
 #include "apps/picture_files.h"
 #include "apps/picture_sheet.h"
 #include "apps/picture_source.h"
+#include "apps/render_dataset.h"
 #include "apps/render_options.h"
 #include "apps/repeat_arguments.h"
 #include "apps/results.h"
@@ -25,6 +26,23 @@
 namespace murosimf::app {
 namespace {
 
+void define_dataset(const Command& command, RenderOptions& options) {
+  const Option dataset =
+      command.add("--dataset", options.dataset,
+                  "Folder for labelled pictures to train vision with (COCO, YOLO, depths, masks); continues it");
+  command.add("--frames", options.frames, "Pictures of a data set")
+      .needs(dataset)
+      .within(1, 10'000'000)
+      .shows_default();
+  command
+      .add("--randomise", options.randomise,
+           "What varies in a data set: a file (TOML), or the name of one that comes with the program")
+      .needs(dataset)
+      .offers_list("datasets")
+      .shows_default();
+  command.add("--normals", options.normals, "Pictures of a data set have normals of surfaces, too").needs(dataset);
+}
+
 void define(const Command& command, RenderOptions& options) {
   add_scene(command, options.scene,
             "Scene file (TOML), the name of one that comes with the program, or a recording or state (MCAP)");
@@ -37,7 +55,7 @@ void define(const Command& command, RenderOptions& options) {
            "From near, with these robots or the ball in the picture as they move; 'all': everything that moves")
       .separated_by(',')
       .excludes(camera);
-  command.add("--size", options.size, "WIDTHxHEIGHT in pixels; 1280x720 if not given");
+  command.add("--size", options.size, "WIDTHxHEIGHT in pixels; 1280x720 if not given, 640x480 of a data set");
   command
       .add("--layer", options.layer,
            "color; depth (16 bits, mm, 0: nothing) or labels (16 bits, FILE.labels.json has their names), as PNG or "
@@ -72,6 +90,7 @@ void define(const Command& command, RenderOptions& options) {
       .needs(video)
       .shows_default();
   command.add("--duration", options.duration, "Simulated seconds of a video or a sheet, instead of the scene's");
+  define_dataset(command, options);
 }
 
 Duration time_of(const char* option, double s) {
@@ -89,7 +108,8 @@ std::string label_file(const RenderOptions& options) {
 /// What can be found out before anything is computed.
 void check(const RenderOptions& options) {
   if (options.out.empty() == options.video.empty()) {
-    throw SetupError("say where the picture goes: either --out FILE.png or --video FILE.mp4");
+    throw SetupError(
+        "say where the picture goes: either --out FILE.png or --video FILE.mp4; a data set: --dataset FOLDER");
   }
   if (!options.view.empty() && !options.camera.empty()) throw SetupError("either --view or --camera, not both");
   if (!options.view.empty() && !options.follow.empty()) throw SetupError("either --view or --follow, not both");
@@ -155,6 +175,7 @@ void begin(const recording::RecordedRun& run, scene::Scene& scene, const RenderO
 }
 
 int render(const RenderOptions& given) {
+  if (!given.dataset.empty()) return render_dataset(given);
   check(given);
   end_gently();
   RenderOptions options = given;

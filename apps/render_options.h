@@ -1,6 +1,7 @@
 /// render_options.h - options of `murosimf render`.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,10 @@ struct RenderOptions {
   bool stance = false;                ///< standing feet of kinematic walkers are yellow
   bool no_shadows = false;            ///< in pictures of viewpoints; those of cameras are as in the scene
   std::vector<std::string> drawings;  ///< groups, "blue1/ball", "roboviz/ball"; "all"; none
+  std::string dataset;                ///< folder of labelled pictures instead
+  std::int64_t frames = 1000;         ///< how many
+  std::string randomise = "soccer";   ///< what varies in them
+  bool normals = false;               ///< they have normals, too
   std::string out;                    ///< PNG file
   std::string video;                  ///< video file
   double fps = 25;                    ///< of a video that is no camera's

@@ -24,7 +24,7 @@ endif()
 if(TARGET murosimf_sdf_frames)
   install(TARGETS murosimf_sdf_frames RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
-foreach(folder lenses models motions parts scenes servos)
+foreach(folder datasets lenses models motions parts scenes servos)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} DESTINATION ${murosimf_data_dir})
 endforeach()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/python/murosimf_client DESTINATION ${murosimf_data_dir}/python
@@ -62,7 +62,7 @@ endif()
 
 # What finds all that. The shared library brings its own; whoever links the static one links these, too.
 set(murosimf_static_libraries -lfmt -ltinyxml2 -ltomlplusplus -lqhull_r -lpthread -ldl)
-foreach(part PkgConfig::cairo=-lcairo,-lpng PkgConfig::opengl=-lepoxy,-lEGL PkgConfig::zstd=-lzstd yaml-cpp::yaml-cpp=-lyaml-cpp
+foreach(part PkgConfig::cairo=-lcairo,-lpng PkgConfig::jpeg=-ljpeg PkgConfig::opengl=-lepoxy,-lEGL PkgConfig::zstd=-lzstd yaml-cpp::yaml-cpp=-lyaml-cpp
     protobuf::libprotobuf-lite=-lprotobuf-lite PkgConfig::websockets=-lwebsockets ZLIB::ZLIB=-lz)
   string(REGEX MATCH "^(.+)=(.+)$" part ${part})
   string(REPLACE "," ";" libraries ${CMAKE_MATCH_2})

@@ -36,8 +36,8 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-DATA = ["docs", "examples", "lenses", "models", "motions", "murosimf/control_software", "parts", "python", "scenes", "servos",
-        "tests/data", "tests/fuzz/seeds"]
+DATA = ["datasets", "docs", "examples", "lenses", "models", "motions", "murosimf/control_software", "parts", "python", "scenes",
+        "servos", "tests/data", "tests/fuzz/seeds"]
 COMMAND = re.compile(r"(murosimf\w*|example_\w+|build/release/\S+|scripts/\S+|"
                      r"cmake|ctest|python3|pip|pre-commit|export|xacro)(?= |$)")
 MARK = re.compile(r"\s*<!-- (not run|run with|each after|needs|before|append to|then|output of|code of no source|code of|"

@@ -29,6 +29,14 @@ struct Surroundings {
   Color zenith{0.28, 0.50, 0.80}, horizon{0.78, 0.86, 0.92}, hedge{0.30, 0.40, 0.30}, sun{1.0, 0.97, 0.86};
 };
 
+/// What the field looks like. Colors are sRGB under light of brightness 1.
+struct FieldLook {
+  Color grass{0.21, 0.50, 0.24}, paint{0.93, 0.94, 0.93};  ///< of field and lines
+  // with patterns
+  double stripe_width = 0.5;      ///< [m] of mown stripes
+  double stripe_contrast = 0.05;  ///< [1] by which they are lighter and darker
+};
+
 /// A lamp that may cast shadows, others that do not, and light from everywhere. A surface of color c with the unit normal n shows
 ///
 ///     c (sky (1 + n_z) / 2 + ground (1 - n_z) / 2 + sum of lamp max(0, n . toward))
@@ -47,6 +55,7 @@ struct Light {
   double pool = 0;        ///< [m] from the middle of the field, where a quarter of the light is left; 0: it is even
   bool patterns = false;  ///< grass, worn lines, panels of balls, nets, contact shadows
   Surroundings surroundings{};  ///< drawn with patterns
+  FieldLook field{};
 };
 
 struct NamedLight {

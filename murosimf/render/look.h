@@ -12,8 +12,7 @@
 
 namespace murosimf::render {
 
-inline constexpr Color grass{0.21, 0.50, 0.24}, paint{0.93, 0.94, 0.93};  ///< of field and lines
-inline constexpr Color thread{0.9, 0.9, 0.9};                             ///< of nets
+inline constexpr Color thread{0.9, 0.9, 0.9};  ///< of nets
 
 /// A number or a vector that the patterns read: one to four numbers.
 struct LookNumber {

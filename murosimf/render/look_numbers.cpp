@@ -7,9 +7,8 @@
 namespace murosimf::render {
 namespace {
 
-constexpr double mown_width = 0.5, stripe_contrast = 0.05;  // [m], [1]
-constexpr double pile_texel = 0.004;                        // [m]
-constexpr double wall_share = 0.9;                          // [1] of the light of a level surface that walls get
+constexpr double pile_texel = 0.004;  // [m]
+constexpr double wall_share = 0.9;    // [1] of the light of a level surface that walls get
 
 std::vector<double> numbers(const Color& color) { return {color.red, color.green, color.blue}; }
 
@@ -35,9 +34,9 @@ std::vector<LookNumber> look_numbers(const Light& light, const Markings* marking
   const std::array<double, 2> lines = reach_of_lines(markings);
   const Vec3d sun = (1 / norm(light.toward)) * light.toward;
   const bool outdoors = around.kind == Surroundings::Kind::outdoors;
-  MUROSIMF_ASSERT(light.pool >= 0 && around.height > 0);
+  MUROSIMF_ASSERT(light.pool >= 0 && around.height > 0 && light.field.stripe_width > 0);
   return {{"lines_reach", {lines[0], lines[1]}},
-          {"stripe", {mown_width, stripe_contrast}},
+          {"stripe", {light.field.stripe_width, light.field.stripe_contrast}},
           {"pile_scale", {1 / (pile_texel * pile_side)}},
           {"pool", {light.pool > 0 ? 1 / (light.pool * light.pool) : 0}},
           {"haze", {outdoors ? 1.0 : 0.0}},

@@ -27,6 +27,12 @@ bool is_ball(const Model& model) {
   return shapes && shapes->size() == 1 && std::holds_alternative<Sphere>(shapes->front().shape);
 }
 
+/// Gray: the color of shapes without one.
+bool is_default(const Color& color) {
+  const Color gray;
+  return color.red == gray.red && color.green == gray.green && color.blue == gray.blue;
+}
+
 void find_box(const std::vector<RenderMesh>& meshes, Drawable& drawable) {
   drawable.box_half = drawable.scale;
   if (drawable.form != Form::mesh) return;
@@ -43,9 +49,7 @@ void find_box(const std::vector<RenderMesh>& meshes, Drawable& drawable) {
 }  // namespace
 
 Color color_on(const Entity& entity, const Color& color) {
-  const Color gray;
-  const bool is_default = color.red == gray.red && color.green == gray.green && color.blue == gray.blue;
-  Color shown = is_default ? entity.options().color : color;  // gray: the color of shapes without one
+  Color shown = is_default(color) ? entity.options().color : color;
   shown.alpha = color.alpha;
   return shown;
 }
@@ -120,7 +124,11 @@ void RenderScene::add_entity(Entity& entity, const std::vector<Entity*>& moving_
     if (!moves && shown.placed.surface.material == "net") {
       add_net(owners_.back().rest[static_cast<std::size_t>(shown.object)] * shown.placed.place(), shown.placed.shape);
     }
-    add_shape({.owner = owner, .object = shown.object, .color = color_on(entity, shown.placed.color), .label = label},
+    add_shape({.owner = owner,
+               .object = shown.object,
+               .color = color_on(entity, shown.placed.color),
+               .own_color = is_default(shown.placed.color),
+               .label = label},
               shown.placed);
   }
   for (const ShownMesh& part : own.meshes) {
@@ -129,6 +137,7 @@ void RenderScene::add_entity(Entity& entity, const std::vector<Entity*>& moving_
                       .object = part.object,
                       .form = Form::mesh,
                       .color = color_on(entity, part.color),
+                      .own_color = is_default(part.color),
                       .label = label};
     drawable.radius = farthest(part.solid);
     drawable.mesh = add_mesh(part.solid);
@@ -219,6 +228,20 @@ int RenderScene::standing_foot(int owner) const {
   MUROSIMF_ASSERT(i < owners_.size());
   if (!moment_) return owners_[i].standing_foot();
   return i < moment_->standing_feet.size() ? moment_->standing_feet[i] : -2;
+}
+
+/// A piece that the moment shows otherwise; nothing: it is shown as it is.
+std::optional<Drawable> RenderScene::as_shown(const Drawable& drawable) const {
+  const auto owner = static_cast<std::size_t>(drawable.owner);
+  const bool stands = drawable.foot >= 0 && drawable.foot == standing_foot(drawable.owner);
+  const bool dressed = moment_ && drawable.own_color && owner < moment_->colors.size() && moment_->colors[owner];
+  const bool plain = moment_ && drawable.paneled && !moment_->panels;
+  if (!stands && !dressed && !plain) return std::nullopt;
+  Drawable shown = drawable;
+  if (dressed) shown.color = *moment_->colors[owner];
+  if (stands) shown.color = standing_;
+  if (plain) shown.paneled = false;
+  return shown;
 }
 
 Transformd RenderScene::pose_of(int number, int object, double ahead) const {

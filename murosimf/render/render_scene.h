@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -50,6 +51,7 @@ struct Drawable {
   Form form = Form::box;
   int mesh = -1;  ///< RenderScene::meshes
   Color color;
+  bool own_color = false;  ///< it has the color of its entity
   std::uint16_t label = 0;
   double radius = 0;           ///< [m] bounding radius about its origin
   Vec3d box_middle, box_half;  ///< [m] a box around it, in the axes of `place`
@@ -60,7 +62,9 @@ struct Drawable {
 /// Poses at one moment, for drawing beside a running simulation: it must stay unchanged while it is shown.
 struct ShownMoment {
   const PoseFrame* frame = nullptr;
-  std::vector<int> standing_feet;  ///< by entity: 0 or 1, another number to mark none; may be empty
+  std::vector<int> standing_feet;              ///< by entity: 0 or 1, another number to mark none; may be empty
+  std::vector<std::optional<Color>> colors{};  ///< by entity: instead of its own color; may be empty
+  bool panels = true;                          ///< balls show theirs
 };
 
 /// The entities of a world that have shapes, without the ground.
@@ -116,6 +120,7 @@ class RenderScene {
   [[nodiscard]] Transformd pose_of(int owner, int object, double ahead) const;
   [[nodiscard]] bool is_present(int owner) const;
   [[nodiscard]] int standing_foot(int owner) const;
+  [[nodiscard]] std::optional<Drawable> as_shown(const Drawable& drawable) const;
 
   std::vector<Owner> owners_;        // by entity of the world
   std::vector<Drawable> drawables_;  // by owner and object
@@ -140,13 +145,11 @@ void RenderScene::for_drawables(double ahead, const Visit& visit) const {
     object = drawable.object;
     const Transformd place{at.position + at.orientation * drawable.place.position,
                            at.orientation * drawable.place.orientation};
-    if (drawable.foot < 0 || drawable.foot != standing_foot(drawable.owner)) {
+    if (const std::optional<Drawable> changed = as_shown(drawable)) {
+      visit(*changed, place);
+    } else {
       visit(drawable, place);
-      continue;
     }
-    Drawable standing = drawable;
-    standing.color = standing_;
-    visit(standing, place);
   }
 }
 

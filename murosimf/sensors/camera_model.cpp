@@ -81,6 +81,8 @@ void CameraModel::open() {
   if (spec_.blur > 0) blur_.emplace(spec_.blur, spec_.lens.width, spec_.lens.height);
   // parts of the model that change nothing are left out
   if (spec_.exposure != 1) exposure_.emplace(spec_.exposure);
+  if (spec_.vignetting > 0) vignette_.emplace(spec_.vignetting, spec_.lens.width, spec_.lens.height);
+  if (norm(spec_.white_balance - Vec3d{1, 1, 1}) > 0) white_balance_.emplace(spec_.white_balance);
 }
 
 void CameraModel::take(ViewSource& source, const CameraMotion& motion, std::uint64_t number,
@@ -169,10 +171,12 @@ void CameraModel::Windows::draw(ViewSource& source, const Perspective& perspecti
 }
 
 void CameraModel::develop(std::uint64_t number, imaging::ColorImage& color, imaging::GrayImage& mosaic) noexcept {
-  // in the order of a camera: optics, exposure, sensor, filter
+  // in the order of a camera: optics, exposure, sensor, its electronics, filter
   if (blur_) blur_->apply(color);
+  if (vignette_) vignette_->apply(color);
   if (exposure_) exposure_->apply(color);
   if (spec_.shot_noise > 0 || spec_.read_noise > 0) noise_.apply(color, number);
+  if (white_balance_) white_balance_->apply(color);
   if (pattern_) imaging::make_mosaic(color, *pattern_, sized(mosaic, spec_.lens));
 }
 

@@ -15,6 +15,8 @@
 #include "murosimf/imaging/gaussian_blur.h"
 #include "murosimf/imaging/image_noise.h"
 #include "murosimf/imaging/lens_map.h"
+#include "murosimf/imaging/vignette.h"
+#include "murosimf/imaging/white_balance.h"
 #include "murosimf/sensors/camera_spec.h"
 
 namespace murosimf::sensors {
@@ -80,6 +82,8 @@ class CameraModel {
   std::optional<imaging::LightMean> mean_;
   std::optional<imaging::GaussianBlur> blur_;
   std::optional<imaging::Exposure> exposure_;
+  std::optional<imaging::Vignette> vignette_;
+  std::optional<imaging::WhiteBalance> white_balance_;
 };
 
 /// The stream of a camera's noise.

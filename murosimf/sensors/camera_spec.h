@@ -27,7 +27,9 @@ struct CameraSpec {
   int readout_bands = 24;    ///< [1] groups of rows that are exposed together
   double shot_noise = 0;     ///< [1] standard deviation at full brightness, of full brightness; as the root of light
   double read_noise = 0;     ///< [1] standard deviation everywhere, of full brightness
-  std::string mosaic{};      ///< Bayer pattern: "rggb", "bggr", "grbg", "gbrg"; empty: colors
+  double vignetting = 0;     ///< [1] share of the light that is missing in the corners
+  Vec3d white_balance{1, 1, 1};  ///< [1] factors of red, green and blue light, after the noise
+  std::string mosaic{};          ///< Bayer pattern: "rggb", "bggr", "grbg", "gbrg"; empty: colors
 };
 
 /// Names of all coefficients that lens models have.

@@ -57,7 +57,7 @@ json look_document(const render::Light& light, const render::RenderScene& looks,
             {"gloss", light.gloss},
             {"background", rgb(light.background)},
             {"floor", rgb(light.surroundings.floor)},
-            {"grass", rgb(render::grass)},
+            {"grass", rgb(light.field.grass)},
             {"net", rgb(render::shown_in(render::thread, render::brightness_upwards(light, true)))}};
   for (const render::Lamp& lamp : light.others) look["lamps"].push_back(lamp_of(lamp.toward, lamp.lamp));
   for (const render::LookNumber& number : render::look_numbers(light, looks.markings())) {

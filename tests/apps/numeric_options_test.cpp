@@ -57,6 +57,7 @@ constexpr NumericOption numeric_options[]{
     {"render walk --video FILE.mp4", "--fps"},
     {"render walk --video FILE.mp4", "--duration"},
     {"render walk --video FILE.mp4", "--slow"},
+    {"render walk --dataset FOLDER", "--frames"},
     {"bench collision duel", "--duration"},
     {"compare walk --entity walker", "--duration"},
     {"compare walk --entity walker", "--seed"},

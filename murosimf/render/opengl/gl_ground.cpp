@@ -83,7 +83,7 @@ void GlDrawing::draw_areas(const Projection& projection, const sensors::Layers& 
     to.draw_layers(layers);
   }
   if (!markings) return;
-  rectangle(0, 0, markings->half_length, markings->half_width, grass,
+  rectangle(0, 0, markings->half_length, markings->half_width, light.field.grass,
             patterns ? patterns->lawn : objects_->lit->ground);
 }
 
@@ -152,7 +152,7 @@ void GlDrawing::draw_strokes_by(GlProgram& program, const Projection& projection
   }
   const Float3 eye = floats(eye_place);
   glUniform4f(program.uniform("eye"), eye[0], eye[1], eye[2], projection.parallel ? 0.0F : 1.0F);
-  set_ground_color(program, paint, light);
+  set_ground_color(program, light.field.paint, light);
   glUniform1ui(program.uniform("what"), sensors::label_line);
   set(program, "least", least);
   glDrawArrays(GL_TRIANGLES, 0, objects_->strokes.count);

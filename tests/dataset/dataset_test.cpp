@@ -1,0 +1,107 @@
+#include "murosimf/dataset/dataset.h"
+
+#include <fstream>
+#include <map>
+
+#include <gtest/gtest.h>
+
+#include "murosimf/dataset/picture_bytes.h"
+#include "murosimf/model/error.h"
+#include "murosimf/render/renderer.h"
+#include "tests/temp_folder.h"
+
+namespace murosimf::dataset {
+namespace {
+
+constexpr const char* scene = "[ball]\n[[robots]]\nname = 'one'\nmodel = 'kid21'\n";
+constexpr const char* ranges =
+    "[picture]\nsamples = 1\nvalidation = 0.5\n[light]\npresets = ['plain']\n[robots]\nrecorded = 0\n";
+
+/// Why nothing can be drawn here; empty: it can.
+std::string trouble() {
+  try {
+    check_picture_bytes();
+    const World nothing;
+    const render::Renderer renderer(nothing, {}, render::appearance_of_shapes);
+  } catch (const SetupError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+class DatasetFolder : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (const std::string why = trouble(); !why.empty()) GTEST_SKIP() << why;
+    std::ofstream(temp_.path() / "scene.toml") << scene;
+    std::ofstream(temp_.path() / "ranges.toml") << ranges;
+  }
+  [[nodiscard]] std::filesystem::path path(const std::string& name) const { return temp_.path() / name; }
+  [[nodiscard]] Request request(const std::string& folder, std::uint64_t pictures, int threads) const {
+    Request request{.folder = path(folder), .scene = path("scene.toml"), .randomisation = path("ranges.toml")};
+    request.pictures = pictures;
+    request.width = 64;
+    request.height = 48;
+    request.options.threads = threads;
+    return request;
+  }
+  [[nodiscard]] std::map<std::string, std::string> contents(const std::string& folder) const {
+    std::map<std::string, std::string> all;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(path(folder))) {
+      if (!entry.is_regular_file()) continue;
+      std::ifstream stream(entry.path(), std::ios::binary);
+      all[entry.path().lexically_relative(path(folder)).string()] =
+          std::string(std::istreambuf_iterator<char>(stream), {});
+    }
+    return all;
+  }
+  static std::string error_of(const Request& request) {
+    try {
+      (void)write_dataset(request);
+    } catch (const SetupError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+ private:
+  fixtures::TempFolder temp_;
+};
+
+TEST_F(DatasetFolder, ThreadsAndPiecesDoNotMatter) {
+  EXPECT_TRUE(write_dataset(request("whole", 4, 1)).complete);
+  // two pictures, of which one is lost; then the rest by two threads
+  EXPECT_EQ(write_dataset(request("pieces", 2, 1)).drawn, 2U);
+  std::filesystem::remove(path("pieces") / "frames/000000.json");
+  const Outcome rest = write_dataset(request("pieces", 4, 2));
+  EXPECT_EQ(rest.drawn, 3U);
+  EXPECT_EQ(rest.already, 1U);
+  const auto whole = contents("whole"), pieces = contents("pieces");
+  EXPECT_EQ(whole.size(), 4 * 6 + 5U);  // color, depth, instances, classes, YOLO, frame of each; five of all
+  for (const auto& [name, bytes] : whole) EXPECT_TRUE(pieces.contains(name) && pieces.at(name) == bytes) << name;
+}
+
+TEST_F(DatasetFolder, StopsWhenItIsToldToAndGoesOn) {
+  Request stopping = request("stopped", 3, 1);
+  std::uint64_t there = 0;
+  stopping.progress = [&](std::uint64_t count) { there = count; };
+  stopping.options.stop = [&] { return there >= 1; };
+  EXPECT_FALSE(write_dataset(stopping).complete);
+  EXPECT_FALSE(std::filesystem::exists(path("stopped") / "annotations.json"));
+  EXPECT_EQ(write_dataset(request("stopped", 3, 1)).already, 1U);
+}
+
+TEST_F(DatasetFolder, OtherContentsAreRefused) {
+  std::filesystem::create_directory(path("full"));
+  std::ofstream(path("full") / "thesis.tex") << "\n";
+  EXPECT_NE(error_of(request("full", 1, 1)).find("is not empty, and no data set"), std::string::npos);
+  EXPECT_NE(error_of(request("scene.toml", 1, 1)).find("there is a file of this name"), std::string::npos);
+  ASSERT_TRUE(write_dataset(request("known", 2, 1)).complete);
+  Request other = request("known", 2, 1);
+  other.options.seed = 7;
+  EXPECT_NE(error_of(other).find("'seed' was 1, not 7"), std::string::npos);
+  EXPECT_NE(error_of(request("known", 1, 1)).find("has 2 pictures"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace murosimf::dataset
