@@ -44,8 +44,8 @@ struct MotorTorque {
 /// Whether the free line is beyond another one at the acceleration `push` / D, in any lane.
 template <class S>
 [[nodiscard]] MUROSIMF_INLINE bool leaves_free_line(const MotorTorque<S>& motor, const S& D, const S& push) {
-  return any(is_above(motor.free, motor.highest, D, push)) || any(is_above(motor.lowest, motor.free, D, push)) ||
-         any(is_above(motor.free, motor.ceiling, D, push)) || any(is_above(motor.floor, motor.free, D, push));
+  return any(is_above(motor.free, motor.highest, D, push) | is_above(motor.lowest, motor.free, D, push) |
+             is_above(motor.free, motor.ceiling, D, push) | is_above(motor.floor, motor.free, D, push));
 }
 
 /// The line that a motor changes to from `line`, which gives the acceleration `push` / D: the lowest one that it must not be above,
