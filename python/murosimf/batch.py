@@ -68,8 +68,8 @@ class Batch:
 
     @property
     def joint_target(self) -> Array:
-        """(n, joints) [rad | m] as the robots have them, by their controllers or from here: all go to the robots with the next step, if
-        one was changed."""
+        """(n, joints) [rad | m] as the robots have them, by their controllers or from here: all go to the robots with the next
+        step, if one was changed."""
         return self._core.joint_target()
 
     @joint_target.setter

@@ -42,12 +42,13 @@ def test_targets_begin_where_the_robots_have_theirs() -> None:
 
 
 def test_targets_are_those_of_controllers() -> None:
-    batch = ms.Batch("walk", 3, set={"walker.level": "simplified_dynamics"})
+    walking = {"walker.level": "simplified_dynamics"}
+    batch = ms.Batch("walk", 3, set=walking)
     targets = batch.joint_target
     for steps in (1, 49):
         batch.step(steps)
         for world in range(3):
-            scene = ms.Scene("walk", seed=1 + world, set={"walker.level": "simplified_dynamics"})
+            scene = ms.Scene("walk", seed=1 + world, set=walking)
             scene.step(steps if steps == 1 else 50)
             assert (targets[world] == scene.robot.joint_target).all()
     assert (targets != batch.joint_position).any()
@@ -55,7 +56,7 @@ def test_targets_are_those_of_controllers() -> None:
     batch.step(30)
     assert (targets[1] == batch[1].robot.joint_target).all()
     batch.reset([True, False, False])
-    assert (batch.joint_target[0] == ms.Scene("walk", seed=1, set={"walker.level": "simplified_dynamics"}).robot.joint_target).all()
+    assert (batch.joint_target[0] == ms.Scene("walk", seed=1, set=walking).robot.joint_target).all()
     targets[0, 0] = 0.3
     with pytest.raises(ms.InputError, match="are written by"):
         batch.step()
