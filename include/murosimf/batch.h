@@ -18,6 +18,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "murosimf/scene.h"
@@ -73,6 +74,12 @@ class MUROSIMF_API Batch {
   [[nodiscard]] std::span<const double> base_velocity();
   /// (worlds): 1 for robots that lie.
   [[nodiscard]] std::span<const std::uint8_t> fallen();
+  // (worlds, 3): center [m] and velocity [m/s] of the ball, world frame; likewise. Throw UnknownName if there is none.
+  [[nodiscard]] std::span<const double> ball_position();
+  [[nodiscard]] std::span<const double> ball_velocity();
+  /// (worlds, joints), likewise: what the servos are told, from the next step on if set_joint_target() has given it. At a level without
+  /// targets: the positions.
+  [[nodiscard]] std::span<const double> joint_target();
   /// (worlds, joints). Throws as Robot::set_joint_target.
   void set_joint_target(std::span<const double> targets);
 
@@ -85,6 +92,11 @@ class MUROSIMF_API Batch {
   ///     torso.position, l_foot.linear_velocity, ...                 a property of one object (`murosimf list properties`)
   /// Asking for other names than before looks at all worlds; the same ones again cost nothing. Throws UnknownName.
   [[nodiscard]] std::span<const float> observe(const std::vector<std::string>& names);
+
+  /// Pushes the robot of one world for `duration` [s] from now on, as Entity::push: with `force` [N] and `moment` [N m], world axes, at the
+  /// center of mass of the object; "": the base. Throws UnknownName, and InputError at a level that feels no forces.
+  void push(std::size_t world, std::string_view object, const Vector3& force, double duration,
+            const Vector3& moment = {});
 
   /// From now on the robot is at this level in all worlds, which begin anew, each as a Scene that was opened with that level. Throws
   /// InputError, and changes nothing, for one that does not exist or cannot move the robot.

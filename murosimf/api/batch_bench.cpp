@@ -20,7 +20,11 @@ const std::vector<T>& values_of(const Entity& robot, const Property<T>& property
 
 }  // namespace
 
-RobotColumns::RobotColumns(Entity& of, const JointRows& rows)
+RobotColumns columns_of(SceneInside& scene, int robot) {
+  return {scene.entity(robot), scene.joints(robot), scene.scene.parts().ball};
+}
+
+RobotColumns::RobotColumns(Entity& of, const JointRows& rows, const Entity* ball)
     : robot(of),
       joints(rows.objects),
       position(values_of(of, properties::joint_position)),
@@ -30,14 +34,25 @@ RobotColumns::RobotColumns(Entity& of, const JointRows& rows)
       angular(values_of(of, properties::angular_velocity)),
       orientation(values_of(of, properties::orientation)),
       lying(of.find(properties::lying)),
-      target(of.find(properties::joint_target) ? &of.column(properties::joint_target) : nullptr) {}
+      target(of.find(properties::joint_target) ? &of.column(properties::joint_target) : nullptr),
+      ball_place(ball ? &values_of(*ball, properties::position) : nullptr),
+      ball_velocity(ball ? &values_of(*ball, properties::linear_velocity) : nullptr) {}
 
 BatchBench::BatchBench(std::vector<std::shared_ptr<SceneInside>> scenes, int robot)
     : scenes_(std::move(scenes)), seeds_(scenes_.size()), robot_(robot), lanes_(simulations_of(scenes_)) {
   for (std::size_t i = 0; i < scenes_.size(); ++i) {
     scenes_[i]->begun = true;
     seeds_[i] = scenes_[i]->scene.spec().seed;
-    packers_.emplace_back(scenes_[i]->simulation());
+  }
+  look_at_columns();
+}
+
+void BatchBench::look_at_columns() {
+  packers_.clear();
+  columns_.clear();
+  for (const auto& scene : scenes_) {
+    packers_.emplace_back(scene->simulation());
+    columns_.push_back(columns_of(*scene, robot_));
   }
 }
 
@@ -49,13 +64,17 @@ std::vector<Simulation*> BatchBench::simulations_of(const std::vector<std::share
 
 void BatchBench::join_again() {
   lanes_ = SimulationLanes(simulations_of(scenes_));
-  packers_.clear();
-  for (const auto& scene : scenes_) packers_.emplace_back(scene->simulation());
+  look_at_columns();
 }
 
 void BatchBench::clear(std::vector<BatchWorld>& worlds) {
   store(worlds);
   first_ = nothing;
+}
+
+void BatchBench::forget() {
+  first_ = nothing;
+  for (StatePacker& packer : packers_) packer.forget();
 }
 
 LaneMask BatchBench::lanes(const std::vector<BatchWorld>& worlds) const {
@@ -89,6 +108,7 @@ void BatchBench::bring(std::vector<BatchWorld>& worlds, std::size_t first, LaneM
 void BatchBench::reset(int lane, std::uint64_t seed) {
   seeds_[static_cast<std::size_t>(lane)] = seed;
   told([&] { scene(lane).scene.reset(seed); });
+  packers_[static_cast<std::size_t>(lane)].forget();
 }
 
 }  // namespace murosimf::api

@@ -23,18 +23,22 @@ struct BatchWorld {
   bool has_targets = false;              ///< of joints, which wait until it is on a bench
 };
 
-/// Columns of the robot to which rows belong.
+/// Columns of the robot, and of the ball, to which rows belong.
 struct RobotColumns {
-  RobotColumns(Entity& robot, const JointRows& joints);
+  /// `ball`: null if there is none.
+  RobotColumns(Entity& robot, const JointRows& joints, const Entity* ball);
 
   const Entity& robot;
   const std::vector<int>& joints;  ///< their objects
   const std::vector<double>&position, &velocity;
   const std::vector<Vec3d>&place, &linear, &angular;
   const std::vector<Mat3d>& orientation;
-  const Column<double>* lying;  ///< null: the robot never lies
-  Column<double>* target;       ///< null: the level has no targets
+  const Column<double>* lying;                          ///< null: the robot never lies
+  Column<double>* target;                               ///< null: the level has no targets
+  const std::vector<Vec3d>*ball_place, *ball_velocity;  ///< null: there is no ball
 };
+
+[[nodiscard]] RobotColumns columns_of(SceneInside& scene, int robot);
 
 class BatchBench {
  public:
@@ -55,24 +59,26 @@ class BatchBench {
   [[nodiscard]] LaneMask lanes(const std::vector<BatchWorld>& worlds) const;
   [[nodiscard]] const std::vector<std::shared_ptr<SceneInside>>& scenes() const { return scenes_; }
   [[nodiscard]] SceneInside& scene(int lane) { return *scenes_[static_cast<std::size_t>(lane)]; }
-  [[nodiscard]] RobotColumns columns(int lane) { return {scene(lane).entity(robot_), scene(lane).joints(robot_)}; }
+  [[nodiscard]] const RobotColumns& columns(int lane) const { return columns_[static_cast<std::size_t>(lane)]; }
   void reset(int lane, std::uint64_t seed);
   void step(LaneMask lanes, int steps) { lanes_.step(lanes, steps); }
   /// Stores the states of all that are here; nothing is here then.
   void clear(std::vector<BatchWorld>& worlds);
   /// Nothing is here then, either, but states stay as they were stored last.
-  void forget() { first_ = nothing; }
+  void forget();
   /// After levels of its scenes have been exchanged, while nothing is here.
   void join_again();
 
  private:
   [[nodiscard]] static std::vector<Simulation*> simulations_of(const std::vector<std::shared_ptr<SceneInside>>& scenes);
+  void look_at_columns();
 
   std::vector<std::shared_ptr<SceneInside>> scenes_;
   std::vector<std::uint64_t> seeds_;  // of their random numbers
   int robot_;
   SimulationLanes lanes_;
   std::vector<StatePacker> packers_;
+  std::vector<RobotColumns> columns_;
   std::size_t first_ = nothing;
 };
 

@@ -63,6 +63,8 @@ std::size_t Batch::joints() const { return inside().joints(); }
 
 std::span<const double> Batch::joint_position() { return inside().show().position; }
 
+std::span<const double> Batch::joint_target() { return inside().show().target; }
+
 std::span<const double> Batch::joint_velocity() { return inside().show().velocity; }
 
 std::span<const double> Batch::base_pose() { return inside().show().pose; }
@@ -70,6 +72,16 @@ std::span<const double> Batch::base_pose() { return inside().show().pose; }
 std::span<const double> Batch::base_velocity() { return inside().show().base_velocity; }
 
 std::span<const std::uint8_t> Batch::fallen() { return inside().show().fallen; }
+
+std::span<const double> Batch::ball_position() { return inside().show_ball().position; }
+
+std::span<const double> Batch::ball_velocity() { return inside().show_ball().velocity; }
+
+void Batch::push(std::size_t world, std::string_view object, const Vector3& force, double duration,
+                 const Vector3& moment) {
+  check(world);
+  inside().push(world, object, force, duration, moment);
+}
 
 std::span<const float> Batch::observe(const std::vector<std::string>& names) { return inside().observe(names); }
 

@@ -47,10 +47,11 @@ BatchInside::BatchInside(const std::string& scene, std::size_t worlds, const Sce
   const auto workers = static_cast<std::size_t>(threads);
   width_ = std::min<std::size_t>(Pack8::lanes, (worlds + workers - 1) / workers);
   rows_.position.resize(worlds * joints());
-  rows_.velocity = targets_ = rows_.position;
+  rows_.velocity = rows_.target = rows_.position;
   rows_.pose.resize(7 * worlds);
   rows_.base_velocity.resize(6 * worlds);
   rows_.fallen.resize(worlds);
+  if (template_->scene.parts().ball) ball_rows_ = {std::vector<double>(3 * worlds), std::vector<double>(3 * worlds)};
   for (std::size_t i = 0; i < worlds; ++i) worlds_[i].seed = seed_ + i;
   if (is_state_only(*template_)) {
     make_benches(threads);
@@ -135,7 +136,7 @@ void BatchInside::take_targets(BatchBench& bench) {
 }
 
 void BatchInside::put_targets(std::size_t world, const RobotColumns& robot) const {
-  const double* from = targets_.data() + world * robot.joints.size();
+  const double* from = rows_.target.data() + world * robot.joints.size();
   for (const int joint : robot.joints) robot.target->values[static_cast<std::size_t>(joint)] = *from++;
 }
 
@@ -177,7 +178,7 @@ void BatchInside::reset(std::uint64_t seed, std::span<const std::uint8_t> which)
 }
 
 void BatchInside::set_targets(std::span<const double> targets) {
-  check_row(targets, targets_.size(), "joint_target of the batch");
+  check_row(targets, rows_.target.size(), "joint_target of the batch");
   const auto check = [&](SceneInside& scene) {
     scene.check_targets_are_free(robot_);
     const Entity& robot = scene.entity(robot_);
@@ -188,7 +189,7 @@ void BatchInside::set_targets(std::span<const double> targets) {
   for (const BatchWorld& world : worlds_) {
     if (world.whole) check(*world.whole);
   }
-  std::ranges::copy(targets, targets_.begin());
+  std::ranges::copy(targets, rows_.target.begin());
   for (std::size_t i = 0; i < size(); ++i) {
     if (worlds_[i].whole) {
       put_targets(i, columns_of_whole(i));
@@ -247,10 +248,7 @@ std::uint64_t BatchInside::state_hash(std::size_t world) {
   return hash;
 }
 
-RobotColumns BatchInside::columns_of_whole(std::size_t world) {
-  SceneInside& scene = *worlds_[world].whole;
-  return {scene.entity(robot_), scene.joints(robot_)};
-}
+RobotColumns BatchInside::columns_of_whole(std::size_t world) { return columns_of(*worlds_[world].whole, robot_); }
 
 auto BatchInside::show() -> Rows& {
   for (std::size_t i = 0; i < size(); ++i) {
@@ -261,10 +259,12 @@ auto BatchInside::show() -> Rows& {
 
 void BatchInside::show(std::size_t world, const RobotColumns& robot) {
   const std::size_t each = robot.joints.size();
+  const std::vector<double>& told = robot.target ? robot.target->values : robot.position;
   for (std::size_t k = 0; k < each; ++k) {
     const auto object = static_cast<std::size_t>(robot.joints[k]);
     rows_.position[world * each + k] = robot.position[object];
     rows_.velocity[world * each + k] = robot.velocity[object];
+    rows_.target[world * each + k] = told[object];
   }
   double* const pose = rows_.pose.data() + 7 * world;
   put(robot.place[0], pose);
@@ -276,8 +276,33 @@ void BatchInside::show(std::size_t world, const RobotColumns& robot) {
   double* const velocity = rows_.base_velocity.data() + 6 * world;
   put(robot.linear[0], velocity);
   put(robot.angular[0], velocity + 3);
+  if (robot.ball_place) {
+    put((*robot.ball_place)[0], &ball_rows_.position[3 * world]);
+    put((*robot.ball_velocity)[0], &ball_rows_.velocity[3 * world]);
+  }
   rows_.fallen[world] = robot.lying && robot.lying->values[0] == 1;
   observe(world, robot.robot);
+}
+
+auto BatchInside::show_ball() -> const BallRows& {
+  if (ball_rows_.position.empty()) throw UnknownName("the scene of this batch has no ball");
+  (void)show();
+  return ball_rows_;
+}
+
+void BatchInside::push(std::size_t world, std::string_view object, const Vector3& force, double duration,
+                       const Vector3& moment) {
+  const auto push_robot = [&](SceneInside& scene) { scene.push(robot_, object, force, duration, moment); };
+  if (worlds_[world].whole) return push_robot(*worlds_[world].whole);
+  std::exception_ptr refused;  // which changes nothing: the others on the bench go on
+  use_bench(world / width_, 0, [&](BatchBench& bench) {
+    try {
+      push_robot(bench.scene(static_cast<int>(world % width_)));
+    } catch (...) {
+      refused = std::current_exception();
+    }
+  });
+  if (refused) std::rethrow_exception(refused);
 }
 
 void BatchInside::observe(std::size_t world, const Entity& robot) {

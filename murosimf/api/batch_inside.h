@@ -8,6 +8,7 @@
 #include <mutex>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "murosimf/api/batch_bench.h"
@@ -41,10 +42,17 @@ class BatchInside {
   /// Rows of what worlds show now; those of whole scenes, which others may have changed, are renewed by show().
   struct Rows {
     std::vector<double> position, velocity;   ///< (worlds, joints)
+    std::vector<double> target;               ///< likewise; of worlds with `has_targets`: what they are to get
     std::vector<double> pose, base_velocity;  ///< (worlds, 7), (worlds, 6)
     std::vector<std::uint8_t> fallen;         ///< (worlds)
   };
   [[nodiscard]] Rows& show();
+  /// (worlds, 3) each, as Batch::ball_position, ball_velocity.
+  struct BallRows {
+    std::vector<double> position, velocity;
+  };
+  [[nodiscard]] const BallRows& show_ball();
+  void push(std::size_t world, std::string_view object, const Vector3& force, double duration, const Vector3& moment);
   /// (worlds, numbers of these names), renewed as the rows are.
   [[nodiscard]] std::span<const float> observe(const std::vector<std::string>& names);
 
@@ -72,8 +80,8 @@ class BatchInside {
   std::vector<std::unique_ptr<BatchBench>> benches_;
   bool benches_change_ = false;    // they are fewer than blocks
   std::vector<BatchBench*> free_;  // of those that change
-  std::vector<double> targets_;    // (worlds, joints)
   Rows rows_;
+  BallRows ball_rows_;  // empty if there is no ball
   BatchObservations observations_;
   std::vector<float> observed_;
   BatchRandom random_;

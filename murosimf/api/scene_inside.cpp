@@ -123,6 +123,19 @@ void SceneInside::check_targets_are_free(int number) {
                                entity(number).name(), fmt::join(writers, "', '")));
 }
 
+/// Through the command of the run, so that recordings have it.
+void SceneInside::push(int number, std::string_view object, const Vector3& force, double duration,
+                       const Vector3& moment) {
+  const Model& model = entity(number).model();
+  const std::string pushed(object.empty() ? std::string_view(model.objects()[0].name) : object);
+  if (!model.find_object(pushed))
+    throw_unknown(fmt::format("object of '{}'", entity(number).name()), pushed, model.object_names());
+  told([&] {
+    scene.change({fmt::format("{}.{}.push=[{}, {}, {}, {}, {}, {}, {}]", entity(number).name(), pushed, force.x,
+                              force.y, force.z, moment.x, moment.y, moment.z, duration)});
+  });
+}
+
 std::shared_ptr<SceneInside> open_scene(const std::string& name, const SceneOptions& options) {
   check_threads(options);
   return told([&] {

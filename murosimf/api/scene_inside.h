@@ -63,6 +63,8 @@ struct SceneInside {
   [[nodiscard]] collision::QueryScene& fresh_queries();
   /// Throws InputError if an algorithm of the scene writes them.
   void check_targets_are_free(int number);
+  /// EntityHandle::push, once the scene has begun.
+  void push(int number, std::string_view object, const Vector3& force, double duration, const Vector3& moment);
 
   SceneOrigin origin;
   std::shared_ptr<scene::Assets> assets;

@@ -117,15 +117,9 @@ void EntityHandle::place(const Vector3& position, double heading) {
   });
 }
 
-/// Through the command of the run, so that recordings have it.
 void EntityHandle::push(std::string_view object, const Vector3& force, double duration, const Vector3& moment) {
   scene_->begin();
-  Entity& entity = scene_->entity(number_);
-  const std::string pushed = api::object_of(entity, object.empty() ? entity.model().objects()[0].name : object).name();
-  told([&] {
-    scene_->scene.change({fmt::format("{}.{}.push=[{}, {}, {}, {}, {}, {}, {}]", name(), pushed, force.x, force.y,
-                                      force.z, moment.x, moment.y, moment.z, duration)});
-  });
+  scene_->push(number_, object, force, duration, moment);
 }
 
 const std::string& EntityHandle::contact_law() const { return scene_->entity(number_).contact; }

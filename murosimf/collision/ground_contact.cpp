@@ -214,6 +214,7 @@ void GroundContact::begin_lift(ContactPoint& point) const noexcept {
 
 /// True if the same shapes touched from the other side in the preceding step.
 bool GroundContact::has_crossed(const ContactPoint& c) const noexcept {
+  if (GroundFinder::is_on_plane(c)) return false;
   const auto same = [&](const ContactPoint& other) {
     return GroundFinder::are_of_same_shapes(other, c) && other.lift == 0;
   };

@@ -173,6 +173,8 @@ bool GroundFinder::are_of_same_shapes(const ContactPoint& a, const ContactPoint&
   return a.feature / features_of_pair == b.feature / features_of_pair;
 }
 
+bool GroundFinder::is_on_plane(const ContactPoint& point) noexcept { return point.feature < features_of_pair; }
+
 /// By the environment's kinds, each plane being one, then by the entity's: as for_meetings() counts.
 std::uint32_t GroundFinder::surface(std::size_t other_kind, std::size_t own_shape) const noexcept {
   MUROSIMF_ASSERT(own_shape < own_.shapes().size());

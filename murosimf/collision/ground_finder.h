@@ -52,6 +52,8 @@ class GroundFinder {
   [[nodiscard]] double own_thickness(int object) const noexcept { return own_.thickness_of(object); }
   /// Whether both points are of the same two shapes.
   [[nodiscard]] static bool are_of_same_shapes(const ContactPoint& a, const ContactPoint& b) noexcept;
+  /// Whether a point is on a plane, whose normal never turns.
+  [[nodiscard]] static bool is_on_plane(const ContactPoint& point) noexcept;
   /// Largest number of contacts with planes.
   [[nodiscard]] std::size_t most_on_planes() const;
 

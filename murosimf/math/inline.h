@@ -6,3 +6,5 @@
 #pragma once
 
 #define MUROSIMF_INLINE [[gnu::always_inline]] inline
+/// The same behind the parameters of a lambda.
+#define MUROSIMF_INLINE_LAMBDA __attribute__((always_inline))

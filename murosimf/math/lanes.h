@@ -41,18 +41,7 @@ void for_lanes(LaneMask mask, const Visit& visit) {
 }
 
 /// And back.
-[[nodiscard]] inline LaneMask lanes_of(const Pack8::Mask& mask) {
-  using Bits = Pack8::MaskRegister;
-  Bits found{};
-  for (int part = 0; part < Pack8::registers; ++part) {
-    Bits bits{};
-    for (int i = 0; i < register_lanes; ++i) bits[i] = lane_bit(part * register_lanes + i);
-    found |= bits & mask.part[part];
-  }
-  std::int64_t lanes = 0;
-  for (int i = 0; i < register_lanes; ++i) lanes |= found[i];
-  return static_cast<LaneMask>(lanes);
-}
+[[nodiscard]] inline LaneMask lanes_of(const Pack8::Mask& mask) { return lane_bits(mask); }
 
 /// The same row of numbers of each thing, by lane.
 template <class Number>

@@ -86,18 +86,20 @@ class Pack8 {
     return each<Pack8>([&](int i) { return mask.part[i] ? yes.part_[i] : no.part_[i]; });
   }
   friend bool any(const Mask& mask) {
-    std::int64_t bits = 0;
-    for (const auto& p : mask.part) {
-      for (int i = 0; i < register_lanes; ++i) bits |= p[i];
-    }
-    return bits != 0;
+    MaskRegister lanes = mask.part[0];
+    for (int i = 1; i < registers; ++i) lanes |= mask.part[i];
+    return bits_of(lanes) != 0;
   }
   friend bool all(const Mask& mask) {
-    std::int64_t bits = -1;
-    for (const auto& p : mask.part) {
-      for (int i = 0; i < register_lanes; ++i) bits &= p[i];
-    }
-    return bits != 0;
+    MaskRegister lanes = mask.part[0];
+    for (int i = 1; i < registers; ++i) lanes &= mask.part[i];
+    return bits_of(lanes) == (1U << register_lanes) - 1;
+  }
+  /// The lanes of a mask, one bit each: bit i is lane i.
+  friend std::uint32_t lane_bits(const Mask& mask) {
+    std::uint32_t bits = 0;
+    for (int i = 0; i < registers; ++i) bits |= bits_of(mask.part[i]) << (i * register_lanes);
+    return bits;
   }
   friend Pack8 sqrt(const Pack8& a) {
     return each<Pack8>([&](int i) {
@@ -134,6 +136,24 @@ class Pack8 {
   }
 
  private:
+  /// The lanes of one register, of numbers that are 0 or -1. By built-in functions: g++ takes the lanes out one by one where an instruction
+  /// does all of them, and the header of the instructions has pragmas that a precompiled header does not bear.
+  [[nodiscard]] static std::uint32_t bits_of(const MaskRegister& mask) {
+#if defined(__AVX512F__) && !defined(__clang__)
+    using Eight = long long __attribute__((vector_size(8 * sizeof(long long))));  // NOLINT(google-runtime-int)
+    return __builtin_ia32_ptestmq512(reinterpret_cast<Eight>(mask), reinterpret_cast<Eight>(mask), 0xff);
+#elif defined(__AVX__)
+    using Four = double __attribute__((vector_size(4 * sizeof(double))));
+    const auto numbers = reinterpret_cast<Register>(mask);
+    const auto bits = [](const Four& four) { return static_cast<std::uint32_t>(__builtin_ia32_movmskpd256(four)); };
+    constexpr int high = register_lanes - 4;  // 0: the same ones again
+    return bits(__builtin_shufflevector(numbers, numbers, 0, 1, 2, 3)) |
+           bits(__builtin_shufflevector(numbers, numbers, high, high + 1, high + 2, high + 3)) << high;
+#else
+    return static_cast<std::uint32_t>((mask[0] & 1) | (mask[1] & 2));
+#endif
+  }
+
   template <class Result, class F>
   static Result each(const F& f) {
     Result result;

@@ -51,7 +51,7 @@ MUROSIMF_INLINE void take_rest(const Sym6<S>& A, const S& s, const Wrench<S>& F,
   take(to.J.xy, A.J.xy - n.x * F.n.y);
   take(to.J.xz, A.J.xz - n.x * F.n.z);
   take(to.J.yz, A.J.yz - n.y * F.n.z);
-  const auto take_column = [&](Vec3<S>& column, const Vec3<S>& of, const S& along) {
+  const auto take_column = [&](Vec3<S>& column, const Vec3<S>& of, const S& along) MUROSIMF_INLINE_LAMBDA {
     take(column.x, of.x - along * F.n.x);
     take(column.y, of.y - along * F.n.y);
     take(column.z, of.z - along * F.n.z);
@@ -83,10 +83,12 @@ MUROSIMF_INLINE void add_link(const LinkMotion<S>& link, ArticulatedLink<S>& bod
 template <class S>
 MUROSIMF_INLINE void hand_over(const ArticulatedLink<S>& body, const S& share, ArticulatedLink<S>& parent) {
   if (parent.loaded) {
-    take_rest(body.inertia, body.inverse_D, body.U, parent.inertia, [](S& to, const S& rest) { to = to + rest; });
+    take_rest(body.inertia, body.inverse_D, body.U, parent.inertia,
+              [](S& to, const S& rest) MUROSIMF_INLINE_LAMBDA { to = to + rest; });
     parent.force += body.force + share * body.U;
   } else {
-    take_rest(body.inertia, body.inverse_D, body.U, parent.inertia, [](S& to, const S& rest) { to = rest; });
+    take_rest(body.inertia, body.inverse_D, body.U, parent.inertia,
+              [](S& to, const S& rest) MUROSIMF_INLINE_LAMBDA { to = rest; });
     parent.force.n = body.force.n + share * body.U.n;
     parent.force.f = body.force.f + share * body.U.f;
     parent.loaded = true;

@@ -24,14 +24,21 @@ std::shared_ptr<SceneState> BatchState::world(std::size_t number) {
 }
 
 std::span<const double> BatchState::rows(BatchRows which) {
+  const std::span<const double> rows = all_rows(which);
   shown_[static_cast<std::size_t>(which)] = true;
+  return rows;
+}
+
+std::span<const double> BatchState::all_rows(BatchRows which) {
   switch (which) {
     case BatchRows::joint_position: return batch.joint_position();
     case BatchRows::joint_velocity: return batch.joint_velocity();
     case BatchRows::base_pose: return batch.base_pose();
-    case BatchRows::base_velocity: break;
+    case BatchRows::base_velocity: return batch.base_velocity();
+    case BatchRows::ball_position: return batch.ball_position();
+    case BatchRows::ball_velocity: break;
   }
-  return batch.base_velocity();
+  return batch.ball_velocity();
 }
 
 std::span<const std::uint8_t> BatchState::fallen() {
@@ -44,20 +51,31 @@ void BatchState::renew() {
     if (shown_[i]) (void)rows(static_cast<BatchRows>(i));
   }
   if (fallen_shown_) (void)batch.fallen();
+  renew_targets();
 }
 
 std::vector<double>& BatchState::targets() {
   if (targets_.empty()) {
-    const std::span<const double> now = batch.joint_position();
+    const std::span<const double> now = batch.joint_target();
     targets_.assign(now.begin(), now.end());
     given_ = targets_;
   }
+  renew_targets();
   return targets_;
+}
+
+void BatchState::renew_targets() {
+  if (targets_.empty()) return;
+  const std::span<const double> now = batch.joint_target();
+  for (std::size_t k = 0; k < now.size(); ++k) {
+    if (targets_[k] == given_[k]) targets_[k] = now[k];
+    given_[k] = now[k];
+  }
 }
 
 void BatchState::targets_begin_again(std::span<const std::uint8_t> which) {
   if (targets_.empty()) return;
-  const std::span<const double> now = batch.joint_position();
+  const std::span<const double> now = batch.joint_target();
   const std::size_t joints = batch.joints();
   for (std::size_t i = 0; i < batch.size(); ++i) {
     if (!which.empty() && !which[i]) continue;
@@ -79,7 +97,7 @@ void BatchState::give_targets() {
 void BatchState::step(std::int64_t steps) {
   if (steps < 0) throw InputError(std::to_string(steps) + " steps");
   using Clock = std::chrono::steady_clock;
-  constexpr double slice = 0.02;  // [s] in which Ctrl-C waits
+  constexpr double slice = 0.05;  // [s] in which Ctrl-C waits; few steps at once cost more for each
   try {
     const BatchUse use(*this, BatchUse::Kind::changes);
     const nanobind::gil_scoped_release unlocked;

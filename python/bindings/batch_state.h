@@ -16,7 +16,7 @@
 
 namespace murosimf::python {
 
-enum class BatchRows { joint_position, joint_velocity, base_pose, base_velocity };
+enum class BatchRows { joint_position, joint_velocity, base_pose, base_velocity, ball_position, ball_velocity };
 
 class BatchState {
  public:
@@ -30,9 +30,9 @@ class BatchState {
   /// As they are now, and from then on renewed by each call that steps or resets.
   [[nodiscard]] std::span<const double> rows(BatchRows which);
   [[nodiscard]] std::span<const std::uint8_t> fallen();
-  /// (worlds, joints) that are given to the robots before the next step, if one of them was written.
+  /// (worlds, joints) of the robots, as they are now; given to them before the next step if one was written, which is kept until then.
   [[nodiscard]] std::vector<double>& targets();
-  /// Of these worlds, or of all: as their joints are.
+  /// Of these worlds, or of all: as they are now, whatever was written.
   void targets_begin_again(std::span<const std::uint8_t> which);
 
   /// Without the lock of the interpreter, but for signals and controllers. Raises what these raise.
@@ -42,14 +42,16 @@ class BatchState {
 
  private:
   friend class BatchUse;
+  [[nodiscard]] std::span<const double> all_rows(BatchRows which);
   void give_targets();
+  void renew_targets();
   void renew();
 
   const bool threads_;
   const unsigned born_ = forks();
   std::atomic<bool> in_use_ = false;
   std::map<std::size_t, std::shared_ptr<SceneState>> worlds_;  ///< that were asked for
-  std::array<bool, 4> shown_{};
+  std::array<bool, 6> shown_{};
   bool fallen_shown_ = false;
   std::vector<double> targets_, given_;
   double seconds_per_step_ = 0;  ///< as measured; 0: not yet

@@ -1,18 +1,23 @@
+#include <nanobind/stl/array.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
+#include <array>
 #include <optional>
 
 #include "arrays.h"
 #include "batch_state.h"
+#include "handles.h"
 #include "module.h"
 #include "open_scene.h"
 #include "scene_ref.h"
 
 namespace murosimf::python {
 namespace {
+
+using Triple = std::array<double, 3>;
 
 struct BatchRef {
   std::shared_ptr<BatchState> state;
@@ -47,6 +52,12 @@ Array<const bool> fallen(BatchRef& ref) {
   return shown<const bool>(reinterpret_cast<const bool*>(fallen.data()), {fallen.size()}, ref.state);
 }
 
+void push(BatchRef& ref, std::size_t world, const std::string& object, const Triple& force, double duration,
+          const Triple& moment) {
+  const BatchUse use(*ref.state);
+  ref.state->batch.push(world, object, vector_of(force), duration, vector_of(moment));
+}
+
 Array<double> joint_target(BatchRef& ref) {
   const BatchUse use(*ref.state);
   std::vector<double>& targets = ref.state->targets();
@@ -73,6 +84,9 @@ void bind_batches(nb::module_& module) {
       .def("joint_velocity", [](BatchRef& ref) { return shown_rows(ref, {}, BatchRows::joint_velocity); })
       .def("base_pose", [](BatchRef& ref) { return shown_rows(ref, 7, BatchRows::base_pose); })
       .def("base_velocity", [](BatchRef& ref) { return shown_rows(ref, 6, BatchRows::base_velocity); })
+      .def("ball_position", [](BatchRef& ref) { return shown_rows(ref, 3, BatchRows::ball_position); })
+      .def("ball_velocity", [](BatchRef& ref) { return shown_rows(ref, 3, BatchRows::ball_velocity); })
+      .def("push", &push, nb::arg("world"), nb::arg("object"), nb::arg("force"), nb::arg("duration"), nb::arg("moment"))
       .def("fallen", &fallen)
       .def("joint_target", &joint_target);
   module.def("open_batch", &open, nb::arg("scene"), nb::arg("worlds"), nb::arg("options"), nb::arg("threads"),

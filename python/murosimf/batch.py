@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._values import Array, Assignments
+from ._values import Array, Assignments, triple
 from .errors import InputError
 from .scene import Scene, _options
 
@@ -68,8 +68,8 @@ class Batch:
 
     @property
     def joint_target(self) -> Array:
-        """(n, joints) [rad | m] to be written: all go to the robots with the next step, if one was changed. Begins as the
-        joints are."""
+        """(n, joints) [rad | m] as the robots have them, by their controllers or from here: all go to the robots with the next
+        step, if one was changed."""
         return self._core.joint_target()
 
     @joint_target.setter
@@ -95,6 +95,22 @@ class Batch:
     def angular_velocity(self) -> Array:
         """(n, 3) [rad/s] of the base, world axes"""
         return self._core.base_velocity()[:, 3:]
+
+    @property
+    def ball_position(self) -> Array:
+        """(n, 3) [m] of the center of the ball, world frame. Raises UnknownName if there is none."""
+        return self._core.ball_position()
+
+    @property
+    def ball_velocity(self) -> Array:
+        """(n, 3) [m/s] of the ball, world axes. Raises UnknownName if there is none."""
+        return self._core.ball_velocity()
+
+    def push(self, world: int, object: str = "", *, force: ArrayLike, duration: float, moment: ArrayLike = (0, 0, 0)) -> None:
+        """Of the robot of one world, as `Scene.robot.push`; the world stays one of the batch."""
+        if not -len(self) <= world < len(self):
+            raise IndexError(f"world {world} of a batch of {len(self)}")
+        self._core.push(world % len(self), object, triple(force, "a force"), duration, triple(moment, "a moment"))
 
     @property
     def fallen(self) -> NDArray[np.bool_]:

@@ -64,6 +64,26 @@ class BatchAndScenes {
       EXPECT_EQ(batch_.fallen()[i], alone_[i].robot().fallen());
     }
   }
+  void expect_equal_targets() {
+    const auto targets = batch_.joint_target();
+    const std::size_t each = batch_.joints();
+    for (std::size_t i = 0; i < alone_.size(); ++i)
+      EXPECT_TRUE(std::ranges::equal(targets.subspan(i * each, each), alone_[i].robot().joint_target())) << i;
+    EXPECT_FALSE(std::ranges::equal(targets, batch_.joint_position()));
+  }
+  void expect_equal_balls() {
+    const auto position = batch_.ball_position(), velocity = batch_.ball_velocity();
+    ASSERT_EQ(position.size(), 3 * alone_.size());
+    std::size_t moved = 0;
+    for (std::size_t i = 0; i < alone_.size(); ++i) {
+      const EntityHandle ball = alone_[i].entity("ball");
+      EXPECT_EQ(position[3 * i], ball.pose().position.x) << i;
+      EXPECT_EQ(position[3 * i + 2], ball.pose().position.z) << i;
+      EXPECT_EQ(velocity[3 * i + 1], ball.velocity().linear.y) << i;
+      if (velocity[3 * i] != 0) ++moved;
+    }
+    EXPECT_GT(moved, 0U);
+  }
 
  private:
   static SceneOptions with_seed(SceneOptions options) {
@@ -131,7 +151,17 @@ TEST(ApiBatchLanes, AlsoWalkingOnesWithTheirEngines) {
     worlds.reset(3, 2, 1);
     worlds.step(701);
     worlds.expect_equal();
+    worlds.expect_equal_targets();
   }
+}
+
+TEST(ApiBatchLanes, TargetsThatWereGivenAreShownAtOnce) {
+  BatchAndScenes worlds("walk", 9, options_of("articulated_dynamics"), 1);
+  worlds.move(0.4);
+  worlds.expect_equal_targets();
+  worlds.reset(30, 2, 1);
+  worlds.step(5);
+  worlds.expect_equal_targets();
 }
 
 TEST(ApiBatchLanes, AlsoTeamsWithABall) {
@@ -139,6 +169,38 @@ TEST(ApiBatchLanes, AlsoTeamsWithABall) {
   worlds.step(200);
   worlds.reset(9, 2, 0);
   worlds.step(601);
+  worlds.expect_equal();
+}
+
+/// States that differ in what is zero come after each other to the same place: of fallen robots, and of new ones beside a ball.
+TEST(ApiBatchLanes, AlsoKickingOnesWithABall) {
+  const std::vector<std::string> set = {"robot.level=articulated_dynamics", "robot.controller=none",
+                                        "start.jitter_posture_deg=5"};
+  BatchAndScenes worlds("kick", 19, {.set = set, .cameras = false}, 1);
+  for (const std::size_t from : {0U, 1U, 2U}) {
+    worlds.move(1.5);
+    worlds.step(150);
+    worlds.reset(20 + from, 3, from);
+    worlds.step(150);
+  }
+  worlds.expect_equal();
+  worlds.expect_equal_balls();
+}
+
+TEST(ApiBatchLanes, PushedOnesStayInTheBatch) {
+  BatchAndScenes worlds("walk", 11, options_of("articulated_dynamics"), 2);
+  worlds.step(20);
+  for (const std::size_t world : {2U, 3U, 10U}) {
+    worlds.batch().push(world, "torso", {20, 5, 0}, 0.05, {0, 0.1, 0});
+    worlds.alone(world).robot().push("torso", {20, 5, 0}, 0.05, {0, 0.1, 0});
+  }
+  worlds.step(33);
+  worlds.expect_equal();
+  worlds.step(60);
+  worlds.expect_equal();
+  EXPECT_THROW(worlds.batch().push(11, "", {1, 0, 0}, 0.1), InputError);
+  EXPECT_THROW(worlds.batch().push(1, "tail", {1, 0, 0}, 0.1), UnknownName);
+  EXPECT_THROW((void)worlds.batch().ball_position(), UnknownName);
   worlds.expect_equal();
 }
 

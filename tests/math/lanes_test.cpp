@@ -34,6 +34,17 @@ TEST(Lanes, MasksNameLanes) {
   EXPECT_TRUE(all(where(~LaneMask{0}))) << "bits beyond the lanes do not matter";
 }
 
+TEST(Lanes, EveryMaskIsToldFromTheOthers) {
+  for (LaneMask mask = 0; mask < 0x100; ++mask) {
+    Pack8 numbers = 1.0;
+    for_lanes(mask, [&](int lane) { numbers.set_lane(lane, -1); });
+    const Pack8::Mask negative = numbers < Pack8(0.0);
+    EXPECT_EQ(lanes_of(negative), mask);
+    EXPECT_EQ(any(negative), mask != 0) << mask;
+    EXPECT_EQ(all(negative), mask == 0xff) << mask;
+  }
+}
+
 /// Rows of one structure each, out of columns and back into others.
 template <template <class> class T>
 class Rows : public testing::Test {

@@ -26,7 +26,10 @@ class DelayLine {
     if (++next_ == values_.size()) next_ = 0;
     return value;
   }
-  void state(StateArchive& archive) { archive(values_, next_); }
+  void state(StateArchive& archive) {
+    archive(values_);
+    if (!values_.empty()) archive(next_);
+  }
   friend void append_hash(Hasher& hasher, const DelayLine& line) {
     for (std::size_t i = 0; i < line.values_.size(); ++i) {
       hasher.add(line.values_[(line.next_ + i) % line.values_.size()]);

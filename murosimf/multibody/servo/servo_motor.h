@@ -24,6 +24,7 @@
 #include <limits>
 
 #include "murosimf/math/assert.h"
+#include "murosimf/math/inline.h"
 #include "murosimf/math/scalar.h"
 #include "murosimf/model/servo.h"
 #include "murosimf/multibody/servo/torque_line.h"
@@ -66,14 +67,14 @@ struct MotorInput {
 
 /// x limited to the range from low to high; NaN stays NaN.
 template <class S>
-[[nodiscard]] S clamped(const S& x, const S& low, const S& high) {
+[[nodiscard]] MUROSIMF_INLINE S clamped(const S& x, const S& low, const S& high) {
   const S cut = select(x < low, low, x);
   return select(cut > high, high, cut);
 }
 
 /// An angle [rad] rounded to whole encoder steps [rad].
 template <class S>
-[[nodiscard]] S in_whole_steps(double step, const S& angle) {
+[[nodiscard]] MUROSIMF_INLINE S in_whole_steps(double step, const S& angle) {
   if (step <= 0) return angle;
   // adding and subtracting round_bias rounds to the nearest integer in every lane without a library call
   return ((angle * (1 / step) + round_bias) - round_bias) * step;
@@ -81,7 +82,7 @@ template <class S>
 
 /// Position error [rad] that the firmware acts on.
 template <class S>
-[[nodiscard]] S position_error(double encoder_step, double dead_band, const S& target, const S& q) {
+[[nodiscard]] MUROSIMF_INLINE S position_error(double encoder_step, double dead_band, const S& target, const S& q) {
   const S error = in_whole_steps(encoder_step, target) - in_whole_steps(encoder_step, q);
   if (dead_band <= 0) return error;  // without a dead band the bits of the error must not change
   return error - clamped<S>(error, -dead_band, dead_band);

@@ -44,8 +44,9 @@ struct MotorTorque {
 /// Whether the free line is beyond another one at the acceleration `push` / D, in any lane.
 template <class S>
 [[nodiscard]] MUROSIMF_INLINE bool leaves_free_line(const MotorTorque<S>& motor, const S& D, const S& push) {
-  return any(is_above(motor.free, motor.highest, D, push)) || any(is_above(motor.lowest, motor.free, D, push)) ||
-         any(is_above(motor.free, motor.ceiling, D, push)) || any(is_above(motor.floor, motor.free, D, push));
+  const auto above = is_above(motor.free, motor.highest, D, push), below = is_above(motor.lowest, motor.free, D, push);
+  const auto rises = is_above(motor.free, motor.ceiling, D, push), falls = is_above(motor.floor, motor.free, D, push);
+  return any(above | below | rises | falls);  // one question for all: in lanes each takes an instruction and a branch
 }
 
 /// The line that a motor changes to from `line`, which gives the acceleration `push` / D: the lowest one that it must not be above,

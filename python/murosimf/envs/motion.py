@@ -42,11 +42,13 @@ def down(motion: Motion) -> Array:
     return in_base_axes(motion.quaternion, np.broadcast_to([0.0, 0.0, -1.0], (len(motion.quaternion), 3)))
 
 
-def _balls(scenes: list[Scene], ball: bool) -> tuple[Array, Array]:
-    if not ball:
-        return np.zeros((len(scenes), 0)), np.zeros((len(scenes), 0))
-    entities = [scene.entity("ball") for scene in scenes]
-    return np.array([each.position for each in entities]), np.array([each.linear_velocity for each in entities])
+def _no_balls(n: int) -> tuple[Array, Array]:
+    return np.zeros((n, 0)), np.zeros((n, 0))
+
+
+def _ball_of(scene: Scene) -> tuple[Array, Array]:
+    ball = scene.entity("ball")
+    return np.array(ball.position)[None], np.array(ball.linear_velocity)[None]
 
 
 def motion_of_scene(scene: Scene, ball: bool) -> Motion:
@@ -54,12 +56,11 @@ def motion_of_scene(scene: Scene, ball: bool) -> Motion:
     robot = scene.robot
     return Motion(np.array(robot.joint_position)[None], np.array(robot.joint_velocity)[None], np.array(robot.position)[None],
                   robot.quaternion[None], np.array(robot.linear_velocity)[None], np.array(robot.angular_velocity)[None],
-                  np.array([robot.fallen]), *_balls([scene], ball))
+                  np.array([robot.fallen]), *(_ball_of(scene) if ball else _no_balls(1)))
 
 
 def motion_of_batch(batch: Batch, ball: bool) -> Motion:
     """A row for each world, of its first robot."""
-    scenes = [batch[i] for i in range(len(batch))] if ball else []
+    balls = (batch.ball_position, batch.ball_velocity) if ball else _no_balls(len(batch))
     return Motion(batch.joint_position, batch.joint_velocity, batch.position, batch.quaternion, batch.linear_velocity,
-                  batch.angular_velocity, np.array(batch.fallen),
-                  *(_balls(scenes, True) if ball else (np.zeros((len(batch), 0)),) * 2))
+                  batch.angular_velocity, np.array(batch.fallen), *balls)

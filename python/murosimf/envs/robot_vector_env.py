@@ -51,7 +51,7 @@ class RobotVectorEnv(VectorEnv[Rows, Rows, NDArray[Any]]):
     def step(self, actions: Rows) -> tuple[Rows, NDArray[Any], NDArray[Any], NDArray[Any], dict[str, Any]]:
         given = np.where(self._ended[:, None], 0, np.asarray(actions, np.float32))
         for world, force in self.task.push(self.memory, self.np_random):
-            self.batch[world].robot.push(force=force, duration=0.1)
+            self.batch.push(world, force=force, duration=0.1)
         self.batch.joint_target[:] = self.task.targets(given, self.memory)
         self.batch.step(self.task.steps)
         begun = self._ended
