@@ -180,15 +180,16 @@ int highlights(const HighlightOptions& options) {
   const std::vector<Clip> clips =
       clips_of(moments, kinds, static_cast<std::size_t>(options.most), source.first(), source.last());
   Results results;
-  if (!options.video.empty() && !interrupted()) {
-    if (clips.empty()) {
-      say_error(
-          fmt::format("{}: there is nothing of this in it: {}; no video", options.file, fmt::join(options.what, ", ")));
-      return user_error;
-    }
-    results.write([&] { Cutter(source, options).cut(clips); });
-  }
   results.write([&] { write_result(options.json, table_of(moments, clips), json_of(moments, clips)); });
+  if (!options.video.empty() && !interrupted()) {
+    results.write([&] {
+      if (clips.empty()) {
+        throw SetupError(fmt::format("{}: there is nothing of this in it: {}; no video", options.file,
+                                     fmt::join(options.what, ", ")));
+      }
+      Cutter(source, options).cut(clips);
+    });
+  }
   if (interrupted()) say_error(fmt::format("stopped by {}", signal_name()));
   return results.exit_code(exit_code());
 }

@@ -30,8 +30,8 @@ SheetSize read_sheet(const RenderOptions& options) {
   if (has_numbers(options)) {
     throw SetupError(fmt::format("--sheet: --layer {} has numbers, which a sheet does not keep", options.layer));
   }
-  const PictureSize each = options.size.empty() ? PictureSize{} : read_size(options.size);
-  const auto too_large = [](int count, int side) { return std::int64_t{count} * std::max(side, 1) > largest_sheet; };
+  const PictureSize each = read_size(options.size.empty() ? sheet_picture : options.size);
+  const auto too_large = [](int count, int side) { return std::int64_t{count} * side > largest_sheet; };
   if (too_large(sheet->width, each.width) || too_large(sheet->height, each.height)) {
     throw SetupError(fmt::format("--sheet {}: more than {} pixels wide or high", options.sheet, largest_sheet));
   }

@@ -9,6 +9,8 @@ struct SheetSize {
   int columns = 0, rows = 0;
 };
 
+inline constexpr const char* sheet_picture = "480x270";  ///< size of each if none is given
+
 /// "4x3", as given to --sheet; checks also that all of it has at most 16384 pixels a side. Throws SetupError.
 [[nodiscard]] SheetSize read_sheet(const RenderOptions& options);
 

@@ -180,7 +180,7 @@ int render(const RenderOptions& given) {
   end_gently();
   RenderOptions options = given;
   if (options.view.empty() && options.camera.empty() && options.follow.empty()) options.view = "overview";
-  if (options.camera.empty() && options.size.empty()) options.size = options.sheet.empty() ? "1280x720" : "480x270";
+  if (options.camera.empty() && options.size.empty()) options.size = options.sheet.empty() ? "1280x720" : sheet_picture;
   const Duration time = time_of("--time", options.time);
   const std::unique_ptr<const recording::RecordedRun> run = run_of(options.scene);
   const std::shared_ptr<scene::Scene> built = run ? build(*run, options) : build(options);

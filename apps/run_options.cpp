@@ -54,9 +54,9 @@ void check_vendor(const scene_file::SceneSpec& spec, const Vendor& vendor, const
     const int own = options.domain >= 0 ? options.domain : read_domain(vendor.option, vendor.domain);
     const auto [place, fresh] = taken.try_emplace({own, options.suffix}, robot.name);
     if (fresh) continue;
-    throw SetupError(
-        fmt::format("{}: {} and {} are in the same DDS domain, {}; give one another: options = {{domain = {}}}",
-                    robot.where, place->second, robot.name, own, own + 1));
+    throw SetupError(fmt::format(
+        "{}: {} and {} are in the same DDS domain, {}; give one another, or a suffix: options = {{suffix = \"_{}\"}}",
+        robot.where, place->second, robot.name, own, robot.name));
   }
   if (!vendor.domain.empty() && taken.empty()) {
     throw SetupError(fmt::format("{}: no robot is controlled by {} (controller = \"{}\")", vendor.option,

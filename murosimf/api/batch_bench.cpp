@@ -40,19 +40,17 @@ RobotColumns::RobotColumns(Entity& of, const JointRows& rows, const Entity* ball
 
 BatchBench::BatchBench(std::vector<std::shared_ptr<SceneInside>> scenes, int robot)
     : scenes_(std::move(scenes)), seeds_(scenes_.size()), robot_(robot), lanes_(simulations_of(scenes_)) {
-  for (std::size_t i = 0; i < scenes_.size(); ++i) {
-    scenes_[i]->begun = true;
-    seeds_[i] = scenes_[i]->scene.spec().seed;
-  }
+  for (const auto& scene : scenes_) scene->begun = true;
   look_at_columns();
 }
 
 void BatchBench::look_at_columns() {
   packers_.clear();
   columns_.clear();
-  for (const auto& scene : scenes_) {
-    packers_.emplace_back(scene->simulation());
-    columns_.push_back(columns_of(*scene, robot_));
+  for (std::size_t i = 0; i < scenes_.size(); ++i) {
+    packers_.emplace_back(scenes_[i]->simulation());
+    columns_.push_back(columns_of(*scenes_[i], robot_));
+    seeds_[i] = scenes_[i]->scene.spec().seed;  // a scene that begins at another level has another one
   }
 }
 

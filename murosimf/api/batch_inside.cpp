@@ -297,7 +297,9 @@ void BatchInside::push(std::size_t world, std::string_view object, const Vector3
   std::exception_ptr refused;  // which changes nothing: the others on the bench go on
   use_bench(world / width_, 0, [&](BatchBench& bench) {
     try {
-      push_robot(bench.scene(static_cast<int>(world % width_)));
+      SceneInside& scene = bench.scene(static_cast<int>(world % width_));
+      push_robot(scene);
+      scene.simulation().command_queue().forget_history();  // it stays on the bench when the world leaves
     } catch (...) {
       refused = std::current_exception();
     }

@@ -10,8 +10,6 @@
 namespace murosimf::dds {
 namespace {
 
-constexpr double at_rest = 0.1;  // [1] of gravity: specific force that far from it tells no direction to start with
-
 Vec3d vector_of(const murosimf_signal& signal) {
   MUROSIMF_ASSERT(signal.count >= 3);
   return {signal.values[0], signal.values[1], signal.values[2]};
@@ -38,13 +36,13 @@ void ImuSensing::restart() {
 
 void ImuSensing::follow() {
   const Vec3d gyroscope = vector_of(*gyroscope_), force = vector_of(*accelerometer_);
-  if (gyroscope_->samples == 0 || accelerometer_->samples == 0) return;
-  imu_ = {{}, row_of(gyroscope), row_of(force)};
+  // Before its first sample the sensor shows what it would at rest (sensors/inertial.h); later ones may be of a robot that sinks into the ground.
   if (!started_) {
-    if (std::abs(norm(force) - gravity_) > at_rest * gravity_) return;
     attitude_.start(force);
     started_ = true;
   }
+  if (gyroscope_->samples == 0 || accelerometer_->samples == 0) return;
+  imu_ = {{}, row_of(gyroscope), row_of(force)};
   attitude_.follow(period_, gyroscope, force, gravity_, {}, false);
   const double roll = attitude_.roll(), pitch = attitude_.pitch();
   constexpr double least_cosine = 0.05;  // straight up or down there is no yaw

@@ -1,7 +1,7 @@
 /// imu_sensing.h - an inertial sensor as the vendor's software knows it: its gyroscope, its accelerometer, and the attitude that a filter makes of both.
 ///
-/// Roll and pitch are those of locomotion/attitude_filter.h, which starts when the specific force is about as large as gravity (a robot that is put on the
-/// ground sinks into it at first), yaw is the integral of psi' = (w_y sin(roll) + w_z cos(roll)) / cos(pitch), which drifts.
+/// Roll and pitch are those of locomotion/attitude_filter.h, which starts with what the sensor shows before its first sample (a robot that is put on the
+/// ground sinks into it at first); yaw is the integral of psi' = (w_y sin(roll) + w_z cos(roll)) / cos(pitch), which drifts.
 #pragma once
 
 #include <string>

@@ -86,14 +86,14 @@ class Pack8 {
     return each<Pack8>([&](int i) { return mask.part[i] ? yes.part_[i] : no.part_[i]; });
   }
   friend bool any(const Mask& mask) {
-    MaskRegister lanes = mask.part[0];
-    for (int i = 1; i < registers; ++i) lanes |= mask.part[i];
-    return bits_of(lanes) != 0;
+    MaskRegister merged = mask.part[0];
+    for (int i = 1; i < registers; ++i) merged |= mask.part[i];
+    return bits_of(merged) != 0;
   }
   friend bool all(const Mask& mask) {
-    MaskRegister lanes = mask.part[0];
-    for (int i = 1; i < registers; ++i) lanes &= mask.part[i];
-    return bits_of(lanes) == (1U << register_lanes) - 1;
+    MaskRegister merged = mask.part[0];
+    for (int i = 1; i < registers; ++i) merged &= mask.part[i];
+    return bits_of(merged) == (1U << register_lanes) - 1;
   }
   /// The lanes of a mask, one bit each: bit i is lane i.
   friend std::uint32_t lane_bits(const Mask& mask) {

@@ -21,6 +21,7 @@ using namespace std::chrono_literals;
 using Kind = Moment::Kind;
 
 constexpr double kick_change = 0.8;      // [m/s]
+constexpr double fastest_ball = 30;      // [m/s] faster, and it was put elsewhere
 constexpr double reach = 0.25;           // [m] from the middle of the ball to the origin of a body
 constexpr Duration kick_window = 100ms;  // a kick takes some frames
 constexpr Duration speeding_up = 200ms;  // the foot pushes on
@@ -32,15 +33,21 @@ class BallMotion {
  public:
   void see(Duration time, const Vec3d& place) {
     if (last_ && time > last_->first) {
-      velocities_.emplace_back(time, (1 / seconds(time - last_->first)) * (place - last_->second));
+      const Vec3d velocity = (1 / seconds(time - last_->first)) * (place - last_->second);
+      if (norm(velocity) > fastest_ball) forget();
+      velocities_.emplace_back(time, last_ ? velocity : Vec3d{});
     }
+    before_ = last_ ? last_->second : place;
     last_.emplace(time, place);
-    while (!velocities_.empty() && velocities_.front().first < time - kick_window) velocities_.pop_front();
+    // two of them at least, in recordings with few frames, too
+    while (velocities_.size() > 2 && velocities_.front().first < time - kick_window) velocities_.pop_front();
   }
   void forget() {
     last_.reset();
     velocities_.clear();
   }
+  /// In the frame before: where it was kicked, if frames are few.
+  [[nodiscard]] const Vec3d& place_before() const { return before_; }
   [[nodiscard]] double change() const {
     return velocities_.empty() ? 0 : norm(velocities_.back().second - velocities_.front().second);
   }
@@ -48,6 +55,7 @@ class BallMotion {
 
  private:
   std::optional<std::pair<Duration, Vec3d>> last_;
+  Vec3d before_;
   std::deque<std::pair<Duration, Vec3d>> velocities_;
 };
 
@@ -83,7 +91,7 @@ class MomentFinder {
     motion_.see(now, place->values[0]);
     if (now <= kicked_ + speeding_up) moments[kick_].speed = std::max(moments[kick_].speed, motion_.speed());
     if (motion_.change() < kick_change || motion_.speed() < kick_change) return;
-    const WatchedRobot* kicker = nearest_to(place->values[0]);
+    const WatchedRobot* kicker = nearest_to(motion_.place_before());
     if (!kicker || now < kicked_ + between_kicks) return;
     kicked_ = now;
     kick_ = moments.size();

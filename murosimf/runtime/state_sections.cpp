@@ -14,7 +14,7 @@
 namespace murosimf {
 namespace {
 
-constexpr std::string_view first_line = "MuRoSimF state 3\n";  // the number is that of the format
+constexpr std::string_view first_line = "MuRoSimF state 4\n";  // the number is that of the format
 constexpr std::size_t begin_of_sections = first_line.size() + sizeof(std::uint64_t);
 
 template <class Sections>

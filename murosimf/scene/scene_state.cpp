@@ -17,7 +17,7 @@
 namespace murosimf::scene {
 namespace {
 
-constexpr std::string_view first_line = "MuRoSimF scene state 4\n";  // the number of the format
+constexpr std::string_view first_line = "MuRoSimF scene state 5\n";  // the number of the format
 constexpr std::string_view older_line = "MuRoSimF state ";  // of its simulation, in formats without a header line
 
 /// Follows the header line.
@@ -35,7 +35,7 @@ bool begins_with(std::span<const std::byte> bytes, std::string_view text) {
 /// Throws SetupError if the bytes are no complete and intact state.
 std::span<const std::byte> content_of(std::span<const std::byte> bytes) {
   if (!begins_with(bytes, first_line)) {
-    constexpr std::size_t sign = first_line.find('4');
+    constexpr std::size_t sign = first_line.find('5');
     const bool older =
         begins_with(bytes, first_line.substr(0, sign)) || !std::ranges::search(bytes, bytes_of(older_line)).empty();
     throw SetupError(older ? "this state is of another form than this version of the program has; have it saved again"

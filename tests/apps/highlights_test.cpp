@@ -39,8 +39,10 @@ TEST(Highlights, AreAVideo) {
   EXPECT_EQ(result.exit_code, 0) << result.errors;
   EXPECT_EQ(read_file(video).substr(0, 4), "GIF8");
   const fs::path none = scratch("none.gif");
-  expect_mistake("highlights " + recording() + " --what goal,kick --video " + none.string(),
-                 {"goal, kick", "no video"});
+  const Result nothing = murosimf("highlights " + recording() + " --what goal,kick --video " + none.string());
+  EXPECT_EQ(nothing.exit_code, 2);
+  EXPECT_NE(nothing.errors.find("goal, kick; no video"), std::string::npos) << nothing.errors;
+  EXPECT_NE(nothing.output.find("no moments"), std::string::npos) << nothing.output;
   EXPECT_FALSE(fs::exists(none));
 }
 

@@ -345,6 +345,7 @@ TEST_F(Drawing, RefusesOptionsOfVideosForPictures) {
   for (const char* sheet : {"3", "0x2", "axb", "3x2x1"})
     expect_refused(std::string("--time 1e9 --sheet ") + sheet + out(), {"--sheet", sheet, "COLUMNSxROWS"});
   expect_refused("--time 1e9 --sheet 200x2 --size 640x480" + out(), {"--sheet 200x2", "16384"});
+  expect_refused("--time 1e9 --sheet 100x2" + out(), {"--sheet 100x2", "16384"});
   expect_refused("--time 1e9 --sheet 3x2 --layer depth" + out(), {"--sheet", "depth"});
   expect_refused("--time 1e9 --view top --follow one" + out(), {"--view", "--follow"});
   expect_refused("--follow ona" + out(), {"--follow", "ona", "did you mean 'one'?"});

@@ -33,7 +33,7 @@ from errors import end, errors
 from socket_places import socket_places
 
 DOMAIN = 89
-DURATION = 8  # [s]
+DURATION = 12  # [s]
 DISCOVERY = "239.255.0.1"
 # as unitree_sdk2py configures Cyclone DDS for an interface that it is given
 VENDOR = """<CycloneDDS><Domain Id="any"><General><Interfaces>
@@ -146,6 +146,8 @@ def check_rate(program):
         expect(f"states of {reader.topic.name} a second", 200 < count / waited < 800, f"{count / waited:.0f}")
     ticks = [sample.tick for sample in samples]
     steps = [b - a for a, b in zip(ticks, ticks[1:], strict=False)]
+    if len(steps) < 50:
+        return expect("states to compare", False, len(steps))
     expect("ms from one to the next", sorted(steps)[len(steps) // 2] == 2, f"largest {max(steps)}")
 
 
@@ -159,21 +161,22 @@ def check_stand(program, stance):
 
 def check_sine(program, stance):
     """By a program of its own, after the other one was killed."""
-    begin, worst, written = time.monotonic(), 0.0, 0
+    begin, off, written = time.monotonic(), [], 0
     while (t := time.monotonic() - begin) < 1.2:
         targets = list(stance)
         targets[ELBOW] += 0.3 * math.sin(2 * math.pi * t)
         program.write(targets)
         written += 1
         if t > 0.2:
-            worst = max(worst, abs(program.positions()[ELBOW] - targets[ELBOW]))
+            off.append(abs(program.positions()[ELBOW] - targets[ELBOW]))
         time.sleep(0.001)
-    expect("the elbow follows a sine of 0.3 rad", worst < 0.15, f"within {worst:.3f} rad by {written} commands")
+    typical = sorted(off)[len(off) * 9 // 10] if off else math.inf  # a process may be held up; one that does not follow is 0.29 rad off
+    expect("the elbow follows a sine of 0.3 rad", typical < 0.15, f"nine times of ten within {typical:.3f} rad, {written} commands")
 
 
 def check_checksum(program, stance):
     targets = list(stance)
-    for _ in range(20):
+    for _ in range(100):
         program.write(targets)
         time.sleep(0.005)
     before = program.positions()[ELBOW]

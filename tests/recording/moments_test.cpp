@@ -47,6 +47,23 @@ TEST(Moments, OfAKickIsOneOfTheRobotWhenTheBallBeginsToMove) {
   EXPECT_NEAR(moments[0].speed, fastest, 0.25 * fastest);
 }
 
+TEST(Moments, OfABallThatIsPutBesideARobotAreNone) {
+  fixtures::RepeatableRun run{.scene = "kick", .time = 300ms};
+  run.when_initialized = [](scene::Scene& scene) {
+    scene.simulation().at(100ms, [&scene] { (void)scene.post("ball.position = [0.9, 0.5, 0.065]"); });
+    scene.simulation().at(200ms, [&scene] { (void)scene.post("ball.position = [0.2, 0.2, 0.065]"); });
+  };
+  EXPECT_EQ(moments_in(fixtures::record("placed.mcap", run)).size(), 0U);
+}
+
+TEST(Moments, AreFoundInRecordingsWithFewFrames) {
+  fixtures::RepeatableRun run{.scene = "kick", .time = 3s};
+  run.options.rate = 5;
+  const auto moments = moments_in(fixtures::record("few.mcap", run));
+  ASSERT_EQ(moments.size(), 1U);
+  EXPECT_EQ(moments[0].kind, Kind::kick);
+}
+
 TEST(Moments, OfARobotThatIsPushedAreItsFallAndThatItIsUpAgain) {
   // the motion engine gets up by itself
   const auto file = fixtures::write_scene(

@@ -66,7 +66,7 @@ control_software::CallOutcome UnitreeSoftware::step(Duration now) noexcept {
   if (torso_) torso_->follow();
   wait_for_command();
   for (const Arrival& arrival : outside_.at(now, link_ ? &link_->inbox() : nullptr)) take(arrival);
-  if (link_ && !outside_.remembers()) send();
+  if (link_ && !outside_.remembers()) send(now);
   command();
   ++cycle_;
   return {};
@@ -93,7 +93,7 @@ void UnitreeSoftware::take_low_command(const LowCommand& command) {
                                 command.crc, right));
   }
   if (!is_finite(command))
-    return say_once(told_of_garbage_, "a low-level command with a number that is none was ignored");
+    return say_once(told_of_numbers_, "a low-level command with a number that is none was ignored");
   if (command.mode_pr != static_cast<std::uint8_t>(AnkleMode::pitch_roll)) {
     return say_once(told_of_cranks_,
                     "a low-level command in mode AB was ignored: ankles and waist are serial joints here (mode PR)");
@@ -139,10 +139,10 @@ void UnitreeSoftware::command_joint(std::size_t joint) {
   low_level_.drive(joint, {.q = present, .weight = 1}, held_[joint]);
 }
 
-void UnitreeSoftware::send() {
-  constexpr std::uint32_t ms_of_cycle = 2;
+void UnitreeSoftware::send(Duration now) {
+  const std::chrono::milliseconds clock = std::chrono::duration_cast<std::chrono::milliseconds>(now);
   LowState state{.mode_machine = kind_of_robot,
-                 .tick = static_cast<std::uint32_t>(cycle_) * ms_of_cycle,
+                 .tick = static_cast<std::uint32_t>(clock.count()),
                  .imu = pelvis_.imu(),
                  .count = places_.size()};
   std::ranges::copy(joints_.motors(), state.motors.begin());

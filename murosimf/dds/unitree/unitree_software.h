@@ -42,7 +42,7 @@ class UnitreeSoftware final : public control_software::ControlSoftware {
   void answer(const Request& request);
   void command();
   void command_joint(std::size_t joint);
-  void send();
+  void send(Duration now);
   void say_once(bool& told, const std::string& line);
   void wait_for_command();
 
@@ -63,7 +63,7 @@ class UnitreeSoftware final : public control_software::ControlSoftware {
   std::vector<double> held_;            // [rad] by motor: where they are until they are commanded
   std::vector<MotorCommand> commands_;  // the last low-level command; empty: none since the motors were released
   std::uint64_t cycle_ = 0;
-  bool told_of_crc_ = false, told_of_cranks_ = false, told_of_garbage_ = false;
+  bool told_of_crc_ = false, told_of_cranks_ = false, told_of_garbage_ = false, told_of_numbers_ = false;
 };
 
 }  // namespace murosimf::dds::unitree

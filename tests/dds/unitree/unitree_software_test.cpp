@@ -161,12 +161,15 @@ TEST_F(UnitreeSoftware, RefusesWhatIsNotWhole) {
   scene::Scene scene("unitree", options());
   client.meet(scene);
   const double before = joint(scene);
-  LowCommand wrong = Client::holding(0.5), cranks = wrong;
+  LowCommand wrong = Client::holding(0.5), cranks = wrong, none = wrong;
   ++wrong.crc;
   cranks.mode_pr = 1;
   cranks.crc = checksum_of(cranks);
   command_for(scene, client, 100ms, wrong);
+  none.motors[elbow].q = std::numeric_limits<float>::quiet_NaN();
+  none.crc = checksum_of(none);
   command_for(scene, client, 100ms, cranks);
+  command_for(scene, client, 100ms, none);
   std::mt19937 random(1);
   for (int i = 0; i < 200; ++i) {
     Bytes bytes{0, 1, 0, 0};
@@ -176,9 +179,11 @@ TEST_F(UnitreeSoftware, RefusesWhatIsNotWhole) {
   EXPECT_EQ(client.ask(scene, 1001), R"({"form":"0","name":"ai"})") << "it stands by itself as before";
   EXPECT_NEAR(joint(scene), before, 0.1);
   const std::vector<std::string> lines = said(scene);
-  ASSERT_EQ(lines.size(), 4U) << "each is told once";
+  ASSERT_EQ(lines.size(), 5U) << "each is told once";
   EXPECT_NE(lines[1].find("a low-level command with the CRC 0x"), std::string::npos) << lines[1];
   EXPECT_NE(lines[2].find("mode AB"), std::string::npos) << lines[2];
+  EXPECT_NE(lines[3].find("a number that is none"), std::string::npos) << lines[3];
+  EXPECT_NE(lines[4].find("a message that is none"), std::string::npos) << lines[4];
 }
 
 TEST_F(UnitreeSoftware, GoesOnWhenProgramsGo) {
