@@ -47,6 +47,7 @@ dataset::Request request_of(const RenderOptions& options) {
           .height = size.height,
           .normals = options.normals,
           .options = options_of(options.scene),
+          .plugins = options.scene.plugins,
           .version = fmt::format("{} {}", version_number(), version_commit())};
 }
 

@@ -6,8 +6,9 @@
     benchmarks/python/find_ball.py train test
 
 Three convolutions and a layer over windows of 32 pixels in which a ball has 16, at many sizes: 17,156 numbers, trained
-in NumPy, used by OpenCV. A find is right where its box and the ball's have at least half of their union in common. Balls smaller
-than --least pixels, or of which less than half is seen, are neither asked for nor counted.
+in NumPy, used by OpenCV. A find is right where its box and the ball's have at least half of their union in common. A second find
+of the same ball is a wrong one. Balls smaller than --least pixels, balls of 400 pixels and more, and those of which less than
+half is seen are left out: they are not asked for, and finds of them are neither right nor wrong.
 """
 import argparse
 import json
@@ -19,7 +20,7 @@ import numpy as np
 import onnx
 from onnx import helper, numpy_helper
 
-WINDOW, BALL = 32, 16  # [px]
+WINDOW, BALL, LARGEST = 32, 16, 400  # [px]
 LAYERS = ((5, 2, 3, 16), (3, 2, 16, 32), (3, 1, 32, 32), (4, 1, 32, 4))  # size, stride, channels in and out
 
 
@@ -105,7 +106,7 @@ class Pictures:
             one = balls.get(image["id"])
             box = np.array(one["bbox_full"] or one["bbox"]) if one else None
             size = max(box[2:]) if one else 0
-            asked = bool(one) and min(box[2:]) >= least and one["area"] > 0.5 * np.pi / 4 * box[2] * box[3] and size < 400
+            asked = bool(one) and min(box[2:]) >= least and one["area"] > 0.5 * np.pi / 4 * box[2] * box[3] and size < LARGEST
             self.items.append((folder / image["file_name"], box, asked))
 
     def __len__(self):
@@ -220,7 +221,9 @@ def hard_negatives(network, pictures, least, most):
 
 
 def average_precision(network, pictures, least):
-    """Area under precision over recall, each precision the best at that recall or above; and the number of balls."""
+    """Area under precision over recall, each precision the best at that recall or above; recall; and the number of balls.
+
+    Without balls or finds both are 0."""
     finds, balls = [], 0
     for i in range(len(pictures)):
         picture, box, asked = pictures.read(i)
@@ -228,10 +231,12 @@ def average_precision(network, pictures, least):
         right = False
         for found, score in zip(*find(network, picture, least), strict=True):
             hit = box is not None and overlap(found, box) >= 0.5
-            if hit and (right or not asked):
+            if hit and not asked:
                 continue
+            finds.append((score, hit and not right))
             right = right or hit
-            finds.append((score, hit))
+    if not finds or not balls:
+        return 0.0, 0.0, balls
     finds.sort(reverse=True)
     hits = np.cumsum([hit for _, hit in finds])
     precision = np.maximum.accumulate((hits / np.arange(1, len(finds) + 1))[::-1])[::-1]

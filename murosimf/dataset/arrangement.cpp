@@ -1,6 +1,7 @@
 #include "murosimf/dataset/arrangement.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 
@@ -16,6 +17,27 @@ namespace {
 constexpr double camera_reach = 0.3;  // [m] free around a free camera
 constexpr double deg = pi / 180;
 
+/// One of the first `count` of what the bank has, by weights; the first one if none of these has a weight; nothing if there is none.
+std::optional<std::size_t> drawn_doing(const Postures& known, const std::array<double, 3>& weights, double draw,
+                                       std::size_t count) {
+  std::optional<std::size_t> first, drawn;
+  double sum = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (known[i].empty()) continue;
+    if (!first) first = i;
+    sum += weights[i];
+  }
+  if (sum == 0) return first;
+  double rest = draw * sum;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (known[i].empty() || weights[i] == 0) continue;
+    drawn = i;
+    if (rest < weights[i]) break;
+    rest -= weights[i];
+  }
+  return drawn;
+}
+
 class Arranger {
  public:
   Arranger(const Stage& stage, const Randomisation& r, const imaging::Lens& lens, std::uint64_t seed,
@@ -23,10 +45,11 @@ class Arranger {
       : stage_(stage), r_(r), lens_(lens), seed_(seed), number_(number), places_(stage.field()) {
     result_.frame = stage.at_start();
     result_.colors.resize(stage.world().entities().size());
+    result_.reach.resize(stage.world().entities().size());
   }
 
   Arrangement arrange() {
-    for (const Actor& actor : stage_.actors()) set_present(actor, actor.role == Actor::Role::body);
+    keep_bodies();
     place_camera();
     place_ball();
     place_robots();
@@ -45,7 +68,21 @@ class Arranger {
     return {result_.frame.position[row], result_.frame.orientation[row]};
   }
 
-  void set_base(const Actor& actor, const Vec3d& position, const Mat3d& orientation) {
+  /// Those of the scene stay where they are, with the ground that they take.
+  void keep_bodies() {
+    for (const Footprint& one : stage_.standing()) places_.take(one);
+    for (const Actor& actor : stage_.actors()) {
+      if (actor.role != Actor::Role::body) {
+        set_present(actor, false);
+      } else if (result_.frame.present[actor.place]) {
+        places_.take(result_.frame.position[first_row(actor)], actor.reach);
+        result_.reach[actor.place] = actor.reach;
+      }
+    }
+  }
+
+  void set_base(const Actor& actor, const Vec3d& position, const Mat3d& orientation, double reach) {
+    result_.reach[actor.place] = reach;
     result_.frame.position[first_row(actor)] = position;
     result_.frame.orientation[first_row(actor)] = orientation;
     set_present(actor, true);
@@ -60,30 +97,27 @@ class Arranger {
                              std::span(result_.frame.orientation).subspan(first, size));
   }
 
-  /// Null if there is none of what was drawn.
+  /// Null if it has none, or with `up` only those in which it lies.
   const Posture* posture(const Actor& robot, Dice& dice, bool up) const {
     const RobotRanges& ranges = r_.robots;
-    const double weights[]{ranges.standing, ranges.moving, up ? 0 : ranges.down};
-    double draw = dice.uniform() * (weights[0] + weights[1] + weights[2]);
-    const double which = dice.uniform();
-    std::size_t doing = 0;
-    while (doing < 2 && draw >= weights[doing]) draw -= weights[doing++];
-    const auto* some = &(*robot.postures)[doing];
-    if (some->empty()) some = &(*robot.postures)[0];
-    if (some->empty()) return nullptr;
-    return &(*some)[static_cast<std::size_t>(which * static_cast<double>(some->size()))];
+    const std::array weights{ranges.standing, ranges.moving, ranges.down};
+    const Postures& known = *robot.postures;
+    const double draw = dice.uniform(), which = dice.uniform();
+    const auto doing = drawn_doing(known, weights, draw, up ? 2 : 3);
+    if (!doing) return nullptr;
+    const std::vector<Posture>& some = known[*doing];
+    return &some[static_cast<std::size_t>(which * static_cast<double>(some.size()))];
   }
 
-  void put_robot(const Actor& robot, const Vec3d& place, Dice& dice, bool up) {
+  void put_robot(const Actor& robot, const Posture& posture, const Vec3d& place, Dice& dice) {
     const double heading = dice.in({-pi, pi});
-    const Posture* posture = this->posture(robot, dice, up);
-    if (!posture) return;
     const std::size_t first = first_row(robot);
-    std::ranges::copy(posture->joints, result_.frame.joint_position.begin() + static_cast<std::ptrdiff_t>(first));
+    MUROSIMF_ASSERT(first + posture.joints.size() == result_.frame.first[robot.place + 1]);
+    std::ranges::copy(posture.joints, result_.frame.joint_position.begin() + static_cast<std::ptrdiff_t>(first));
     for (const int joint : robot.entity->model().joints()) {
       result_.frame.joint_position[first + static_cast<std::size_t>(joint)] += dice.in(r_.robots.joint_jitter);
     }
-    set_base(robot, {place.x, place.y, posture->height}, rotation_z(heading) * posture->attitude);
+    set_base(robot, {place.x, place.y, posture.height}, rotation_z(heading) * posture.attitude, posture.reach);
   }
 
   /// A robot's own camera, or one anywhere that looks at a place on the field.
@@ -94,13 +128,9 @@ class Arranger {
       if (!actor.cameras.empty()) with_camera.push_back(&actor);
     }
     const bool of_robot = dice.chance(r_.camera.of_robot);
-    Transformd at;
-    if (of_robot && !with_camera.empty()) {
-      camera_robot_ = with_camera[dice.one_of(with_camera.size())];
-      at = own_camera(dice);
-    } else {
-      at = free_camera(dice);
-    }
+    std::optional<Transformd> own;
+    if (of_robot && !with_camera.empty()) own = own_camera(*with_camera[dice.one_of(with_camera.size())], dice);
+    Transformd at = own ? *own : free_camera(dice);
     const double pan = dice.in(r_.camera.pan_deg) * deg, tilt = dice.in(r_.camera.tilt_deg) * deg;
     at.orientation =
         at.orientation * rotation_z(pan) * rotation_y(tilt) * rotation_x(dice.in(r_.camera.roll_deg) * deg);
@@ -117,16 +147,19 @@ class Arranger {
     return axes * Vec3d{0, 0.5 * rate * std::sin(angle), rate * std::cos(angle)};
   }
 
-  Transformd own_camera(Dice& dice) {
-    const Actor& robot = *camera_robot_;
-    const Vec3d place = places_.on_field(dice, robot.reach).value_or(Vec3d{});
-    put_robot(robot, place, dice, true);
+  /// Nothing if the robot has no posture on its feet, or finds no place.
+  std::optional<Transformd> own_camera(const Actor& robot, Dice& dice) {
+    const Posture* posture = this->posture(robot, dice, true);
+    const auto place = posture ? places_.on_field(dice, posture->reach) : std::nullopt;
+    if (!place) return std::nullopt;
+    put_robot(robot, *posture, *place, dice);
+    camera_robot_ = &robot;
     const sensors::CameraFrame& camera = *robot.cameras[dice.one_of(robot.cameras.size())];
     const sensors::CameraInfo& info = *camera.info;
     result_.camera = robot.entity->name() + "." + info.name;
     const Transformd link = pose_of(robot, info.link);
-    return {link.position + link.orientation * info.position,
-            link.orientation * info.orientation * transpose(sensors::optical_axes)};
+    return Transformd{link.position + link.orientation * info.position,
+                      link.orientation * info.orientation * transpose(sensors::optical_axes)};
   }
 
   Transformd free_camera(Dice& dice) {
@@ -154,7 +187,7 @@ class Arranger {
     if (!place) return;
     const Mat3d turned =
         rotation_z(dice.in({-pi, pi})) * rotation_y(std::acos(dice.in({-1, 1}))) * rotation_z(dice.in({-pi, pi}));
-    set_base(*ball, {place->x, place->y, height}, turned);
+    set_base(*ball, {place->x, place->y, height}, turned, ball->reach);
   }
 
   void place_robots() {
@@ -162,12 +195,14 @@ class Arranger {
       if (actor.role != Actor::Role::robot || &actor == camera_robot_) continue;
       Dice dice = this->dice("robot/" + actor.entity->name());
       if (!dice.chance(r_.robots.present)) continue;
+      const Posture* posture = this->posture(actor, dice, false);
+      if (!posture) continue;
       std::optional<Vec3d> place;
       if (dice.chance(r_.robots.in_view)) {
-        place = places_.in_view(dice, actor.reach, looker_, r_.robots.distance, actor.height);
+        place = places_.in_view(dice, posture->reach, looker_, r_.robots.distance, posture->height);
       }
-      if (!place) place = places_.on_field(dice, actor.reach);
-      if (place) put_robot(actor, *place, dice, false);
+      if (!place) place = places_.on_field(dice, posture->reach);
+      if (place) put_robot(actor, *posture, *place, dice);
     }
   }
 
@@ -185,7 +220,7 @@ class Arranger {
       if (on_field && !place) place = places_.on_field(dice, actor.reach);
       if (!on_field) place = places_.around(dice, actor.reach, reach, looker);
       if (!on_field && !place) place = places_.around(dice, actor.reach, reach, nullptr);
-      if (place) set_base(actor, {place->x, place->y, actor.height}, rotation_z(heading));
+      if (place) set_base(actor, {place->x, place->y, actor.height}, rotation_z(heading), actor.reach);
     }
   }
 

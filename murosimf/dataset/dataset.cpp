@@ -1,8 +1,11 @@
 #include "murosimf/dataset/dataset.h"
 
+#include <algorithm>
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <string>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -20,34 +23,47 @@
 namespace murosimf::dataset {
 namespace {
 
-/// Painters take one picture after the other, each in a thread of its own.
+/// Painters take one missing picture after the other, each in a thread of its own.
 class Crew {
  public:
-  Crew(const Request& request, const Folder& folder) : request_(request), folder_(folder) {}
+  Crew(const Request& request, const Folder& folder)
+      : request_(request),
+        missing_(folder.missing(request.pictures)),
+        outcome_{.drawn = 0, .already = request.pictures - missing_.size(), .complete = missing_.empty()} {}
+
+  [[nodiscard]] bool is_told_to_stop() const { return request_.options.stop && request_.options.stop(); }
 
   void work(std::vector<Painter>& painters) {
-    std::vector<std::thread> threads;
-    for (std::size_t i = 1; i < painters.size(); ++i) threads.emplace_back([&, i] { paint(painters[i]); });
-    paint(painters[0]);
-    for (std::thread& thread : threads) thread.join();
+    {
+      std::vector<std::jthread> threads;  // join when they go
+      start(painters, threads);
+      paint(painters[0]);
+    }
     if (error_) std::rethrow_exception(error_);
+    outcome_.complete = outcome_.drawn == missing_.size();
   }
-  [[nodiscard]] Outcome outcome() const { return {drawn_, there_ - drawn_, there_ == request_.pictures}; }
+  [[nodiscard]] const Outcome& outcome() const { return outcome_; }
 
  private:
-  [[nodiscard]] bool ends() const { return failed_ || (request_.options.stop && request_.options.stop()); }
+  /// Where the system has no more threads, fewer make the same pictures.
+  void start(std::vector<Painter>& painters, std::vector<std::jthread>& threads) {
+    threads.reserve(painters.size());
+    try {
+      for (std::size_t i = 1; i < painters.size(); ++i) threads.emplace_back([&, i] { paint(painters[i]); });
+    } catch (const std::system_error&) {
+      return;
+    }
+  }
 
   void paint(Painter& painter) {
     try {
-      while (!ends()) {
-        const std::uint64_t picture = next_++;
-        if (picture >= request_.pictures) return;
-        const bool already = folder_.has(picture);
-        if (!already) painter.paint(picture);
+      while (!failed_ && !is_told_to_stop()) {
+        const std::size_t next = next_++;
+        if (next >= missing_.size()) return;
+        painter.paint(missing_[next]);
         const std::lock_guard lock(mutex_);
-        ++there_;
-        if (!already) ++drawn_;
-        if (request_.progress) request_.progress(there_);
+        ++outcome_.drawn;
+        if (request_.progress) request_.progress(outcome_.already + outcome_.drawn);
       }
     } catch (...) {
       const std::lock_guard lock(mutex_);
@@ -57,17 +73,36 @@ class Crew {
   }
 
   const Request& request_;
-  const Folder& folder_;
-  std::atomic<std::uint64_t> next_ = 0;
+  const std::vector<std::uint64_t> missing_;
+  std::atomic<std::size_t> next_ = 0;  // of these
   std::atomic<bool> failed_ = false;
   std::mutex mutex_;  // of these
-  std::uint64_t there_ = 0, drawn_ = 0;
+  Outcome outcome_;
   std::exception_ptr error_;
 };
 
 /// What says something about the light of the scene does not count: each picture has its own.
 std::unique_ptr<render::Renderer> make_renderer(const Stage& stage) {
   return scene::make_renderer(stage.scene(), stage.scene().spec().light);
+}
+
+std::vector<Painter> painters_of(const Studio& studio, int count, std::string& drawn_by) {
+  std::vector<Painter> painters;
+  for (int i = 0; i < std::max(count, 1); ++i) {
+    auto renderer = make_renderer(*studio.stage);
+    drawn_by = renderer->name();
+    painters.emplace_back(studio, std::move(renderer));
+  }
+  return painters;
+}
+
+/// The manifest first: a folder with anything else in it is continued only by what it says.
+void prepare(const Folder& folder, const Request& request, const nlohmann::json& manifest) {
+  check_continued(folder.root(), manifest);
+  folder.make_root();
+  folder.remove_parts();
+  folder.replace(manifest_name, files::json_text(manifest));
+  folder.make(request.normals);
 }
 
 }  // namespace
@@ -80,29 +115,21 @@ Outcome write_dataset(const Request& request) {
   const std::uint64_t seed = stage.scene().spec().seed;
   const Folder folder(request.folder, randomisation.picture.format == "jpeg" ? "jpg" : "png",
                       randomisation.picture.validation, seed);
+  Crew crew(request, folder);
+  // postures may be missing then
+  if (crew.is_told_to_stop()) return {.drawn = 0, .already = crew.outcome().already, .complete = false};
   const Studio studio{.stage = &stage,
                       .randomisation = &randomisation,
                       .folder = &folder,
                       .lenses = random_lenses(randomisation.lens, request.width, request.height, seed),
                       .seed = seed,
                       .normals = request.normals};
-  std::vector<Painter> painters;
   std::string drawn_by;
-  for (int i = 0; i < request.options.threads; ++i) {
-    auto renderer = make_renderer(stage);
-    drawn_by = renderer->name();
-    painters.emplace_back(studio, std::move(renderer));
-  }
-  const nlohmann::json manifest = manifest_of(request, randomisation, stage, drawn_by);
-  check_continued(request.folder, manifest);
-  folder.make(request.normals);
-  folder.remove_parts();
-  folder.replace(manifest_name, files::json_text(manifest));
-  Crew crew(request, folder);
+  std::vector<Painter> painters = painters_of(studio, request.options.threads, drawn_by);
+  prepare(folder, request, manifest_of(request, randomisation, stage, drawn_by));
   crew.work(painters);
-  const Outcome outcome = crew.outcome();
-  if (outcome.complete) write_summary(folder, stage.categories(), request.pictures);
-  return outcome;
+  if (crew.outcome().complete) write_summary(folder, stage.categories(), request.pictures);
+  return crew.outcome();
 }
 
 }  // namespace murosimf::dataset

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace murosimf::dataset {
 
@@ -20,10 +21,12 @@ class Folder {
       : root_(std::move(root)), extension_(std::move(extension)), validation_(validation), seed_(seed) {}
 
   [[nodiscard]] const std::filesystem::path& root() const { return root_; }
-  /// Makes the folders that are missing. Throws SetupError: cannot make 'folder': reason.
+  // Make what is missing: the root, which gets its manifest first; then all others. Throw SetupError: cannot make 'folder': reason.
+  void make_root() const;
   void make(bool normals) const;
 
-  /// Removes half-written files of a call that was killed.
+  /// Removes half-written files of a call that was killed, of the names that files::PartFile gives them, as far as that is possible. Other
+  /// folders are left alone.
   void remove_parts() const;
 
   /// "train" or "val".
@@ -35,7 +38,8 @@ class Folder {
   [[nodiscard]] static std::string layer(const char* kind, std::uint64_t picture);
   [[nodiscard]] static std::string frame(std::uint64_t picture);
 
-  [[nodiscard]] bool has(std::uint64_t picture) const { return std::filesystem::exists(root_ / frame(picture)); }
+  /// Those of the first `pictures` that are not complete.
+  [[nodiscard]] std::vector<std::uint64_t> missing(std::uint64_t pictures) const;
   /// Throws SetupError.
   void write(const std::string& name, const std::string& bytes) const;
   /// The same for a file that this command has read.

@@ -14,7 +14,8 @@ constexpr const char* manifest_name = "manifest.json";
 [[nodiscard]] nlohmann::json manifest_of(const Request& request, const Randomisation& randomisation, const Stage& stage,
                                          const std::string& drawn_by);
 
-/// An empty folder, none, or one with a manifest: before anything is computed. Throws SetupError for all others.
+/// An empty folder, none, or one with a manifest: before anything is computed. Halves of a manifest, which a call that was killed leaves,
+/// do not count. Throws SetupError for all others.
 void check_folder(const std::filesystem::path& folder);
 
 /// Throws SetupError with the first key that differs from what the folder has, or if that has more pictures; without a manifest there

@@ -25,11 +25,14 @@ void add_bytes(png_structp png, png_bytep data, std::size_t size) {
   static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(data), size);
 }
 
+/// Without it libpng takes its own, which is of a file.
+void flush_nothing(png_structp /*png*/) {}
+
 /// False if libpng fails, which it reports by a jump: nothing here may need to be destroyed.
 bool write_png(png_structp png, png_infop info, png_uint_32 width, png_uint_32 height, const Format& format,
                png_bytepp rows, std::string* into) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
-  png_set_write_fn(png, into, add_bytes, nullptr);
+  png_set_write_fn(png, into, add_bytes, flush_nothing);
   png_set_compression_level(png, compression);
   png_set_filter(png, 0, format.type == PNG_COLOR_TYPE_RGB ? PNG_FILTER_SUB : PNG_FILTER_NONE);
   png_set_IHDR(png, info, width, height, format.bits, format.type, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
@@ -106,7 +109,8 @@ std::string jpeg_bytes(const imaging::ColorImage& image, int quality) {
   std::string bytes;
   if (written) bytes.assign(reinterpret_cast<const char*>(data), size);
   jpeg_destroy_compress(&jpeg);
-  std::free(data);  // libjpeg has allocated it so
+  // libjpeg has allocated it so; it updates the pointer at the end only, so after a failure it may be of memory that is freed
+  if (written) std::free(data);
   if (!written) throw SetupError("cannot write a picture: libjpeg gave up");
   return bytes;
 }

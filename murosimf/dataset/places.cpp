@@ -23,6 +23,7 @@ bool Places::is_free(const Vec3d& place, double radius) const {
   const bool in_goal = beyond > -radius && beyond < field_->goal_depth + radius &&
                        std::abs(place.y) < 0.5 * field_->goal_width + field_->post_width + radius;
   if (in_goal) return false;
+  if (std::ranges::any_of(blocked_, [&](const Footprint& one) { return one.distance(place) < radius; })) return false;
   return std::ranges::none_of(taken_, [&](const Disc& other) {
     return std::hypot(place.x - other.place.x, place.y - other.place.y) < radius + other.radius;
   });

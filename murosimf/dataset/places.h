@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "murosimf/dataset/dice.h"
+#include "murosimf/dataset/ground_reach.h"
 #include "murosimf/imaging/lens.h"
 #include "murosimf/math/mat3.h"
 #include "murosimf/scene_file/field.h"
@@ -31,6 +32,7 @@ class Places {
   /// Around the field, up to `reach` [m] beyond its lines; `looker`, if given, must see it.
   [[nodiscard]] std::optional<Vec3d> around(Dice& dice, double radius, double reach, const Looker* looker);
   void take(const Vec3d& place, double radius) { taken_.push_back({place, radius}); }
+  void take(const Footprint& footprint) { blocked_.push_back(footprint); }
 
  private:
   struct Disc {
@@ -41,6 +43,7 @@ class Places {
 
   const scene_file::FieldSize* field_;
   std::vector<Disc> taken_;
+  std::vector<Footprint> blocked_;
 };
 
 }  // namespace murosimf::dataset

@@ -1,8 +1,12 @@
 #include "murosimf/dataset/posture_bank.h"
 
+#include <span>
+
 #include <fmt/format.h>
 
+#include "murosimf/dataset/ground_reach.h"
 #include "murosimf/math/assert.h"
+#include "murosimf/math/hash.h"
 #include "murosimf/math/scalar.h"
 #include "murosimf/model/error.h"
 
@@ -13,14 +17,31 @@ constexpr auto between_records = std::chrono::milliseconds(50);
 constexpr double get_up_time = 4;  // [s]
 constexpr double upright = 0.8;    // [1] cosine of the base's tilt
 
-/// Robots of one file are of one kind.
-std::string kind_of(const scene_file::RobotSpec& robot) { return fmt::format("{} {}", robot.model, robot.body); }
+/// Robots of one file, read with the same arguments, are of one kind: they have the same joints.
+std::string kind_of(const scene_file::RobotSpec& robot) {
+  std::string kind = fmt::format("{}\n{}", robot.model, robot.body);
+  for (const auto& [name, value] : robot.xacro) kind += fmt::format("\n{}:={}", name, value);
+  return kind;
+}
 
-Posture posture_of(const PoseFrame& frame, std::size_t first, std::size_t end) {
+Posture posture_of(const Model& model, const PoseFrame& frame, std::size_t first) {
+  const auto size = static_cast<std::size_t>(model.size());
   const Mat3d& R = frame.orientation[first];
-  Posture posture{frame.position[first].z, rotation_z(-heading(R)) * R, {}};
-  for (std::size_t i = first; i < end; ++i) posture.joints.push_back(frame.joint_position[i]);
+  Posture posture{.height = frame.position[first].z, .attitude = rotation_z(-heading(R)) * R};
+  posture.reach = ground_reach(model, std::span(frame.position).subspan(first, size),
+                               std::span(frame.orientation).subspan(first, size));
+  const auto joints = std::span(frame.joint_position).subspan(first, size);
+  posture.joints.assign(joints.begin(), joints.end());
   return posture;
+}
+
+void add(Hasher& hasher, const Posture& posture) {
+  hasher.add(posture.height);
+  hasher.add(posture.reach);
+  for (const Vec3d& axis : {posture.attitude.x, posture.attitude.y, posture.attitude.z}) {
+    for (const double number : {axis.x, axis.y, axis.z}) hasher.add(number);
+  }
+  for (const double joint : posture.joints) hasher.add(joint);
 }
 
 Doing doing_of(const Posture& posture, bool at_start) {
@@ -74,6 +95,17 @@ PostureBank::PostureBank(const scene_file::SceneSpec& spec, const scene::SceneOp
 
 const Postures& PostureBank::of(const scene_file::RobotSpec& robot) const { return kinds_.at(kind_of(robot)); }
 
+std::uint64_t PostureBank::hash() const {
+  Hasher hasher;
+  for (const auto& [kind, postures] : kinds_) {
+    for (const std::vector<Posture>& some : postures) {
+      hasher.add(std::uint64_t{some.size()});
+      for (const Posture& posture : some) add(hasher, posture);
+    }
+  }
+  return hasher.value();
+}
+
 /// The first motion that fits the robot; one that none fits is only seen on its feet.
 void PostureBank::record_get_up(const scene_file::SceneSpec& spec, const scene_file::RobotSpec& robot,
                                 const scene::SceneOptions& options) {
@@ -105,7 +137,8 @@ void PostureBank::record(scene::Scene& scene, double seconds, bool only_down) {
       const auto place = static_cast<std::size_t>(
           std::ranges::find(entities, robot, [](const auto& one) { return one.get(); }) - entities.begin());
       MUROSIMF_ASSERT(place + 1 < frame.first.size());
-      Posture posture = posture_of(frame, frame.first[place], frame.first[place + 1]);
+      MUROSIMF_ASSERT(frame.first[place] + static_cast<std::size_t>(robot->model().size()) == frame.first[place + 1]);
+      Posture posture = posture_of(robot->model(), frame, frame.first[place]);
       const Doing doing = doing_of(posture, at_start);
       if (only_down && doing != Doing::down) continue;
       kinds_[kind_of(robots[i])][static_cast<std::size_t>(doing)].push_back(std::move(posture));

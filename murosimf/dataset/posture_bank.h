@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -13,6 +14,7 @@ namespace murosimf::dataset {
 /// How a robot stands or lies on the ground, without place and heading.
 struct Posture {
   double height = 0;           ///< [m] of the base
+  double reach = 0;            ///< [m] radius about its base that it takes on the ground (ground_reach.h)
   Mat3d attitude;              ///< base axes to level axes whose x points where the base's x points from above
   std::vector<double> joints;  ///< [rad | m] by object of the model
 };
@@ -29,6 +31,8 @@ class PostureBank {
   PostureBank(const scene_file::SceneSpec& spec, const scene::SceneOptions& options, double seconds);
 
   [[nodiscard]] const Postures& of(const scene_file::RobotSpec& robot) const;
+  /// Of all postures, bit for bit: it tells another motion, controller or model.
+  [[nodiscard]] std::uint64_t hash() const;
 
  private:
   void record(scene::Scene& scene, double seconds, bool only_down);

@@ -1,6 +1,8 @@
 #include "murosimf/dataset/randomisation.h"
 
 #include <algorithm>
+#include <cmath>
+#include <initializer_list>
 #include <variant>
 
 #include "murosimf/files/data_path.h"
@@ -17,6 +19,7 @@ struct Key {
   std::string_view name;
   std::variant<double*, Range*, std::string*, std::vector<std::string>*, std::vector<Color>*> to;
   double lowest = 0, highest = 1;
+  bool whole = false;  ///< no fractions
 };
 struct Section {
   std::string_view name;
@@ -27,9 +30,9 @@ std::vector<Section> look_sections(Randomisation& r) {
   return {{"picture",
            {{"format", &r.picture.format},
             {"jpeg_quality", &r.picture.jpeg_quality, 1, 100},
-            {"samples", &r.picture.samples, 1, 8},
+            {"samples", &r.picture.samples, 1, 8, true},
             {"validation", &r.picture.validation},
-            {"least_pixels", &r.picture.least_pixels, 1, 1e6}}},
+            {"least_pixels", &r.picture.least_pixels, 1, 1e6, true}}},
           {"light",
            {{"presets", &r.light.presets},
             {"brightness", &r.light.brightness, 0, 100},
@@ -79,13 +82,16 @@ std::vector<Section> place_sections(Randomisation& r) {
             {"team_colors", &r.robots.team_colors},
             {"recorded", &r.robots.recorded, 0, 1e4}}},
           {"people",
-           {{"count", &r.people.count, 0, 1000},
+           {{"count", &r.people.count, 0, 1000, true},
             {"present", &r.people.present},
             {"on_field", &r.people.on_field},
             {"in_view", &r.people.in_view},
-            {"things", &r.people.things, 0, 1000},
-            {"thing_present", &r.people.thing_present}}},
-          {"camera",
+            {"things", &r.people.things, 0, 1000, true},
+            {"thing_present", &r.people.thing_present}}}};
+}
+
+std::vector<Section> camera_sections(Randomisation& r) {
+  return {{"camera",
            {{"of_robot", &r.camera.of_robot},
             {"pan_deg", &r.camera.pan_deg, -180, 180},
             {"tilt_deg", &r.camera.tilt_deg, -90, 90},
@@ -93,7 +99,7 @@ std::vector<Section> place_sections(Randomisation& r) {
             {"height", &r.camera.height, 0.05, 100},
             {"margin", &r.camera.margin, 0, 100}}},
           {"lens",
-           {{"count", &r.lens.count, 1, 1000},
+           {{"count", &r.lens.count, 1, 1000, true},
             {"perspective", &r.lens.perspective, 0, 1e3},
             {"plumb_bob", &r.lens.plumb_bob, 0, 1e3},
             {"equidistant", &r.lens.equidistant, 0, 1e3},
@@ -112,8 +118,10 @@ struct Reader {
     throw SetupError(fmt::format("{}: '{}' {}", table.where(key.name), key.name, message));
   }
   void check(double number) const {
-    if (number >= key.lowest && number <= key.highest) return;
-    refuse(fmt::format("is {:g}: must be {:g} to {:g}", number, key.lowest, key.highest));
+    if (!(number >= key.lowest && number <= key.highest)) {
+      refuse(fmt::format("is {:g}: must be {:g} to {:g}", number, key.lowest, key.highest));
+    }
+    if (key.whole && number != std::floor(number)) refuse(fmt::format("is {:g}: must be a whole number", number));
   }
   void operator()(double* to) const {
     table.read(key.name, *to);
@@ -156,29 +164,73 @@ void read_section(const toml::table& node, const Section& section) {
   }
 }
 
-void check_names(const std::string& file, const Randomisation& r) {
-  if (r.picture.format != "png" && r.picture.format != "jpeg") {
-    throw SetupError(
-        fmt::format("{}: [picture] format: {}", file, unknown_name("format", r.picture.format, {"png", "jpeg"})));
+/// Checks of several keys of one section, or of names. Defaults pass all of them: what is refused was set by the file.
+class Checker {
+ public:
+  Checker(const toml::table& document, const Randomisation& randomisation) : document_(document), r_(randomisation) {}
+
+  void check() const {
+    check_picture();
+    check_presets();
+    check_weights("robots", {{"standing", r_.robots.standing}, {"moving", r_.robots.moving}, {"down", r_.robots.down}});
+    check_weights("lens", {{"perspective", r_.lens.perspective},
+                           {"plumb_bob", r_.lens.plumb_bob},
+                           {"equidistant", r_.lens.equidistant}});
+    if (r_.lens.perspective + r_.lens.plumb_bob > 0 && r_.lens.fov_deg.high > 150) {
+      refuse(node("lens", "fov_deg"), "'fov_deg' above 150: only an equidistant lens sees that");
+    }
   }
-  if (const double n = r.picture.samples; n != 1 && n != 2 && n != 4 && n != 8) {
-    throw SetupError(fmt::format("{}: [picture] samples {:g}: must be 1, 2, 4 or 8", file, n));
-  }
-  std::vector<std::string_view> lights;
-  for (const render::NamedLight& light : render::lights()) lights.push_back(light.name);
-  for (const std::string& name : r.light.presets) {
-    if (std::ranges::find(lights, name) != lights.end()) continue;
-    throw SetupError(fmt::format("{}: [light] presets: {}", file, unknown_name("light", name, lights)));
-  }
-  const auto none = [&](std::string_view what, double sum) {
-    if (!(sum > 0)) throw SetupError(fmt::format("{}: {}: all weights are 0", file, what));
+
+ private:
+  struct Weight {
+    std::string_view name;
+    double value;
   };
-  none("[robots] standing, moving, down", r.robots.standing + r.robots.moving + r.robots.down);
-  none("[lens] perspective, plumb_bob, equidistant", r.lens.perspective + r.lens.plumb_bob + r.lens.equidistant);
-  if (r.lens.perspective + r.lens.plumb_bob > 0 && r.lens.fov_deg.high > 150) {
-    throw SetupError(fmt::format("{}: [lens] fov_deg: above 150 only an equidistant lens sees", file));
+
+  /// Null if the file does not set it.
+  [[nodiscard]] const toml::node* node(std::string_view section, std::string_view key) const {
+    const toml::table* table = document_[section].as_table();
+    return table ? table->get(key) : nullptr;
   }
-}
+  [[noreturn]] void refuse(const toml::node* at, const std::string& message) const {
+    files::fail_at(at ? at->source() : document_.source(), message);
+  }
+
+  void check_picture() const {
+    const std::string& format = r_.picture.format;
+    if (format != "png" && format != "jpeg")
+      refuse(node("picture", "format"), unknown_name("format", format, {"png", "jpeg"}));
+    const double n = r_.picture.samples;
+    if (n != 1 && n != 2 && n != 4 && n != 8)
+      refuse(node("picture", "samples"), fmt::format("'samples' is {:g}: must be 1, 2, 4 or 8", n));
+  }
+
+  void check_presets() const {
+    std::vector<std::string_view> lights;
+    for (const render::NamedLight& light : render::lights()) lights.push_back(light.name);
+    for (std::size_t i = 0; i < r_.light.presets.size(); ++i) {
+      const std::string& name = r_.light.presets[i];
+      if (std::ranges::find(lights, name) != lights.end()) continue;
+      const toml::node* list = node("light", "presets");
+      refuse(list && list->is_array() ? list->as_array()->get(i) : list, unknown_name("light", name, lights));
+    }
+  }
+
+  /// Reported at the first of them that the file sets.
+  void check_weights(std::string_view section, std::initializer_list<Weight> weights) const {
+    std::string names;
+    const toml::node* first = nullptr;
+    for (const Weight& one : weights) {
+      if (one.value > 0) return;
+      names += fmt::format("{}{}", names.empty() ? "" : ", ", one.name);
+      if (!first) first = node(section, one.name);
+    }
+    refuse(first, fmt::format("{}: all weights are 0", names));
+  }
+
+  const toml::table& document_;
+  const Randomisation& r_;
+};
 
 }  // namespace
 
@@ -188,13 +240,14 @@ Randomisation read_randomisation(const std::filesystem::path& name) {
   Randomisation result;
   std::vector<Section> sections = look_sections(result);
   for (Section& section : place_sections(result)) sections.push_back(std::move(section));
+  for (Section& section : camera_sections(result)) sections.push_back(std::move(section));
   std::vector<std::string_view> names;
   for (const Section& section : sections) names.push_back(section.name);
   const files::TomlTable table(document, names);
   for (const Section& section : sections) {
     if (const toml::table* inside = table.table(section.name)) read_section(*inside, section);
   }
-  check_names(file.string(), result);
+  Checker(document, result).check();
   result.text = files::read_input_file(file, files::most_toml_bytes);
   return result;
 }

@@ -107,7 +107,7 @@ struct Randomisation {
 };
 
 /// `name`: a file, or the name of one that comes with the program ("soccer"). Throws SetupError with file:line:column: no such file, an
-/// unknown section or key, a number out of its bounds.
+/// unknown section, key or name, a number out of its bounds, a fraction where a count is meant, weights that are all 0.
 [[nodiscard]] Randomisation read_randomisation(const std::filesystem::path& name);
 
 }  // namespace murosimf::dataset

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "murosimf/scene/scene_options.h"
 
@@ -17,8 +18,9 @@ struct Request {
   std::uint64_t pictures = 0;
   int width = 640, height = 480;  ///< [px]
   bool normals = false;
-  scene::SceneOptions options{};  ///< `threads` draw at the same time; `stop` ends it early
-  std::string version;            ///< of the program: another one may draw other pixels
+  scene::SceneOptions options{};       ///< `threads` draw at the same time; `stop` ends it early
+  std::vector<std::string> plugins{};  ///< files that are loaded: they may move robots otherwise
+  std::string version;                 ///< of the program: another one may draw other pixels
   /// Called by one thread at a time with the number of pictures that are there.
   std::function<void(std::uint64_t)> progress{};
 };

@@ -1,7 +1,9 @@
 #include "murosimf/dataset/stage.h"
 
 #include <algorithm>
-#include <map>
+#include <array>
+#include <span>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -14,9 +16,8 @@
 namespace murosimf::dataset {
 namespace {
 
-constexpr double aside = 100;                             // [m] where people and things wait
-constexpr double crowding = 4;                            // [m] between them there
-constexpr double robot_reach = 0.3, person_reach = 0.35;  // [m]
+constexpr double aside = 100;   // [m] where people and things wait
+constexpr double crowding = 4;  // [m] between them there
 
 const std::array person_models{"person", "person_striding"};
 
@@ -66,6 +67,29 @@ scene_file::SceneSpec read(const std::filesystem::path& name, const scene::Scene
   return spec;
 }
 
+/// Name of the model, and names of keypoints: models of two files, or of one with other arguments, may share either.
+using RobotClass = std::pair<std::string, std::vector<std::string>>;
+
+std::vector<std::string> robot_points(const Model& model) {
+  std::vector<std::string> names{model.objects()[0].name};
+  for (const int joint : model.joints()) names.push_back(model.objects()[static_cast<std::size_t>(joint)].name);
+  names.emplace_back("front");
+  return names;
+}
+
+/// "robot" of one alone; else "robot_kid21", and "robot_kid21_2" where the model's name is taken.
+std::vector<std::string> names_of(const std::vector<RobotClass>& kinds) {
+  if (kinds.size() == 1) return {"robot"};
+  std::vector<std::string> names;
+  for (const RobotClass& kind : kinds) {
+    const std::string whole = "robot_" + kind.first;
+    std::string name = whole;
+    for (int next = 2; std::ranges::find(names, name) != names.end(); ++next) name = fmt::format("{}_{}", whole, next);
+    names.push_back(name);
+  }
+  return names;
+}
+
 bool begins(const std::string& name, std::string_view word) { return name.starts_with(word); }
 
 }  // namespace
@@ -86,6 +110,7 @@ Stage::Stage(const std::filesystem::path& name, const scene::SceneOptions& optio
   field_ = &scene_file::field_size(spec.field.size);
   crossings_ = crossings_of(*markings_, *field_);
   if (spec.field.goals) goals_ = {goal_points(*field_, -1), goal_points(*field_, 1)};
+  add_standing();
   add_actors();
   name_categories();
 }
@@ -95,6 +120,25 @@ void Stage::add_actors() {
   for (std::size_t i = 0; i < moving.size(); ++i) actors_.push_back(actor_of(*moving[i], i));
 }
 
+/// Uneven ground is what all stands on.
+void Stage::add_standing() {
+  for (const scene_file::BodySpec& body : scene_->spec().bodies) {
+    if (!body.is_static || !body.shape) continue;
+    standing_.push_back(footprint_of(*body.shape, {body.position, attitude_of(body)}));
+  }
+}
+
+void Stage::complete_robot(Actor& robot, const scene_file::RobotSpec& spec) const {
+  const auto& teams = scene_->spec().teams;
+  robot.role = Actor::Role::robot;
+  robot.category = class_robot;
+  robot.reach = 0;
+  robot.postures = &postures_->of(spec);
+  const auto team = std::ranges::find(teams, spec.team, &scene_file::TeamSpec::name);
+  if (team != teams.end()) robot.team = static_cast<int>(team - teams.begin());
+  robot.cameras = sensors::frames_of(*robot.entity);
+}
+
 Actor Stage::actor_of(const Entity& entity, std::size_t number) const {
   const scene::SceneParts& parts = scene_->parts();
   const auto& entities = world().entities();
@@ -102,34 +146,27 @@ Actor Stage::actor_of(const Entity& entity, std::size_t number) const {
   actor.place = static_cast<std::size_t>(
       std::ranges::find(entities, &entity, [](const auto& one) { return one.get(); }) - entities.begin());
   actor.label = static_cast<std::uint16_t>(sensors::label_moving_entity + number);
-  const std::size_t first = at_start_.first[actor.place];
+  const std::size_t first = at_start_.first[actor.place], size = at_start_.first[actor.place + 1] - first;
   actor.height = at_start_.position[first].z;
-  actor.reach = robot_reach;
+  actor.reach = ground_reach(entity.model(), std::span(at_start_.position).subspan(first, size),
+                             std::span(at_start_.orientation).subspan(first, size));
   if (&entity == parts.ball) {
     actor.role = Actor::Role::ball;
     actor.category = class_ball;
     actor.height = actor.reach = parts.spec.ball->radius;
   }
   const auto robot = std::ranges::find(parts.robots, &entity);
-  if (robot != parts.robots.end()) {
-    const auto& spec = parts.spec.robots[static_cast<std::size_t>(robot - parts.robots.begin())];
-    actor.role = Actor::Role::robot;
-    actor.category = class_robot;
-    actor.postures = &postures_->of(spec);
-    const auto team = std::ranges::find(parts.spec.teams, spec.team, &scene_file::TeamSpec::name);
-    if (team != parts.spec.teams.end()) actor.team = static_cast<int>(team - parts.spec.teams.begin());
-    actor.cameras = sensors::frames_of(entity);
-  }
+  if (robot != parts.robots.end())
+    complete_robot(actor, parts.spec.robots[static_cast<std::size_t>(robot - parts.robots.begin())]);
   if (actor.role != Actor::Role::body) return actor;
   if (at_start_.position[first].x < 0.5 * aside) return actor;  // of the scene itself: it stays where it is
   const bool is_person = begins(entity.name(), "person");
   actor.role = is_person ? Actor::Role::person : Actor::Role::thing;
   actor.category = is_person ? class_person : class_thing;
-  actor.reach = is_person ? person_reach : 0.45;
   return actor;
 }
 
-/// Robots of one model are "robot", of several each model its own class.
+/// Robots of one kind are "robot", of several each kind its own class.
 void Stage::name_categories() {
   std::vector<std::string> crossings;
   for (const FieldPoint& point : crossings_) crossings.push_back(point.name);
@@ -138,26 +175,19 @@ void Stage::name_categories() {
                  {class_person, "person", {}},
                  {class_thing, "thing", {}},
                  {class_ground, "ground", crossings}};
-  std::map<const Model*, std::uint16_t> numbers;
-  const auto robots = [this] {
-    std::vector<Actor*> all;
-    for (Actor& actor : actors_) {
-      if (actor.role == Actor::Role::robot) all.push_back(&actor);
-    }
-    return all;
-  }();
-  for (Actor* robot : robots) {
-    const Model& model = robot->entity->model();
-    const auto next = static_cast<std::uint16_t>(numbers.empty() ? +class_robot : class_next + numbers.size() - 1);
-    robot->category = numbers.try_emplace(&model, next).first->second;
+  std::vector<RobotClass> kinds;
+  for (Actor& actor : actors_) {
+    if (actor.role != Actor::Role::robot) continue;
+    const RobotClass kind{actor.entity->model().name(), robot_points(actor.entity->model())};
+    const auto known = std::ranges::find(kinds, kind);
+    const auto number = static_cast<std::size_t>(known - kinds.begin());
+    if (known == kinds.end()) kinds.push_back(kind);
+    actor.category = static_cast<std::uint16_t>(number == 0 ? +class_robot : class_next + number - 1);
   }
-  for (const auto& [model, number] : numbers) {
-    Category category{number, numbers.size() == 1 ? "robot" : "robot_" + model->name(), {model->objects()[0].name}};
-    for (const int joint : model->joints()) {
-      category.keypoints.push_back(model->objects()[static_cast<std::size_t>(joint)].name);
-    }
-    category.keypoints.emplace_back("front");
-    categories_.push_back(std::move(category));
+  const std::vector<std::string> names = names_of(kinds);
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    const auto number = static_cast<std::uint16_t>(i == 0 ? +class_robot : class_next + i - 1);
+    categories_.push_back({number, names[i], kinds[i].second});
   }
   std::ranges::sort(categories_, {}, &Category::number);
 }

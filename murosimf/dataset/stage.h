@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "murosimf/dataset/field_points.h"
+#include "murosimf/dataset/ground_reach.h"
 #include "murosimf/dataset/posture_bank.h"
 #include "murosimf/dataset/randomisation.h"
 #include "murosimf/runtime/pose_frame.h"
@@ -42,7 +43,7 @@ struct Actor {
   Role role = Role::body;
   std::uint16_t category = class_thing;
   double height = 0;                   ///< [m] of the base when it stands on the ground; of a ball its radius
-  double reach = 0;                    ///< [m] radius that it takes on the ground
+  double reach = 0;                    ///< [m] radius that it takes on the ground; of a robot its Posture has it
   const Postures* postures = nullptr;  ///< of a robot
   int team = -1;                       ///< of a robot: number in the scene's teams
   std::vector<const sensors::CameraFrame*> cameras;  ///< that it carries
@@ -60,12 +61,17 @@ class Stage {
   [[nodiscard]] const PoseFrame& at_start() const { return at_start_; }
   [[nodiscard]] const std::vector<FieldPoint>& crossings() const { return crossings_; }
   [[nodiscard]] const std::vector<GoalPoints>& goals() const { return goals_; }
+  /// Ground that static bodies of the scene take.
+  [[nodiscard]] const std::vector<Footprint>& standing() const { return standing_; }
+  [[nodiscard]] const PostureBank& postures() const { return *postures_; }
   [[nodiscard]] const Markings& markings() const { return *markings_; }
   [[nodiscard]] const scene_file::FieldSize& field() const { return *field_; }
 
  private:
+  void add_standing();
   void add_actors();
   [[nodiscard]] Actor actor_of(const Entity& entity, std::size_t number) const;
+  void complete_robot(Actor& robot, const scene_file::RobotSpec& spec) const;
   void name_categories();
 
   std::unique_ptr<PostureBank> postures_;
@@ -77,6 +83,7 @@ class Stage {
   const scene_file::FieldSize* field_ = nullptr;
   std::vector<FieldPoint> crossings_;
   std::vector<GoalPoints> goals_;
+  std::vector<Footprint> standing_;
 };
 
 }  // namespace murosimf::dataset

@@ -1,9 +1,12 @@
 #include "murosimf/dataset/summary.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "murosimf/files/input_file.h"
+#include "murosimf/files/xml_element.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::dataset {
@@ -51,12 +54,21 @@ class CocoText {
   std::uint64_t annotations_ = 0;
 };
 
+bool is_frame(const json& frame) {
+  if (!frame.is_object() || !frame.contains("image") || !frame.contains("annotations")) return false;
+  const json &image = frame["image"], &annotations = frame["annotations"];
+  if (!image.is_object() || !annotations.is_array()) return false;
+  if (!image.contains("id") || !image["id"].is_number_unsigned()) return false;
+  if (!image.contains("part") || !image["part"].is_string()) return false;
+  return std::ranges::all_of(annotations, [](const json& one) { return one.is_object(); });
+}
+
 json frame_of(const Folder& folder, std::uint64_t picture) {
   const auto file = folder.root() / Folder::frame(picture);
   json frame = json::parse(files::read_input_file(file, most_frame_bytes), nullptr, false);
-  if (frame.is_object() && frame.contains("image") && frame.contains("annotations")) return frame;
-  throw SetupError(
-      fmt::format("{}: this is no picture's file of a data set; delete it to have it made anew", file.string()));
+  if (is_frame(frame)) return frame;
+  throw SetupError(files::one_line(
+      fmt::format("{}: this is no picture's file of a data set; delete it to have it made anew", file.string())));
 }
 
 std::string data_yaml(const std::vector<Category>& categories) {

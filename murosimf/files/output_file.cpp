@@ -88,18 +88,7 @@ int sync_file(const fs::path& file) {
 
 constexpr int only_new = O_CREAT | O_EXCL;
 
-}  // namespace
-
-void check_writable(const fs::path& file) {
-  const OutputPlace place(file);
-  check_place(file, place);
-  if (!place.is_replaced()) return;
-  // Creating a file is the only reliable test: permissions, quotas and read-only file systems all count.
-  const PartFile probe(file);
-  if (const int failure = write_bytes(probe.path(), only_new, {}); failure != 0) refuse(file, failure);
-}
-
-void write_file(const fs::path& file, const std::string& bytes) {
+void write_as(const fs::path& file, const std::string& bytes, PartFile::Replaces replaces) {
   const OutputPlace place(file);
   check_place(file, place);
   int failure = 0;
@@ -111,9 +100,26 @@ void write_file(const fs::path& file, const std::string& bytes) {
   } else {
     PartFile part(file);
     failure = write_bytes(part.path(), only_new, bytes);
-    if (failure == 0) part.commit();
+    if (failure == 0) part.commit(replaces);
   }
   if (failure != 0) refuse(file, failure);
+}
+
+}  // namespace
+
+void check_writable(const fs::path& file) {
+  const OutputPlace place(file);
+  check_place(file, place);
+  if (!place.is_replaced()) return;
+  // Creating a file is the only reliable test: permissions, quotas and read-only file systems all count.
+  const PartFile probe(file);
+  if (const int failure = write_bytes(probe.path(), only_new, {}); failure != 0) refuse(file, failure);
+}
+
+void write_file(const fs::path& file, const std::string& bytes) { write_as(file, bytes, PartFile::Replaces::no_input); }
+
+void replace_file(const fs::path& file, const std::string& bytes) {
+  write_as(file, bytes, PartFile::Replaces::input_too);
 }
 
 PartFile::PartFile(const fs::path& file, Extension extension) : file_(file) {

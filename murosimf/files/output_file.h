@@ -19,6 +19,8 @@ void check_writable(const std::filesystem::path& file);
 /// Writes a file, keeps the previous one until the new one is complete, and its permissions. Follows symbolic links. Devices, pipes and
 /// descriptors (/dev/stdout) are written directly. Throws SetupError: cannot write 'file': reason.
 void write_file(const std::filesystem::path& file, const std::string& bytes);
+/// The same for a file that this command has read, and replaces on purpose.
+void replace_file(const std::filesystem::path& file, const std::string& bytes);
 
 /// A file in progress, for writing in pieces, or by another program.
 class PartFile {

@@ -88,7 +88,19 @@ TEST_F(DatasetFolder, StopsWhenItIsToldToAndGoesOn) {
   stopping.options.stop = [&] { return there >= 1; };
   EXPECT_FALSE(write_dataset(stopping).complete);
   EXPECT_FALSE(std::filesystem::exists(path("stopped") / "annotations.json"));
+  stopping.options.stop = [] { return true; };
+  const Outcome at_once = write_dataset(stopping);
+  EXPECT_EQ(at_once.already, 1U);
+  EXPECT_EQ(at_once.drawn, 0U);
+  EXPECT_FALSE(at_once.complete);
   EXPECT_EQ(write_dataset(request("stopped", 3, 1)).already, 1U);
+}
+
+TEST_F(DatasetFolder, StoppedBeforeItsFirstPictureItCanBeContinued) {
+  Request stopping = request("begun", 1, 1);
+  stopping.options.stop = [] { return true; };
+  EXPECT_EQ(write_dataset(stopping).already, 0U);
+  EXPECT_TRUE(write_dataset(request("begun", 1, 1)).complete);
 }
 
 TEST_F(DatasetFolder, OtherContentsAreRefused) {
@@ -100,7 +112,22 @@ TEST_F(DatasetFolder, OtherContentsAreRefused) {
   Request other = request("known", 2, 1);
   other.options.seed = 7;
   EXPECT_NE(error_of(other).find("'seed' was 1, not 7"), std::string::npos);
+  other = request("known", 2, 1);
+  other.options.pushes = {"ball=[5,0,0]@1..2"};
+  EXPECT_NE(error_of(other).find(R"('push' was [], not ["ball=[5,0,0]@1..2"])"), std::string::npos) << error_of(other);
+  other = request("known", 2, 1);
+  other.options.events = {"1:one.command=[0.1,0,0]"};
+  EXPECT_NE(error_of(other).find("'at' was []"), std::string::npos) << error_of(other);
+  other = request("known", 2, 1);
+  other.plugins = {"own.so"};
+  EXPECT_NE(error_of(other).find("'plugins' was []"), std::string::npos) << error_of(other);
   EXPECT_NE(error_of(request("known", 1, 1)).find("has 2 pictures"), std::string::npos);
+}
+
+TEST_F(DatasetFolder, AnotherSceneFileOfTheSameNameIsRefused) {
+  ASSERT_TRUE(write_dataset(request("known", 1, 1)).complete);
+  std::ofstream(path("scene.toml"), std::ios::app) << "position = [1, 0]\n";
+  EXPECT_NE(error_of(request("known", 1, 1)).find("'scene_text' was another one"), std::string::npos);
 }
 
 }  // namespace

@@ -50,18 +50,43 @@ TEST_F(RandomisationFile, ANumberAloneIsAFixedOne) {
   EXPECT_EQ(fixed.light.presets, std::vector<std::string>{"day"});
 }
 
+struct Refused {
+  std::string text;
+  int line;
+  std::string words;
+};
+
 TEST_F(RandomisationFile, ErrorsAreOneLineWithPlace) {
-  EXPECT_NE(error_of("[light]\nbrightnes = 1\n").find("ranges.toml:2:"), std::string::npos);
-  EXPECT_NE(error_of("[light]\nbrightnes = 1\n").find("did you mean 'brightness'"), std::string::npos);
-  EXPECT_NE(error_of("[lamps]\n").find("'lamps'"), std::string::npos);
-  EXPECT_NE(error_of("[sensor]\nblur = [2, 1]\n").find("must begin with the lower number"), std::string::npos);
-  EXPECT_NE(error_of("[sensor]\nblur = [1, 50]\n").find("is 50: must be 0 to 20"), std::string::npos);
-  EXPECT_NE(error_of("[sensor]\nblur = 'much'\n").find("must be [lowest, highest]"), std::string::npos);
-  EXPECT_NE(error_of("[picture]\nformat = 'jpg'\n").find("did you mean 'jpeg'"), std::string::npos);
-  EXPECT_NE(error_of("[picture]\nsamples = 3\n").find("1, 2, 4 or 8"), std::string::npos);
-  EXPECT_NE(error_of("[light]\npresets = ['dai']\n").find("did you mean 'day'"), std::string::npos);
-  EXPECT_NE(error_of("[lens]\nperspective = 0\n").find("all weights are 0"), std::string::npos);
-  EXPECT_NE(error_of("[ball]\ncolors = [[1, 0]]\n").find("list of colors"), std::string::npos);
+  const Refused all[]{
+      {"[light]\nbrightnes = 1\n", 2, "did you mean 'brightness'"},
+      {"\n[lamps]\n", 2, "'lamps'"},
+      {"[sensor]\nblur = [2, 1]\n", 2, "must begin with the lower number"},
+      {"[sensor]\nblur = [1, 50]\n", 2, "is 50: must be 0 to 20"},
+      {"[sensor]\nblur = 'much'\n", 2, "must be [lowest, highest]"},
+      {"[picture]\n\nformat = 'jpg'\n", 3, "did you mean 'jpeg'"},
+      {"[picture]\nsamples = 3\n", 2, "1, 2, 4 or 8"},
+      {"[light]\npresets = ['day',\n'dai']\n", 3, "did you mean 'day'"},
+      {"[lens]\ncount = 2\nperspective = 0\n", 3, "all weights are 0"},
+      {"[robots]\nstanding = 0\nmoving = 0\ndown = 0\n", 2, "standing, moving, down: all weights are 0"},
+      {"[lens]\nfov_deg = [60, 160]\n", 2, "above 150"},
+      {"[ball]\ncolors = [[1, 0]]\n", 2, "list of colors"},
+  };
+  for (const Refused& one : all) {
+    const std::string error = error_of(one.text);
+    EXPECT_NE(error.find("ranges.toml:" + std::to_string(one.line) + ":"), std::string::npos) << error;
+    EXPECT_NE(error.find(one.words), std::string::npos) << error;
+    EXPECT_EQ(error.find('\n'), std::string::npos) << error;
+  }
+}
+
+TEST_F(RandomisationFile, CountsAreWholeNumbers) {
+  for (const char* text : {"[people]\ncount = 2.5\n", "[people]\nthings = 0.5\n", "[lens]\ncount = 1.5\n",
+                           "[picture]\nsamples = 2.5\n", "[picture]\nleast_pixels = 12.5\n"}) {
+    const std::string error = error_of(text);
+    EXPECT_NE(error.find("ranges.toml:2:"), std::string::npos) << error;
+    EXPECT_NE(error.find("must be a whole number"), std::string::npos) << error;
+  }
+  EXPECT_EQ(read("[people]\ncount = 3.0\n").people.count, 3);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace murosimf::dds::booster;
   if (const auto command = read_low_command({data, size})) {
     if (command->motors.size() > most_motors) std::abort();
-    for (const MotorCommand& motor : command->motors) {
+    for (const murosimf::dds::MotorCommand& motor : command->motors) {
       if (!std::isfinite(motor.q) || !std::isfinite(motor.weight)) std::abort();
     }
   }
