@@ -9,12 +9,13 @@
 #include "murosimf/appearance/video_file.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/render/image_png.h"
+#include "murosimf/render/png_bytes.h"
 
 namespace murosimf::app {
 namespace {
 
 std::string png_of(const Taken& picture) {
-  if (const auto* numbers = std::get_if<imaging::NumberImage>(&picture)) return render::number_png(*numbers);
+  if (const auto* numbers = std::get_if<imaging::NumberImage>(&picture)) return render::png_bytes(*numbers);
   return render::image_png(std::get<imaging::ColorImage>(picture));
 }
 

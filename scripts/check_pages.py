@@ -34,6 +34,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 DATA = ["datasets", "docs", "examples", "lenses", "models", "motions", "murosimf/control_software", "parts", "python", "scenes",
@@ -192,9 +193,11 @@ class Scratch:
         (self.folder / "build" / "release").symlink_to(build)
         self.environment = {**os.environ, "PATH": f"{build}:{os.environ['PATH']}", "COLUMNS": "100"}
         self.known = {}  # results by command, for quotes of what has run already
+        self.seconds = {}  # by command
 
     def run(self, command):
         """Exit code and lines of both outputs."""
+        began = time.monotonic()
         try:
             done = subprocess.run(["bash", "-o", "pipefail", "-c", command], cwd=self.folder, env=self.environment,
                                   stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
@@ -204,6 +207,7 @@ class Scratch:
         except subprocess.TimeoutExpired:
             result = -1, [f"not finished after {TIME_LIMIT} s"]
         self.known[command] = result
+        self.seconds[command] = time.monotonic() - began
         return result
 
     def remove(self):
@@ -365,12 +369,16 @@ class Check:
             print(f"not run: {line}")
         counts = f"{len(self.ran)} commands run, {len(self.left_out)} not"
         print(f"{counts}, {self.errors} errors, {self.updated} lines updated")
+        slowest = sorted(self.scratch.seconds.items(), key=lambda item: -item[1])
+        for command, seconds in slowest[:self.options.times]:
+            print(f"{seconds:8.1f} s  {command}")
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release", help="folder of the programs")
     parser.add_argument("--update", action="store_true", help="rewrite quoted lines that are printed otherwise now")
+    parser.add_argument("--times", type=int, default=0, metavar="N", help="say which N commands took longest")
     parser.add_argument("--list", action="store_true", help="run nothing, only count")
     parser.add_argument("pages", type=pathlib.Path, nargs="*", help="default: all")
     options = parser.parse_args()

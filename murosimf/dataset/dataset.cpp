@@ -13,7 +13,7 @@
 
 #include "murosimf/dataset/manifest.h"
 #include "murosimf/dataset/painter.h"
-#include "murosimf/dataset/picture_bytes.h"
+#include "murosimf/dataset/jpeg_bytes.h"
 #include "murosimf/dataset/random_camera.h"
 #include "murosimf/dataset/summary.h"
 #include "murosimf/files/json_document.h"
@@ -108,7 +108,7 @@ void prepare(const Folder& folder, const Request& request, const nlohmann::json&
 }  // namespace
 
 Outcome write_dataset(const Request& request) {
-  check_picture_bytes();
+  check_jpeg_bytes();
   check_folder(request.folder);
   const Randomisation randomisation = read_randomisation(request.randomisation);
   const Stage stage(request.scene, request.options, randomisation);

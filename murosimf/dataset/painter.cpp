@@ -4,12 +4,13 @@
 
 #include "murosimf/dataset/annotate.h"
 #include "murosimf/dataset/frame_record.h"
-#include "murosimf/dataset/picture_bytes.h"
+#include "murosimf/dataset/jpeg_bytes.h"
 #include "murosimf/dataset/random_camera.h"
 #include "murosimf/dataset/random_light.h"
 #include "murosimf/dataset/summary.h"
 #include "murosimf/imaging/depth_numbers.h"
 #include "murosimf/model/error.h"
+#include "murosimf/render/png_bytes.h"
 
 namespace murosimf::dataset {
 namespace {
@@ -54,8 +55,8 @@ void Painter::paint(std::uint64_t picture) {
   renderer_->show(nullptr);
   write_layers(picture, lens, picture_.view, dice);
   const Folder& folder = *studio.folder;
-  folder.write(Folder::layer("instances", picture), png_bytes(annotated.instances));
-  folder.write(Folder::layer("classes", picture), png_bytes(annotated.classes));
+  folder.write(Folder::layer("instances", picture), render::png_bytes(annotated.instances));
+  folder.write(Folder::layer("classes", picture), render::png_bytes(annotated.classes));
   folder.write(folder.yolo(picture),
                yolo_text(annotated.annotations, yolo_classes_, camera.lens.width, camera.lens.height));
   // last: with it the picture is complete
@@ -68,10 +69,10 @@ void Painter::write_layers(std::uint64_t picture, std::size_t lens, const sensor
   const Folder& folder = *studio_->folder;
   const int quality = static_cast<int>(std::lround(dice.in(ranges.jpeg_quality)));
   folder.write(folder.image(picture),
-               ranges.format == "jpeg" ? jpeg_bytes(view.color, quality) : png_bytes(view.color));
-  folder.write(Folder::layer("depth", picture), png_bytes(imaging::millimeters(view.depth)));
+               ranges.format == "jpeg" ? jpeg_bytes(view.color, quality) : render::png_bytes(view.color));
+  folder.write(Folder::layer("depth", picture), render::png_bytes(imaging::millimeters(view.depth)));
   if (studio_->normals) {
-    folder.write(Folder::layer("normals", picture), png_bytes(normals_of(view.depth, view.labels, rays(lens))));
+    folder.write(Folder::layer("normals", picture), render::png_bytes(normals_of(view.depth, view.labels, rays(lens))));
   }
 }
 

@@ -6,6 +6,7 @@
 #include "murosimf/math/assert.h"
 #include "murosimf/render/canvas.h"
 #include "murosimf/render/png.h"
+#include "murosimf/render/png_bytes.h"
 
 namespace murosimf::render {
 namespace {
@@ -24,6 +25,7 @@ void draw_title(cairo_surface_t* picture, int rows, const std::string& title) {
 }  // namespace
 
 std::string image_png(const imaging::ColorImage& image, const std::string& title) {
+  if (title.empty()) return png_bytes(image);
   std::vector<std::uint32_t> pixels;
   pixels.reserve(image.pixels().size());
   for (const imaging::Rgb& p : image.pixels()) {
@@ -34,7 +36,7 @@ std::string image_png(const imaging::ColorImage& image, const std::string& title
                                                                CAIRO_FORMAT_RGB24, image.width(), image.height(),
                                                                4 * image.width()),
                            cairo_surface_destroy);
-  if (!title.empty()) draw_title(surface.get(), image.height(), title);
+  draw_title(surface.get(), image.height(), title);
   return png_of(surface.get());
 }
 

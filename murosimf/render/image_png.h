@@ -10,9 +10,6 @@ namespace murosimf::render {
 /// A PNG file, as bytes. Throws SetupError if this build has no pictures. `title`: UTF-8, one line, at the top left.
 [[nodiscard]] std::string image_png(const imaging::ColorImage& image, const std::string& title = {});
 
-/// A PNG file of 16 bits, one gray channel, which holds the numbers. Throws SetupError if this build has no pictures.
-[[nodiscard]] std::string number_png(const imaging::NumberImage& image);
-
 /// Near is bright, far is dark, no measurement is black: linear in 1 / z from the nearest pixel on.
 [[nodiscard]] imaging::ColorImage shown(const imaging::DepthImage& depth);
 /// A color for each label, the same for the same label in all pictures.

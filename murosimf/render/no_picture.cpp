@@ -2,6 +2,7 @@
 #include "murosimf/model/error.h"
 #include "murosimf/render/field_picture.h"
 #include "murosimf/render/image_png.h"
+#include "murosimf/render/png_bytes.h"
 #include "murosimf/render/seen_drawing.h"
 
 namespace murosimf::render {
@@ -22,6 +23,8 @@ void draw_over(imaging::ColorImage& /*picture*/, const std::vector<SeenShape>& /
 
 std::string image_png(const imaging::ColorImage& /*image*/, const std::string& /*title*/) { refuse(); }
 
-std::string number_png(const imaging::NumberImage& /*image*/) { refuse(); }
+std::string png_bytes(const imaging::ColorImage& /*image*/) { refuse(); }
+std::string png_bytes(const imaging::GrayImage& /*image*/) { refuse(); }
+std::string png_bytes(const imaging::NumberImage& /*image*/) { refuse(); }
 
 }  // namespace murosimf::render

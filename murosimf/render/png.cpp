@@ -1,7 +1,10 @@
 #include "murosimf/render/png.h"
 
+#include <cstddef>
+
 #include <fmt/format.h>
 
+#include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::render {
@@ -13,13 +16,14 @@ void check(cairo_status_t status) {
 }
 
 std::string png_of(cairo_surface_t* picture) {
-  std::string bytes;
-  const auto append = [](void* to, const unsigned char* data, unsigned int size) {
-    static_cast<std::string*>(to)->append(reinterpret_cast<const char*>(data), size);
-    return CAIRO_STATUS_SUCCESS;
-  };
-  check(cairo_surface_write_to_png_stream(picture, append, &bytes));
-  return bytes;
+  MUROSIMF_ASSERT(cairo_image_surface_get_format(picture) == CAIRO_FORMAT_RGB24);
+  cairo_surface_flush(picture);
+  const unsigned char* first = cairo_image_surface_get_data(picture);
+  PngRows png{.width = cairo_image_surface_get_width(picture), .of_cairo = true};
+  for (int v = 0; v < cairo_image_surface_get_height(picture); ++v) {
+    png.rows.push_back(first + std::ptrdiff_t{v} * cairo_image_surface_get_stride(picture));
+  }
+  return encoded(png);
 }
 
 }  // namespace murosimf::render

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/dataset/picture_bytes.h"
+#include "murosimf/dataset/jpeg_bytes.h"
 #include "murosimf/model/error.h"
 #include "murosimf/render/renderer.h"
 #include "tests/temp_folder.h"
@@ -20,7 +20,7 @@ constexpr const char* ranges =
 /// Why nothing can be drawn here; empty: it can.
 std::string trouble() {
   try {
-    check_picture_bytes();
+    check_jpeg_bytes();
     const World nothing;
     const render::Renderer renderer(nothing, {}, render::appearance_of_shapes);
   } catch (const SetupError& error) {

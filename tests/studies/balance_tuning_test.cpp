@@ -48,7 +48,7 @@ TEST(BalanceTrials, RefuseAGaitThatFallsBeforeItIsPushed) {
 
 BalanceTuningOptions short_search(int threads) {
   BalanceTuningOptions options{
-      .model = "kid21", .levels = {"full_dynamics"}, .impulse = 3, .duration = 4.5, .cases = 1, .checks = 1};
+      .model = "kid21", .levels = {"simplified_dynamics"}, .impulse = 3, .duration = 4.5, .cases = 1, .checks = 1};
   options.budget.evaluations = 18;
   options.common.threads = threads;
   return options;

@@ -46,7 +46,7 @@ process.on("exit", () => { for (const child of children) child.kill("SIGKILL"); 
 const browser = await chromium.launch({ executablePath, headless: true, args });
 // Pixels are drawn by software: of each window a quarter of them, which changes no layout. Shadows, which cost as much again, are
 // drawn where there is a mouse.
-const windowOf = (width, height, hasTouch) => browser.newContext({ viewport: { width, height }, deviceScaleFactor: 0.5, hasTouch });
+const windowOf = (width, height, hasTouch) => browser.newContext({ viewport: { width, height }, deviceScaleFactor: 0.25, hasTouch });
 const desktop = await windowOf(1280, 760, false), tablet = await windowOf(960, 600, true), phone = await windowOf(390, 780, true);
 const problems = [];
 async function open(address, where = tablet) {
@@ -84,13 +84,12 @@ const colors = (page) => page.evaluate(async () => {
 });
 
 async function testDesktop() {
-  const run = await start("three_on_three", "--duration", "60", "--set", "red.*.level=simplified_dynamics",
-    "--roboviz", "0");
+  const run = await start("duel", "--duration", "60", "--set", "red.*.level=simplified_dynamics", "--roboviz", "0");
   const begin = Date.now();
   const page = await open(run.address, desktop);
   console.log(`page shows the scene after ${Date.now() - begin} ms`);
   assert.equal(await page.textContent("#messages"), "", "nothing to complain about");
-  assert.equal(await page.textContent("#name"), "Three on three");
+  assert.equal(await page.textContent("#name"), "Duel");
   await until(page, (now) => now && now.time > 0, "time goes on");
   assert.ok((await colors(page)) > 30, "something is drawn");
   await page.click("#play");
@@ -326,7 +325,7 @@ function circlePacket(name, radius) {
 // Another program draws a circle, and takes it away; what time that was, a recording says in every form.
 async function testDrawingsOfThen() {
   const html = join(pictures, "drawn.html"), file = join(pictures, "drawn.mcap");
-  const child = spawn(program, ["run", "three_on_three", "--duration", "4", "--speed", "1", "--roboviz", "0", "--html", html,
+  const child = spawn(program, ["run", "duel", "--duration", "4", "--speed", "1", "--roboviz", "0", "--html", html,
     "--record", file], { stdio: ["ignore", "ignore", "pipe"] });
   children.add(child);
   const port = await new Promise((done) => child.stderr.on("data", (text) => {
@@ -369,7 +368,7 @@ const trianglesDrawn = (page) => page.evaluate(() => window.murosimf.view.drawin
 // From when to when which circle is seen, by going through the time line backward.
 async function timesOfRadii(page) {
   const found = [], drawnAtOnce = page.url().startsWith("file:");
-  for (let tenth = 38; tenth >= 0; --tenth) {
+  for (let tenth = 38; tenth >= 0; tenth -= 2) {
     await seekTo(page, tenth / 10);
     await page.waitForFunction((time) => Math.abs(window.murosimf.state().time - time) < 0.02, tenth / 10);
     if (!drawnAtOnce) await page.waitForTimeout(150); // the server looks for drawings up to 25 times per second
@@ -397,7 +396,7 @@ async function switchGroup(page, time) {
 // A recording: played by the server over all of its time, and as one file.
 async function testRecording() {
   const file = join(pictures, "game.mcap"), html = join(pictures, "recording.html");
-  const made = spawnSync(program, ["run", "three_on_three", "--duration", "4", "--record", file]);
+  const made = spawnSync(program, ["run", "duel", "--duration", "4", "--record", file]);
   assert.equal(made.status, 0, String(made.stderr));
   const replay = await serve("replay", file);
   const page = await open(replay.address);
