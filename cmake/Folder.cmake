@@ -8,7 +8,8 @@ set_source_files_properties(soccer/localize.cpp robot_formats/mjcf/mjcf_tendons.
   PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 
 # They read, check and write, and no step of a simulation runs through them: optimizing them fully is a fifth of their time.
-set(murosimf_cold_folders files robot_formats component_files dds robot catalog scene_file scene logging web)
+set(murosimf_cold_folders files robot_formats component_files dds robot appearance catalog scene_file scene session viewer league logging
+  supervise recording ros2 web studies)
 
 # Where the time of a step goes. Nine of their sources are compiled as one, so that what is inlined, and the counted instructions
 # (tests/instruction_counts.txt), do not change with the other folders. Of others eighteen are: an eighth to three tenths less to compile.
