@@ -4,16 +4,11 @@
 #include <array>
 #include <cmath>
 
-#include "murosimf/math/assert.h"
+#include "murosimf/dds/signal_vector.h"
 #include "murosimf/world/world.h"
 
 namespace murosimf::dds {
 namespace {
-
-Vec3d vector_of(const murosimf_signal& signal) {
-  MUROSIMF_ASSERT(signal.count >= 3);
-  return {signal.values[0], signal.values[1], signal.values[2]};
-}
 
 std::array<float, 3> row_of(const Vec3d& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};

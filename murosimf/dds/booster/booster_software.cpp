@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/dds/model_joints.h"
 #include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
@@ -12,18 +13,6 @@ namespace murosimf::dds::booster {
 namespace {
 
 constexpr std::size_t first_arm_joint = 2, end_of_arm_joints = 10;  // of K1 and T1
-
-std::vector<std::string> names_of_joints(const Model& model) {
-  std::vector<std::string> names;
-  for (const int joint : model.joints()) names.push_back(model.objects()[joint].name);
-  return names;
-}
-
-std::vector<int> objects_of(const Model& model, const PlacedJoints& placed) {
-  std::vector<int> objects;
-  for (const std::size_t place : placed.places) objects.push_back(model.joints()[place]);
-  return objects;
-}
 
 Mode mode_of(const std::string& name) {
   if (name == "damping") return Mode::damping;
@@ -41,8 +30,8 @@ BoosterSoftware::BoosterSoftware(Setup& setup, control_software::RobotPort& port
       name_(setup.entity().name()),
       period_(seconds(setup.period())),
       first_mode_(mode_of(options.mode)),
-      joints_(place_joints(names_of_joints(setup.model()))),
-      objects_(objects_of(setup.model(), joints_)),
+      joints_(place_joints(joint_names(setup.model()))),
+      objects_(joint_objects(setup.model(), joints_.places)),
       target_(setup.input(properties::joint_target, 0.0)),
       low_level_(port, joints_.places),
       sensing_(setup, port, joints_.places),
@@ -96,7 +85,7 @@ void BoosterSoftware::take(const Arrival& arrival) {
   } else if (const std::optional<RpcMessage> request = read_rpc(arrival.message)) {
     return answer(*request);
   }
-  say_once(told_of_garbage_, "a message that the SDK does not send was ignored");
+  garbage_.say(say_, "a message that the SDK does not send was ignored");
 }
 
 void BoosterSoftware::take_low_command(LowCommand command) {
@@ -104,8 +93,8 @@ void BoosterSoftware::take_low_command(LowCommand command) {
     commands_ = std::move(command.motors);
     return;
   }
-  say_once(told_of_size_, fmt::format("a low-level command for {} motors was ignored: the robot has {}",
-                                      command.motors.size(), joints_.places.size()));
+  size_.say(say_, fmt::format("a low-level command for {} motors was ignored: the robot has {}", command.motors.size(),
+                              joints_.places.size()));
 }
 
 void BoosterSoftware::answer(const RpcMessage& request) {
@@ -164,10 +153,6 @@ void BoosterSoftware::send() {
   });
   constexpr Battery full{.charge = 100};  // none is simulated
   write(to.battery, [&] { write_battery(message_, full); });
-}
-
-void BoosterSoftware::say_once(bool& told, const std::string& line) {
-  if (!std::exchange(told, true)) say_(line);
 }
 
 void BoosterSoftware::state(StateArchive& archive) {

@@ -25,6 +25,7 @@
 #include "murosimf/dds/command_wait.h"
 #include "murosimf/dds/external_messages.h"
 #include "murosimf/dds/low_level.h"
+#include "murosimf/dds/said_once.h"
 
 namespace murosimf::dds::booster {
 
@@ -57,7 +58,6 @@ class BoosterSoftware final : public control_software::ControlSoftware {
   void command_joint(std::size_t joint);
   [[nodiscard]] bool follows_low_level(std::size_t joint) const;
   void send();
-  void say_once(bool& told, const std::string& line);
   void wait_for_command();
   [[nodiscard]] std::string robot_info() const;
 
@@ -84,7 +84,7 @@ class BoosterSoftware final : public control_software::ControlSoftware {
   VisualKick visual_kick_;
   bool upper_body_ = false;  // arms follow low-level commands, whatever moves the legs
   std::uint64_t cycle_ = 0;
-  bool told_of_size_ = false, told_of_garbage_ = false;
+  SaidOnce size_, garbage_;
 };
 
 }  // namespace murosimf::dds::booster

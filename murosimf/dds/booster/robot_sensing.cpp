@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "murosimf/dds/signal_vector.h"
 #include "murosimf/locomotion/motion_report.h"
-#include "murosimf/math/assert.h"
 #include "murosimf/world/world.h"
 
 namespace murosimf::dds::booster {
@@ -12,11 +12,6 @@ namespace {
 const double cos_falling = std::cos(35 * pi / 180);  // as of the motion engine
 
 float single(double value) { return static_cast<float>(value); }
-
-Vec3d vector_of(const murosimf_signal& signal) {
-  MUROSIMF_ASSERT(signal.count >= 3);
-  return {signal.values[0], signal.values[1], signal.values[2]};
-}
 
 Vec3d turned(const Vec3d& v, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);

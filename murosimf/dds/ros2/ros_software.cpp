@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/dds/model_joints.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::dds::ros2 {
@@ -14,12 +15,6 @@ namespace {
 constexpr std::size_t sender_size = 24;           // [byte] before a request
 constexpr std::uint64_t cycles_of_feedback = 25;  // 20 per simulated second
 constexpr double fastest = 100;                   // [m/s, rad/s] as of motion.velocity
-
-std::vector<std::string> names_of_joints(const Model& model) {
-  std::vector<std::string> names;
-  for (const int joint : model.joints()) names.push_back(model.objects()[static_cast<std::size_t>(joint)].name);
-  return names;
-}
 
 std::optional<booster::MotionRequests> motions_of(const Setup& setup, control_software::RobotPort& port, bool walks) {
   if (!walks) return std::nullopt;
@@ -43,7 +38,7 @@ RosSoftware::RosSoftware(Setup& setup, control_software::RobotPort& port, contro
     : say_(std::move(say)),
       name_(setup.entity().name()),
       options_(options),
-      names_(names_of_joints(setup.model())),
+      names_(joint_names(setup.model())),
       joints_(setup, port, options.walk),
       position_(port.signal("joint.position")),
       motions_(motions_of(setup, port, options.walk)),
@@ -73,7 +68,7 @@ control_software::CallOutcome RosSoftware::step(Duration now) noexcept {
 
 void RosSoftware::take(const Arrival& arrival, Duration now) {
   if (take_command(arrival, now) || take_call(arrival, now)) return;
-  say_once(told_of_garbage_, "a message that is damaged, or does not fit the robot, was ignored");
+  garbage_.say(say_, "a message that is damaged, or does not fit the robot, was ignored");
 }
 
 bool RosSoftware::take_command(const Arrival& arrival, Duration now) {
@@ -101,8 +96,8 @@ bool RosSoftware::walk(const std::optional<Vec3d>& velocity, Duration now) {
 std::optional<std::vector<std::size_t>> RosSoftware::known_places(const std::vector<std::string>& names) {
   NamedPlaces joints = joints_.places_of(names);
   if (joints.unknown.empty()) return std::move(joints.places);
-  say_once(told_of_joint_,
-           fmt::format("a command for the joint '{}' was ignored: it has none, or it is named twice", joints.unknown));
+  unknown_joint_.say(say_, fmt::format("a command for the joint '{}' was ignored: it has none, or it is named twice",
+                                       joints.unknown));
   return std::nullopt;
 }
 
@@ -171,10 +166,6 @@ void RosSoftware::tell_of_goals(Duration now) {
     feedback.actual.push_back(position_->values[place]);
   }
   link_->action().send_feedback(feedback, now);
-}
-
-void RosSoftware::say_once(bool& told, const std::string& line) {
-  if (!std::exchange(told, true)) say_(line);
 }
 
 void RosSoftware::state(StateArchive& archive) {

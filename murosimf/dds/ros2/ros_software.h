@@ -21,6 +21,7 @@
 #include "murosimf/dds/ros2/joint_motion.h"
 #include "murosimf/dds/ros2/ros_options.h"
 #include "murosimf/dds/ros2/trajectory_action.h"
+#include "murosimf/dds/said_once.h"
 
 namespace murosimf::dds::ros2 {
 
@@ -69,7 +70,6 @@ class RosSoftware final : public control_software::ControlSoftware {
   [[nodiscard]] std::optional<std::vector<std::size_t>> known_places(const std::vector<std::string>& names);
   [[nodiscard]] bool is_live() const { return link_ && !outside_.remembers(); }
   void tell_of_goals(Duration now);
-  void say_once(bool& told, const std::string& line);
 
   control_software::SayLine say_;
   std::string name_;
@@ -84,7 +84,7 @@ class RosSoftware final : public control_software::ControlSoftware {
   Vec3d velocity_;  // of the last cmd_vel
   Duration walks_until_{};
   std::uint64_t cycle_ = 0;
-  bool told_of_garbage_ = false, told_of_joint_ = false;
+  SaidOnce garbage_, unknown_joint_;
 };
 
 }  // namespace murosimf::dds::ros2

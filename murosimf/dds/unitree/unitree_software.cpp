@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/dds/model_joints.h"
 #include "murosimf/dds/unitree/motor_order.h"
 #include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
@@ -15,18 +16,6 @@ namespace {
 
 constexpr const char* torso_imu = "torso_imu";  // sensor of the robot's file
 
-std::vector<std::size_t> places_in(const Model& model) {
-  std::vector<std::string> names;
-  for (const int joint : model.joints()) names.push_back(model.objects()[joint].name);
-  return place_joints(names);
-}
-
-std::vector<int> objects_of(const Model& model, std::span<const std::size_t> places) {
-  std::vector<int> objects;
-  for (const std::size_t place : places) objects.push_back(model.joints()[place]);
-  return objects;
-}
-
 }  // namespace
 
 UnitreeSoftware::UnitreeSoftware(Setup& setup, control_software::RobotPort& port, control_software::SayLine say,
@@ -34,8 +23,8 @@ UnitreeSoftware::UnitreeSoftware(Setup& setup, control_software::RobotPort& port
                                  const ExternalInputOptions& outside)
     : say_(std::move(say)),
       stands_first_(options.stands),
-      places_(places_in(setup.model())),
-      objects_(objects_of(setup.model(), places_)),
+      places_(place_joints(joint_names(setup.model()))),
+      objects_(joint_objects(setup.model(), places_)),
       target_(setup.input(properties::joint_target, 0.0)),
       low_level_(port, places_),
       joints_(seconds(setup.period()), port, places_),
@@ -83,20 +72,18 @@ void UnitreeSoftware::take(const Arrival& arrival) {
   } else if (const std::optional<Request> request = read_request(arrival.message)) {
     return answer(*request);
   }
-  say_once(told_of_garbage_, "a message that is none of unitree_hg or unitree_api was ignored");
+  garbage_.say(say_, "a message that is none of unitree_hg or unitree_api was ignored");
 }
 
 void UnitreeSoftware::take_low_command(const LowCommand& command) {
   if (const std::uint32_t right = checksum_of(command); command.crc != right) {
-    return say_once(told_of_crc_,
-                    fmt::format("a low-level command with the CRC 0x{:08x} was ignored: it should be 0x{:08x}",
-                                command.crc, right));
+    return crc_.say(say_, fmt::format("a low-level command with the CRC 0x{:08x} was ignored: it should be 0x{:08x}",
+                                      command.crc, right));
   }
-  if (!is_finite(command))
-    return say_once(told_of_numbers_, "a low-level command with a number that is none was ignored");
+  if (!is_finite(command)) return numbers_.say(say_, "a low-level command with a number that is none was ignored");
   if (command.mode_pr != static_cast<std::uint8_t>(AnkleMode::pitch_roll)) {
-    return say_once(told_of_cranks_,
-                    "a low-level command in mode AB was ignored: ankles and waist are serial joints here (mode PR)");
+    return cranks_.say(say_,
+                       "a low-level command in mode AB was ignored: ankles and waist are serial joints here (mode PR)");
   }
   stands_ = false;
   commands_.clear();
@@ -153,10 +140,6 @@ void UnitreeSoftware::send(Duration now) {
   message_.clear();
   write_imu(message_, torso_->imu());
   link_->torso_imu().write(message_.bytes());
-}
-
-void UnitreeSoftware::say_once(bool& told, const std::string& line) {
-  if (!std::exchange(told, true)) say_(line);
 }
 
 void UnitreeSoftware::state(StateArchive& archive) {

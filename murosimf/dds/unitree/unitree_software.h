@@ -17,6 +17,7 @@
 #include "murosimf/dds/imu_sensing.h"
 #include "murosimf/dds/joint_sensing.h"
 #include "murosimf/dds/low_level.h"
+#include "murosimf/dds/said_once.h"
 #include "murosimf/dds/unitree/low_messages.h"
 #include "murosimf/dds/unitree/unitree_link.h"
 #include "murosimf/dds/unitree/unitree_options.h"
@@ -43,7 +44,6 @@ class UnitreeSoftware final : public control_software::ControlSoftware {
   void command();
   void command_joint(std::size_t joint);
   void send(Duration now);
-  void say_once(bool& told, const std::string& line);
   void wait_for_command();
 
   control_software::SayLine say_;
@@ -63,7 +63,7 @@ class UnitreeSoftware final : public control_software::ControlSoftware {
   std::vector<double> held_;            // [rad] by motor: where they are until they are commanded
   std::vector<MotorCommand> commands_;  // the last low-level command; empty: none since the motors were released
   std::uint64_t cycle_ = 0;
-  bool told_of_crc_ = false, told_of_cranks_ = false, told_of_garbage_ = false, told_of_numbers_ = false;
+  SaidOnce crc_, cranks_, garbage_, numbers_;
 };
 
 }  // namespace murosimf::dds::unitree
