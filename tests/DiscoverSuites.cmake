@@ -1,20 +1,20 @@
-# murosimf_discover_suites(<target> <prefix> <environment>): after the executable of tests is built, asks it for its suites and makes
-# one test <prefix>.<Suite> of each. How many tests a suite has stands in its test's XML file in test_results (scripts/test_summary).
+# murosimf_discover_suites(<target> <prefix> <environment> <changes of it>): after the executable of tests is built, asks it for its
+# suites and makes one test <prefix>.<Suite> of each. How many tests a suite has stands in its test's XML file in test_results (scripts/test_summary).
 # The tests that murosimf_release_only names, <prefix>.<Suite>.<Test>, are left out. Of laws of physics over many parameters every
 # third is taken, along the diagonal of levels and three laws of contact: the code is the same.
-# As a script (cmake -D EXECUTABLE= -D PREFIX= -D ENVIRONMENT= -D RESULTS= -D OUTPUT= -D LEFT_OUT= -P): writes the file that ctest
+# As a script (cmake -D EXECUTABLE= -D PREFIX= -D ENVIRONMENT= -D CHANGES= -D RESULTS= -D OUTPUT= -D LEFT_OUT= -P): writes the file that ctest
 # includes.
 
 if(NOT CMAKE_SCRIPT_MODE_FILE)
   set(murosimf_discovery_script ${CMAKE_CURRENT_LIST_FILE})
-  function(murosimf_discover_suites target prefix environment)
+  function(murosimf_discover_suites target prefix environment changes)
     set(output ${CMAKE_CURRENT_BINARY_DIR}/${target}_suites.cmake)
     set(left_out ${murosimf_release_only})
     list(FILTER left_out INCLUDE REGEX "^${prefix}\\.")
     list(TRANSFORM left_out REPLACE "^${prefix}\\." "")
     add_custom_command(TARGET ${target} POST_BUILD BYPRODUCTS ${output} VERBATIM
       COMMAND ${CMAKE_COMMAND} -D EXECUTABLE=$<TARGET_FILE:${target}> -D PREFIX=${prefix} -D ENVIRONMENT=${environment}
-        -D RESULTS=${PROJECT_BINARY_DIR}/test_results/${target} -D OUTPUT=${output} "-D LEFT_OUT=${left_out}" -P
+        -D CHANGES=${changes} -D RESULTS=${PROJECT_BINARY_DIR}/test_results/${target} -D OUTPUT=${output} "-D LEFT_OUT=${left_out}" -P
         ${murosimf_discovery_script})
     # the file is missing where only some of the executables are built
     set(include_file ${CMAKE_CURRENT_BINARY_DIR}/${target}_include.cmake)
@@ -79,6 +79,6 @@ foreach(suite IN LISTS suites)
   math(EXPR cost "${ahead} + ${count_${suite}}")
   string(APPEND text "add_test([=[${PREFIX}.${suite}]=] [=[${EXECUTABLE}]=] [=[--gtest_filter=${suite}.*${not}]=]\
  [=[--gtest_output=xml:${RESULTS}/${file}.xml]=])\n\
-set_tests_properties([=[${PREFIX}.${suite}]=] PROPERTIES ENVIRONMENT [=[${ENVIRONMENT}]=] COST ${cost})\n")
+set_tests_properties([=[${PREFIX}.${suite}]=] PROPERTIES ENVIRONMENT [=[${ENVIRONMENT}]=] ENVIRONMENT_MODIFICATION [=[${CHANGES}]=] COST ${cost})\n")
 endforeach()
 file(WRITE ${OUTPUT} "${text}")
