@@ -15,7 +15,7 @@ import sys
 from pathlib import Path
 
 root = Path(__file__).resolve().parent.parent.parent
-steps = 1000
+steps = 500
 
 
 def load(script):
