@@ -48,7 +48,10 @@ int export_motion(const recording::McapReader& file, const ExportOptions& option
 int export_bag(const recording::McapReader& file, const ExportOptions& options) {
   if (!options.patterns.empty())
     throw SetupError("--rosbag2 writes all that ROS 2 has messages for: it takes no names of numbers");
-  const recording::Rosbag2Summary bag = recording::write_rosbag2(file, options.rosbag2);
+  std::vector<std::string> missing;
+  const auto descriptions = recording::recorded_descriptions(options.file, missing);
+  for (const std::string& line : missing) say_warning(line);
+  const recording::Rosbag2Summary bag = recording::write_rosbag2(file, options.rosbag2, descriptions);
   fmt::print("{}: {} messages of {} topics\n", options.rosbag2, bag.messages, bag.topics);
   return 0;
 }

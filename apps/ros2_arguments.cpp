@@ -49,6 +49,7 @@ std::unique_ptr<ros2::SimulationServices> services_of(session::Session& session,
         session, joined->domain,
         ros2::SimulationServicesOptions{
             .exchange = [&steering](const supervise::SceneRequest& request) { steering.exchange(request); },
+            .models_from = steering.allowed_files(),
             .say = [](const std::string& line) { say_warning(line); }});
   });
 }

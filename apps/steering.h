@@ -18,6 +18,8 @@ class Steering {
   /// They steer this one from now on, which has these options and outputs, until leave(). Throws SetupError.
   void begin(session::Session& session, const scene::Scene& scene, const RunOptions& options, RunOutputs& outputs);
   void leave();
+  /// What scenes and models that come over a network may be made of; null before the first begin().
+  [[nodiscard]] const std::shared_ptr<const files::AllowedFiles>& allowed_files() const { return allowed_; }
   /// Another scene comes next: its session is to be finished then. Throws SetupError: it cannot be, or the run keeps its scene.
   void exchange(const supervise::SceneRequest& request);
 

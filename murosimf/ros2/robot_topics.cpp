@@ -1,13 +1,13 @@
 #include "murosimf/ros2/robot_topics.h"
 
 #include <cmath>
-#include <map>
 
 #include <fmt/format.h>
 
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/math/assert.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/recording/robot_urdf.h"
 
 namespace murosimf::ros2 {
 
@@ -24,29 +24,14 @@ Transformd seen_from(const Transformd& outer, const Transformd& inner) {
           transpose(outer.orientation) * inner.orientation};
 }
 
-/// Links of a URDF text by the joints above them.
-std::map<std::string, std::string> links_in(std::string_view urdf) {
-  constexpr std::string_view joint = "<joint name=\"", child = "<child link=\"";
-  const auto value_at = [&](std::size_t begin) {
-    return std::string(urdf.substr(begin, urdf.find('"', begin) - begin));
-  };
-  std::map<std::string, std::string> links;
-  for (std::size_t at = urdf.find(joint); at != std::string_view::npos; at = urdf.find(joint, at + 1)) {
-    const std::size_t link = urdf.find(child, at);
-    if (link == std::string_view::npos) break;
-    links.emplace(value_at(at + joint.size()), value_at(link + child.size()));
-  }
-  return links;
-}
-
 /// With frames named as the links of its description, so that viewers find them; without one, as the joints.
 std::vector<recording::RecordedEntity> recorded(const Entity& robot, std::string_view description) {
   std::vector<recording::RecordedEntity> all;
   all.push_back(recording::recorded_entity(robot));
-  const std::map<std::string, std::string> links = links_in(description);
+  const recording::FrameNames names = recording::frames_by_links(robot.name(), description);
   for (recording::RecordedEntity::Link& link : all[0].links) {
-    const auto found = links.find(robot.model().objects()[static_cast<std::size_t>(link.object)].name);
-    if (found != links.end()) link.frame = fmt::format("{}/{}", robot.name(), found->second);
+    const auto found = names.find(link.frame);
+    if (found != names.end()) link.frame = found->second;
   }
   return all;
 }

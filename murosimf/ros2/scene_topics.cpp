@@ -4,10 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/files/data_path.h"
 #include "murosimf/model/error.h"
 #include "murosimf/recording/recorded_picture.h"
-#include "murosimf/robot/robot_conversion.h"
+#include "murosimf/recording/robot_urdf.h"
 
 namespace murosimf::ros2 {
 
@@ -55,16 +54,8 @@ void SceneTopics::add_entities() {
 }
 
 std::string SceneTopics::description_of(const Entity& robot) const {
-  const auto& specs = scene_.spec().robots;
-  const auto spec = std::ranges::find(specs, robot.name(), &scene_file::RobotSpec::name);
-  if (spec == specs.end()) return {};
-  const files::FileScope scope(scene_.parts().files);
   try {
-    const auto file = files::find_data_file(spec->model, "models", ".xml", scene_.spec().file.parent_path());
-    return robot::convert_robot(file, {.folder = file.parent_path(),
-                                       .reader = {.lenient = true, .xacro = spec->xacro, .body = spec->body},
-                                       .format = robot::WrittenFormat::urdf})
-        .text;
+    return recording::urdf_of(scene_, robot);
   } catch (const SetupError& error) {
     say_(fmt::format("{} has no robot_description: {}", robot.name(), error.what()));
     return {};

@@ -1,5 +1,7 @@
 #include "murosimf/ros2/simulation_messages.h"
 
+#include <algorithm>
+
 namespace murosimf::ros2 {
 namespace {
 
@@ -37,14 +39,44 @@ std::vector<std::string> read_texts(dds::CdrReader& in) {
   return all;
 }
 
+void read_tags_into(dds::CdrReader& in, EntityFilters& filters) {
+  filters.tags = read_texts(in);
+  filters.all_tags = in.number<std::uint8_t>() == 1;
+}
+
+bool has_tags(const EntityFilters& filters, const std::vector<std::string>& tags) {
+  const auto has = [&](const std::string& tag) { return std::ranges::find(tags, tag) != tags.end(); };
+  if (filters.tags.empty()) return true;
+  return filters.all_tags ? std::ranges::all_of(filters.tags, has) : std::ranges::any_of(filters.tags, has);
+}
+
+EntityInfo read_info(dds::CdrReader& in) {
+  EntityInfo info;
+  info.category = static_cast<Category>(in.number<std::uint8_t>());
+  info.description = in.text();
+  info.tags = read_texts(in);
+  return info;
+}
+
+void put(dds::ros2::RosWriter& out, const EntityInfo& info) {
+  out.u8(static_cast<std::uint8_t>(info.category));
+  out.text(info.description);
+  out.texts(info.tags);
+}
+
+void put(dds::ros2::RosWriter& out, const Bounds& bounds) {
+  out.u8(0);  // TYPE_BOX
+  out.u32(static_cast<std::uint32_t>(bounds.points.size()));
+  for (const Vec3d& point : bounds.points) out.vector(point);
+}
+
 EntityFilters read_filters(dds::CdrReader& in) {
   EntityFilters filters;
   filters.names = in.text();
   const std::uint32_t categories = in.count(most_texts);
   for (std::uint32_t i = 0; i < categories; ++i)
     filters.categories.push_back(static_cast<Category>(in.number<std::uint8_t>()));
-  filters.tags = read_texts(in);
-  filters.all_tags = in.number<std::uint8_t>() == 1;
+  read_tags_into(in, filters);
   const auto bounds = in.number<std::uint8_t>();
   const std::uint32_t points = in.count(most_points);
   for (std::uint32_t i = 0; i < points && in.good(); ++i) (void)read_vector(in);
@@ -74,6 +106,14 @@ EntityState read_pose(dds::CdrReader& in) {
   EntityState state;
   read_pose_into(in, state);
   return state;
+}
+
+void put(dds::ros2::RosWriter& out, const NamedPose& pose) {
+  out.text(pose.name);
+  out.text(pose.description);
+  out.texts(pose.tags);
+  out.vector(pose.state.position);
+  out.quaternion(pose.state.orientation);
 }
 
 void put_world(dds::ros2::RosWriter& out, const std::string& name, const std::string& description) {

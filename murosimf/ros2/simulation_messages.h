@@ -21,8 +21,12 @@ enum class ResultCode : std::uint8_t {
   not_found = 2,
   incorrect_state = 3,
   operation_failed = 4,
+  name_not_unique = 101,          ///< SpawnEntity
   name_invalid = 102,             ///< SpawnEntity
   no_resource = 104,              ///< SpawnEntity
+  namespace_invalid = 105,        ///< SpawnEntity
+  resource_parse_error = 106,     ///< SpawnEntity
+  invalid_pose = 109,             ///< SpawnEntity
   no_world_resource = 102,        ///< LoadWorld
   world_parse_error = 103,        ///< LoadWorld
   already_in_target_state = 101,  ///< SetSimulationState
@@ -38,13 +42,19 @@ void put(dds::ros2::RosWriter& out, const Result& result);
 enum class Feature : std::uint16_t {
   spawning = 0,
   deleting = 1,
+  named_poses = 2,
+  pose_bounds = 3,
   entity_tags = 4,
+  entity_bounds = 5,
   entity_categories = 8,
+  spawning_resource_string = 9,
   entity_state_getting = 10,
   entity_state_setting = 11,
   entity_info_getting = 12,
+  entity_info_setting = 13,
   spawnables = 14,
   simulation_reset = 20,
+  simulation_reset_spawned = 23,
   simulation_state_getting = 24,
   simulation_state_setting = 25,
   simulation_state_pause = 26,
@@ -78,6 +88,24 @@ struct EntityFilters {
   bool has_bounds = false;
 };
 [[nodiscard]] EntityFilters read_filters(dds::CdrReader& in);
+/// simulation_interfaces/TagsFilter
+void read_tags_into(dds::CdrReader& in, EntityFilters& filters);
+[[nodiscard]] bool has_tags(const EntityFilters& filters, const std::vector<std::string>& tags);
+
+/// simulation_interfaces/EntityInfo
+struct EntityInfo {
+  Category category = Category::unknown;
+  std::string description;
+  std::vector<std::string> tags;
+};
+[[nodiscard]] EntityInfo read_info(dds::CdrReader& in);
+void put(dds::ros2::RosWriter& out, const EntityInfo& info);
+
+/// simulation_interfaces/Bounds of TYPE_BOX: its upper, then its lower corner [m]; no points: unbounded.
+struct Bounds {
+  std::vector<Vec3d> points;
+};
+void put(dds::ros2::RosWriter& out, const Bounds& bounds);
 
 /// simulation_interfaces/EntityState: in the world, if its frame is empty.
 struct EntityState {
@@ -91,6 +119,15 @@ void put(dds::ros2::RosWriter& out, const EntityState& state);
 [[nodiscard]] EntityState read_state(dds::CdrReader& in);
 /// geometry_msgs/PoseStamped
 [[nodiscard]] EntityState read_pose(dds::CdrReader& in);
+
+/// simulation_interfaces/NamedPose, and what GetNamedPoseBounds tells of it.
+struct NamedPose {
+  std::string name, description;
+  std::vector<std::string> tags;
+  EntityState state;
+  Bounds bounds;
+};
+void put(dds::ros2::RosWriter& out, const NamedPose& pose);
 
 /// simulation_interfaces/WorldResource
 void put_world(dds::ros2::RosWriter& out, const std::string& name, const std::string& description);

@@ -35,11 +35,13 @@ std::string service_name(const std::string& type) {
 SimulationServices::SimulationServices(session::Session& session, int domain, SimulationServicesOptions options)
     : session_(session),
       options_(std::move(options)),
+      spawned_(options_.models_from, options_.say),
       participant_(domain),
       steps_(session, participant_, inbox_),
       tick_(session.scene().simulation().tick()) {
   const session::SessionStatus status = session.status();
   stopped_ = status.paused && status.time == Duration{};
+  note_starts(session.scene());
   offer_all();
   thread_ = std::thread([this] { serve(); });
 }
@@ -64,6 +66,7 @@ void SimulationServices::offer_all() {
   offer("GetEntityState", &Self::get_entity_state);
   offer("SetEntityState", &Self::set_entity_state);
   offer("GetEntityInfo", &Self::get_entity_info);
+  offer("SetEntityInfo", &Self::set_entity_info);
   offer("GetEntityBounds", &Self::get_entity_bounds);
   offer("GetSpawnables", &Self::get_spawnables);
   offer("SpawnEntity", &Self::spawn_entity);
@@ -76,8 +79,8 @@ void SimulationServices::offer_all() {
   offer("GetAvailableWorlds", &Self::get_available_worlds);
   offer("LoadWorld", &Self::load_world);
   offer("UnloadWorld", &Self::refuse);
-  offer("GetNamedPoses", &Self::refuse_list);
-  offer("GetNamedPoseBounds", &Self::get_entity_bounds);
+  offer("GetNamedPoses", &Self::get_named_poses);
+  offer("GetNamedPoseBounds", &Self::get_named_pose_bounds);
 }
 
 void SimulationServices::serve() noexcept {
@@ -183,13 +186,19 @@ void SimulationServices::get_features(dds::CdrReader&, Answer& out) {
   using F = Feature;
   std::vector<F> features{F::spawning,
                           F::deleting,
+                          F::named_poses,
+                          F::pose_bounds,
                           F::entity_tags,
+                          F::entity_bounds,
                           F::entity_categories,
+                          F::spawning_resource_string,
                           F::entity_state_getting,
                           F::entity_state_setting,
                           F::entity_info_getting,
+                          F::entity_info_setting,
                           F::spawnables,
                           F::simulation_reset,
+                          F::simulation_reset_spawned,
                           F::simulation_state_getting,
                           F::simulation_state_setting,
                           F::simulation_state_pause,
@@ -200,16 +209,18 @@ void SimulationServices::get_features(dds::CdrReader&, Answer& out) {
   features.insert(features.end(), {F::world_info_getting, F::available_worlds});
   out.u32(static_cast<std::uint32_t>(features.size()));
   for (const F feature : features) out.u16(static_cast<std::uint16_t>(feature));
-  out.u32(0);
-  out.text("MuRoSimF; simulation_interfaces 2.0; spawns entities that the scene keeps absent; docs/ros2.md");
+  out.texts(std::vector<std::string>{"mjcf", "urdf", "sdf"});
+  out.text("MuRoSimF; simulation_interfaces 2.0; docs/ros2.md");
 }
 
 void SimulationServices::reset_simulation(dds::CdrReader& in, Answer& out) {
-  constexpr std::uint8_t by_default = 0, all_three = 7, all = 255;  // SCOPE_TIME, STATE and SPAWNED are 1, 2, 4
+  constexpr std::uint8_t by_default = 0, spawned = 4, all_three = 7, all = 255;  // SCOPE_TIME and SCOPE_STATE are 1, 2
   const auto scope = in.number<std::uint8_t>();
   if (!in.good()) return;
+  if (scope == spawned) return put(out, remove_spawned());
   if (scope != by_default && scope != all && scope != all_three)
-    return put(out, {ResultCode::feature_unsupported, "everything is reset together: SCOPE_ALL"});
+    return put(out,
+               {ResultCode::feature_unsupported, "everything is reset together (SCOPE_ALL), or SCOPE_SPAWNED alone"});
   put(out, attempt([&] { session_.reset().get(); }));
 }
 
@@ -230,18 +241,6 @@ void SimulationServices::set_simulation_state(dds::CdrReader& in, Answer& out) {
 
 void SimulationServices::refuse(dds::CdrReader&, Answer& out) {
   put(out, {ResultCode::feature_unsupported, "see GetSimulatorFeatures"});
-}
-
-void SimulationServices::refuse_list(dds::CdrReader& in, Answer& out) {
-  refuse(in, out);
-  out.u32(0);
-}
-
-/// simulation_interfaces/Bounds, empty
-void SimulationServices::get_entity_bounds(dds::CdrReader& in, Answer& out) {
-  refuse(in, out);
-  out.u8(0);
-  out.u32(0);
 }
 
 }  // namespace murosimf::ros2

@@ -140,6 +140,14 @@ void LiveSource::load(const std::function<void(scene::Scene&)>& load) {
   diagnostics_ = !diagnostic_.empty();
 }
 
+/// States of before do not fit the scene any more, and no command repeats what is added.
+void LiveSource::extend(const std::function<void(scene::Scene&)>& add) {
+  if (!options_.no_way_back.empty()) throw SetupError("nothing is added to this run: " + options_.no_way_back);
+  add(scene_);
+  begin_branch();
+  live_ = {timeline_.present(), simulation_.now()};
+}
+
 bool LiveSource::has_grown() {
   const bool other = std::exchange(told_branch_, timeline_.present()) != timeline_.present();
   return std::exchange(new_state_, false) || other;

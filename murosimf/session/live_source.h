@@ -25,6 +25,7 @@ class LiveSource final : public PlaybackSource {
   void seek(Duration time, std::optional<int> branch, const std::function<bool()>& given_up) override;
   void load(const std::function<void(scene::Scene&)>& load) override;
   void change(const std::vector<std::string>& changes) override;
+  void extend(const std::function<void(scene::Scene&)>& add) override;
   [[nodiscard]] std::string diagnostic() const override { return diagnostic_; }
 
   [[nodiscard]] int branch() const override { return timeline_.present(); }

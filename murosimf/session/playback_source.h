@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "murosimf/model/error.h"
 #include "murosimf/scene/scene.h"
 #include "murosimf/session/timeline.h"
 
@@ -39,6 +40,11 @@ class PlaybackSource {
   virtual void load(const std::function<void(scene::Scene&)>& load) = 0;
   /// Each PATH = VALUE as of Scene::post; all of them, or none if one fails.
   virtual void change(const std::vector<std::string>& changes) = 0;
+  /// `add` adds entities (Scene::add), or throws and changes nothing: a branch without a parent begins there.
+  virtual void extend(const std::function<void(scene::Scene&)>& add) {
+    (void)add;
+    throw SetupError("nothing is added to this run: its scene is not computed");
+  }
 
   /// Diagnostic of the run from the present instant on ("software of ... keeps its own state: ..."); empty: none.
   [[nodiscard]] virtual std::string diagnostic() const { return {}; }

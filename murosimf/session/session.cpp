@@ -72,6 +72,10 @@ std::future<void> Session::change(std::vector<std::string> texts) {
   return inside_->ask([inside = inside_.get(), texts = std::move(texts)] { inside->source->change(texts); });
 }
 
+std::future<void> Session::extend(std::function<void(scene::Scene&)> add) {
+  return inside_->ask([inside = inside_.get(), add = std::move(add)] { inside->source->extend(add); });
+}
+
 std::future<void> Session::reset(std::optional<std::uint64_t> seed) {
   return inside_->ask([inside = inside_.get(), seed] { inside->reset(seed); });
 }

@@ -93,6 +93,9 @@ class Session {
   std::future<void> change(std::string text);
   /// Several, in order between the same two steps: all of them, or none if one fails.
   std::future<void> change(std::vector<std::string> texts);
+  /// `add` adds entities by Scene::add between two steps, or throws SetupError and changes nothing. The run continues as a branch without a
+  /// parent: there is no way back to before, and no command repeats it. Refused where there is no way back (SessionOptions::no_way_back).
+  std::future<void> extend(std::function<void(scene::Scene&)> add);
   /// Returns to the start, with another seed if given, as a new branch; continues or stays paused as before.
   std::future<void> reset(std::optional<std::uint64_t> seed = {});
   /// To the instant `time` of a branch of the timeline (default: the present one), and pauses there. Continuing

@@ -13,6 +13,7 @@ import subprocess
 import sys
 import tempfile
 from pathlib import Path
+from xml.etree import ElementTree
 
 try:
     import numpy as np
@@ -101,18 +102,26 @@ def compare_sensors(program, recording, topics):
     return len(stamps)
 
 
+def frames_of_links(topics):
+    """New names by those of the recording, which are the joints'."""
+    urdf = ElementTree.fromstring(topics["/robot/robot_description"][0][1].data)
+    return {f"robot/{joint.get('name')}": f"robot/{joint.find('child').get('link')}" for joint in urdf.iter("joint")}
+
+
 def compare_recorded(recording, topics):
     """Poses, pictures, calibrations and lines with the messages of the recording."""
     seen = {"/tf": 0, "/cameras/robot/camera/image": 0, "/events": 0}
     places = {(time, one.child_frame_id): one for time, message in topics["/tf"] for one in message.transforms}
     pictures = {time: message for time, message in topics["/robot/camera/image/compressed"]}
+    names = frames_of_links(topics)
     with open(recording, "rb") as stream:
         for _, channel, message, decoded in make_reader(stream, decoder_factories=[DecoderFactory()]).iter_decoded_messages():
             time = message.log_time
             if channel.topic in ("/tf", "/cameras/tf"):
                 for one in decoded.transforms:
-                    told = places[time, one.child_frame_id]
-                    check(told.header.frame_id == one.parent_frame_id, f"{one.child_frame_id} hangs on {told.header.frame_id}")
+                    told = places[time, names.get(one.child_frame_id, one.child_frame_id)]
+                    check(told.header.frame_id == names.get(one.parent_frame_id, one.parent_frame_id),
+                          f"{one.child_frame_id} hangs on {told.header.frame_id}")
                     move, turn = told.transform.translation, told.transform.rotation
                     far = max(abs(getattr(move, axis) - getattr(one.translation, axis)) for axis in "xyz")
                     check(far == 0, f"{one.child_frame_id} is {far} m elsewhere")
@@ -137,6 +146,22 @@ def compare_recorded(recording, topics):
     clock = [message.clock.sec * 10**9 + message.clock.nanosec for _, message in topics["/clock"]]
     check(clock == sorted(set(clock)), "time goes on")
     return seen
+
+
+def compare_description(bag, topics):
+    """One message, kept, before all others; its links are the frames of /tf."""
+    (time, message), = topics["/robot/robot_description"]
+    first = min(one for messages in topics.values() for one, _ in messages)
+    check(time == first, f"described at {time}, the bag begins at {first}")
+    links = {f"robot/{link.get('name')}" for link in ElementTree.fromstring(message.data).iter("link")}
+    frames = {one.child_frame_id for _, told in topics["/tf"] for one in told.transforms}
+    check(len(links & frames) > 10, f"links {sorted(links)[:3]}, frames {sorted(frames)[:3]}")
+    with Reader(bag) as reader:
+        kept = {one.topic: one.ext.offered_qos_profiles for one in reader.connections}
+    profile, = kept.pop("/robot/robot_description")
+    check(profile.durability.name == "TRANSIENT_LOCAL" and profile.reliability.name == "RELIABLE", f"offered {profile}")
+    check(not any(kept.values()), f"others are offered by default: {kept}")
+    return len(links & frames)
 
 
 def compare_markers(topics):
@@ -165,6 +190,7 @@ def main():
         print("joints: {} messages of {}".format(*compare_joints(program, recording, topics)))
         print(f"imu: {compare_sensors(program, recording, topics)} samples")
         print(f"recorded: {compare_recorded(recording, topics)}; markers {compare_markers(topics)}")
+        print(f"description: {compare_description(bag, topics)} links")
         again = subprocess.run([program, "export", recording, "--rosbag2", bag], capture_output=True, text=True)
         check(again.returncode == 2 and "exists" in again.stderr, f"an older bag: {again.stderr}")
     end()

@@ -98,6 +98,14 @@ class World(IdlStruct, **of_simulation("WorldResource")):
     tags: sequence[str]
 
 
+@dataclass
+class NamedPose(IdlStruct, **of_simulation("NamedPose")):
+    name: str
+    description: str
+    tags: sequence[str]
+    pose: Pose
+
+
 # Requests and answers: their names do not matter, their fields do (ros2_peer.py gives the names).
 
 @dataclass
@@ -130,6 +138,23 @@ class WorldSources(IdlStruct):
 class SetState(IdlStruct):
     entity: str
     state: EntityState
+
+
+@dataclass
+class SetInfo(IdlStruct):
+    entity: str
+    info: EntityInfo
+
+
+@dataclass
+class ByTags(IdlStruct):
+    tags: TagsFilter = field(default_factory=TagsFilter)
+
+
+@dataclass
+class NamedPoses(IdlStruct):
+    result: Result
+    poses: sequence[NamedPose]
 
 
 @dataclass
@@ -243,6 +268,9 @@ SERVICES = {
     "/set_entity_state": ("SetEntityState", SetState, ResultAnswer),
     "/get_entity_info": ("GetEntityInfo", Name, InfoAnswer),
     "/get_entity_bounds": ("GetEntityBounds", Name, BoundsAnswer),
+    "/set_entity_info": ("SetEntityInfo", SetInfo, ResultAnswer),
+    "/get_named_poses": ("GetNamedPoses", ByTags, NamedPoses),
+    "/get_named_pose_bounds": ("GetNamedPoseBounds", Name, BoundsAnswer),
     "/get_spawnables": ("GetSpawnables", Sources, Spawnables),
     "/spawn_entity": ("SpawnEntity", Spawn, Spawned),
     "/delete_entity": ("DeleteEntity", Name, ResultAnswer),

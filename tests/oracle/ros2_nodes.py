@@ -76,11 +76,11 @@ def expect(what, good, got):
 
 
 class Run:
-    def __init__(self, program, folder):
+    def __init__(self, program, folder, domain=DOMAIN, *options):
         scene, self.report = Path(folder) / "ros2.toml", Path(folder) / "report.json"
         scene.write_text(SCENE)
-        self.process = subprocess.Popen([program, "run", str(scene), "--ros2", str(DOMAIN), "--duration", "300",
-                                         "--json", str(self.report)], stderr=subprocess.PIPE, text=True)
+        self.process = subprocess.Popen([program, "run", str(scene), "--ros2", str(domain), "--duration", "300",
+                                         "--json", str(self.report), *options], stderr=subprocess.PIPE, text=True)
 
 
 def look_at_topics(node):
@@ -199,9 +199,8 @@ class Services:
 
 def steer(node, call, clock):
     features = call("get_simulator_features", 0).simulator_features.features
-    expect("features", {0, 1, 10, 11, 20, 31, 40} <= set(features), list(features))
+    expect("features", {0, 1, 2, 3, 5, 9, 10, 11, 13, 20, 23, 31, 40} <= set(features), list(features))
     expect("unsupported is said", call("unload_world", 0).result.result == 0, "")
-    expect("unsupported bounds", call("get_entity_bounds", "ball").result.result == 0, "")
     names = call("get_entities", si.Filters()).entities
     expect("entities", sorted(names) == ["ball", NAME], names)
     expect("filtered", list(call("get_entities", si.Filters(filter="^b.*1$")).entities) == [NAME], "")
@@ -239,7 +238,8 @@ def steer(node, call, clock):
     expect("no orientation", call("set_entity_state", "ball", state).result.result == 4, "")
 
     absent = call("get_spawnables", []).spawnables
-    expect("spawnables", [one.entity_resource.uri for one in absent] == ["reserve"], absent)
+    uris = [one.entity_resource.uri for one in absent]
+    expect("spawnables", uris[0] == "reserve" and {"kid21", "obstacle"} <= set(uris[1:]), uris)
     pose = ros.PoseStamped()
     pose.pose.position = ros.Point(-1.0, 0.5, robot.pose.position.z)
     spawned = call("spawn_entity", "", True, si.Resource("reserve"), "", pose)
@@ -250,12 +250,130 @@ def steer(node, call, clock):
     expect("delete", call("delete_entity", "reserve").result.result == 1, "")
     expect("delete twice", call("delete_entity", "reserve").result.result == 2, "")
 
+    look_at_bounds_and_poses(call)
+    spawn_models(node, call)
+
     expect("one scope alone", call("reset_simulation", 1).result.result == 0, "")
     expect("reset", call("reset_simulation", 0).result.result == 1, "")
+    expect("without spawned ones", set(call("get_entities", si.Filters()).entities) == {NAME, "ball"}, "")
     expect("at the start", call("get_entity_state", "ball").state.header.stamp.seconds() == 0, "")
     expect("play", call("set_simulation_state", 1).result.result == 1, "")
     clock.take(N=1000)
     expect("the clock goes on", wait_for(lambda: clock.take(N=10)), "")
+
+
+def look_at_bounds_and_poses(call):
+    upper, lower = call("get_entity_bounds", "ball").bounds.points
+    expect("bounds of a sphere", max(abs(upper.x - upper.z), abs(upper.x + lower.y), abs(upper.z + lower.z)) < 1e-9 and
+           0.03 < upper.x < 0.15, (upper, lower))
+    upper, lower = call("get_entity_bounds", NAME).bounds.points
+    expect("bounds of a robot", lower.z < -0.1 and upper.z > 0.05 and upper.z - lower.z < 0.8, (upper, lower))
+    expect("bounds of nobody", call("get_entity_bounds", "nobody").result.result == 2, "")
+    poses = {pose.name: pose.pose.position for pose in call("get_named_poses", si.TagsFilter(["start"])).poses}
+    expect("named poses", set(poses) == {NAME, "ball"} and abs(poses["ball"].x - 1.5) < 1e-9, poses)
+    expect("none by such tags", not call("get_named_poses", si.TagsFilter(["start", "parking"], 1)).poses, "")
+    expect("bounds of a pose", len(call("get_named_pose_bounds", "ball").bounds.points) == 2, "")
+    expect("no such pose", call("get_named_pose_bounds", "nowhere").result.result == 2, "")
+    marked = si.EntityInfo(si.Category(3), "the keeper", ["keeper"])
+    expect("info is set", call("set_entity_info", NAME, marked).result.result == 1, "")
+    told = call("get_entity_info", NAME).info
+    expect("as it was set", told.category.category == 3 and list(told.tags) == ["keeper"], told)
+    expect("found by the tag", list(call("get_entities", si.Filters(tags=si.TagsFilter(["keeper"]))).entities) == [NAME], "")
+    expect("info of nobody", call("set_entity_info", "nobody", marked).result.result == 2, "")
+
+
+PENDULUM = """<robot name="pendulum">
+  <link name="foot"><inertial><mass value="2"/><inertia ixx="0.01" iyy="0.01" izz="0.01" ixy="0" ixz="0" iyz="0"/></inertial>
+    <collision><geometry><box size="0.3 0.3 0.1"/></geometry></collision></link>
+  <link name="rod"><inertial><mass value="0.2"/>
+    <inertia ixx="0.001" iyy="0.001" izz="0.001" ixy="0" ixz="0" iyz="0"/></inertial></link>
+  <joint name="hinge" type="revolute"><parent link="foot"/><child link="rod"/><origin xyz="0 0 0.1"/><axis xyz="0 1 0"/>
+    <limit lower="-1" upper="1" effort="5" velocity="5"/></joint>
+</robot>"""
+BOX = """<mujoco model="crate"><worldbody><body name="crate"><freejoint/>
+  <geom type="box" size="0.1 0.1 0.1" mass="1"/></body></worldbody></mujoco>"""
+MESH = BOX.replace('type="box" size="0.1 0.1 0.1"', 'type="mesh" mesh="m"').replace(
+    "<worldbody>", "<asset><mesh name='m' file='/etc/hostname'/></asset><worldbody>")
+STONE = """<sdf version="1.9"><model name="stone"><link name="stone"><inertial><mass>1</mass></inertial>
+  <collision name="c"><geometry><sphere><radius>0.1</radius></sphere></geometry></collision></link></model></sdf>"""
+
+
+def spawn_models(node, call):
+    """While the run is paused."""
+    def spawn(name="", renaming=False, uri="", text="", space="", at=(0.0, 0.0, 0.5), turn=(0.0, 0.0, 0.0, 1.0),
+              frame="world"):
+        pose = ros.PoseStamped(header=ros.Header(frame_id=frame), pose=ros.Pose(ros.Point(*at), ros.Quaternion(*turn)))
+        answer = call("spawn_entity", name, renaming, si.Resource(uri, text), space, pose)
+        return answer.result.result, answer.entity_name, answer.result.error_message
+
+    done = spawn("guest", uri="kid21", at=(-2.0, 1.0, 0.5))
+    expect("a model is spawned", done[:2] == (1, "guest"), done)
+    there = call("get_entity_state", "guest").state.pose.position
+    expect("where it was wanted", (there.x, there.y, there.z) == (-2.0, 1.0, 0.5), there)
+    done = spawn("pole", uri="pendulum.xml", text=PENDULUM)
+    expect("a uri goes before a text", done[0] == 2, done)
+    for name, text, x in (("pole", PENDULUM, -2.0), ("crate", BOX, -2.5), ("stone", STONE, -3.0)):
+        done = spawn(name, text=text, at=(x, -1.0, 0.3))
+        expect(f"{name} by its text", done[:2] == (1, name), done)
+    expect("by its model's name", spawn(text=BOX, renaming=True, at=(-3.0, 0.0, 0.3))[:2] == (1, "crate_2"), "")
+    spawned = {"guest", "pole", "crate", "stone", "crate_2"}
+    names = set(call("get_entities", si.Filters()).entities)
+    expect("they are there", names == {NAME, "ball"} | spawned, names)
+
+    readers = node.subscribe("/guest/joint_states", ros.JointState), node.subscribe("/pole/joint_states", ros.JointState)
+    described = node.subscribe("/pole/robot_description", ros.String, KEPT)
+    heights = [call("get_entity_state", name).state.pose.position.z for name in ("crate", "guest")]
+    expect("steps", call("step_simulation", 300).result.result == 1, "")
+    after = [call("get_entity_state", name).state.pose.position.z for name in ("crate", "guest")]
+    expect("they fall", abs(after[0] - 0.1) < 0.02 and after[1] < heights[1] - 0.05, (heights, after))
+
+    def told():
+        call("step_simulation", 20)
+        return [r for r in readers if r.read(N=1)] == list(readers)
+    expect("their joints are told", wait_for(told), "")
+    expect("names of joints", list(readers[1].take(N=1)[0].name) == ["hinge"], "")
+    expect("their model is told", wait_for(lambda: any("hinge" in s.data for s in described.take(N=9))), "")
+
+    for what, code, values in (
+            ("a name twice", 101, {"name": "guest", "uri": "kid21"}),
+            ("the field's name", 101, {"name": "field", "uri": "kid21"}),
+            ("a name of the same topics", 101, {"name": "blue_1", "uri": "kid21"}),
+            ("a bad name", 102, {"name": "a b/../c", "uri": "kid21"}),
+            ("another namespace", 105, {"name": "x", "uri": "kid21", "space": "/team/a"}),
+            ("no such model", 2, {"uri": "kid22"}),
+            ("a way out", 2, {"uri": "../../../../etc/hostname"}),
+            ("a file outside", 2, {"uri": "/etc/passwd"}),
+            ("a name with a break", 2, {"uri": "kid21\nx"}),
+            ("a broken text", 106, {"text": "<robot name='x'><link"}),
+            ("no robot", 106, {"text": "hello"}),
+            ("a text that includes a file", 106, {"text": "<mujoco><include file='/etc/hostname'/></mujoco>"}),
+            ("a mesh elsewhere", 106, {"text": MESH}),
+            ("a joint without an end", 106, {"text": PENDULUM.replace('<child link="rod"/>', '<child link="none"/>')}),
+            ("a place that is no number", 109, {"uri": "kid21", "at": (math.nan, 0.0, 0.0)}),
+            ("no orientation", 109, {"uri": "kid21", "turn": (0.0, 0.0, 0.0, 0.0)}),
+            ("another frame", 109, {"uri": "kid21", "frame": "moon"})):
+        done = spawn(**values)
+        expect(f"refused: {what}", done[:2] == (code, "") and "\n" not in done[2], done)
+    expect("nothing has come", set(call("get_entities", si.Filters()).entities) == names, "")
+    expect("renamed", spawn("guest", True, uri="kid21", at=(-2.0, 2.0, 0.5))[:2] == (1, "guest_2"), "")
+
+    expect("delete a spawned one", call("delete_entity", "crate").result.result == 1, "")
+    expect("it is no spawnable", "crate" not in [one.entity_resource.uri for one in call("get_spawnables", []).spawnables], "")
+    expect("it comes back", spawn("crate", text=BOX, at=(-2.5, -1.0, 0.3))[:2] == (1, "crate"), "")
+    expect("all spawned ones go", call("reset_simulation", 4).result.result == 1 and
+           set(call("get_entities", si.Filters()).entities) == {NAME, "ball"}, "")
+    expect("and come", spawn("guest", uri="kid21", at=(-2.0, 1.0, 0.5))[0] == 1, "")
+
+
+def refuse_when_recorded(program, folder):
+    run = Run(program, folder, DOMAIN + 1, "--record", str(Path(folder) / "run.mcap"))
+    call = Services(Node(DOMAIN + 1))
+    result, kept = (call("spawn_entity", "", True, si.Resource(uri), "", ros.PoseStamped()).result
+                    for uri in ("kid21", "reserve"))
+    expect("no model in a recorded run", result.result == 4 and "recorded" in result.error_message, result)
+    expect("but what its scene has", kept.result == 1, kept)
+    call("set_simulation_state", 3)
+    expect("exit code", run.process.wait(60) == 0, "")
 
 
 def step_by_action(node, call):
@@ -367,6 +485,7 @@ def main():
         code = run.process.wait(60)
         said = run.process.stderr.read()
         expect("exit code", code == 0, (code, said[-500:]))
+        refuse_when_recorded(program, folder)
     end()
 
 

@@ -199,6 +199,35 @@ TEST(Session, HasNoWayBackWhereItIsToldSo) {
   running.comes_to(10ms);
   EXPECT_THROW(running.session.seek(0s).get(), SetupError);
   EXPECT_THROW(running.session.reset().get(), SetupError);
+  bool added = false;
+  EXPECT_THROW(running.session.extend([&](scene::Scene&) { added = true; }).get(), SetupError);
+  EXPECT_FALSE(added);
+}
+
+TEST(Session, IsExtendedByWhatItsCommandsLetIn) {
+  const auto add = [](scene::Scene& scene) {
+    (void)scene.add(scene_file::RobotSpec{
+        .name = "guest", .model = "kid21", .where = "test", .level = "simplified_dynamics", .present = false});
+  };
+  Running running(2s);
+  running.session.step(100);
+  running.comes_to(100ms);
+  running.session.extend(add).get();
+  running.session.change(std::vector<std::string>{"guest.present = true", "guest.place = [1, 1, 0, 0]"}).get();
+  running.session.step(200);
+  running.comes_to(300ms);
+  const std::uint64_t hash = running.hash();
+  EXPECT_EQ(running.session.status().first, 100ms) << "there is no way to before";
+  running.session.seek(200ms).get();
+  running.session.go_on_until(300ms);
+  running.comes_to(300ms);
+  EXPECT_EQ(running.hash(), hash) << "from there on it is repeated";
+  EXPECT_THROW(running.session.extend([](scene::Scene&) { throw SetupError("no"); }).get(), SetupError);
+  running.session.reset().get();
+  bool present = true;
+  running.session.visit([&](scene::Scene& scene) { present = scene.simulation().world().entity("guest").present(); })
+      .get();
+  EXPECT_FALSE(present);
 }
 
 TEST(Session, IsRecordedAsAskedFor) {

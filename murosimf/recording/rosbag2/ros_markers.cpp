@@ -227,7 +227,7 @@ void put_marker(RosWriter& out, const SceneEntity& entity, int id, const Marker&
 
 }  // namespace
 
-std::string ros_markers(std::string_view scene_update, std::map<std::string, int>& shown) {
+std::string ros_markers(std::string_view scene_update, std::map<std::string, int>& shown, const FrameNames& names) {
   RosWriter markers;
   std::uint32_t count = 0;
   const auto replace = [&](const SceneEntity& entity) {
@@ -240,7 +240,12 @@ std::string ros_markers(std::string_view scene_update, std::map<std::string, int
   };
   markers.u32(0);
   for (ProtobufReader in(scene_update); in.next();) {
-    if (in.field() == 2) replace(read_entity(in.message()));
+    if (in.field() == 2) {
+      SceneEntity entity = read_entity(in.message());
+      const auto name = names.find(entity.frame);
+      if (name != names.end()) entity.frame = name->second;
+      replace(entity);
+    }
     if (in.field() != 1) continue;
     SceneEntity gone;
     bool everything = false;

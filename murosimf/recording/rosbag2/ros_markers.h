@@ -5,10 +5,13 @@
 #include <string>
 #include <string_view>
 
+#include "murosimf/recording/robot_urdf.h"
+
 namespace murosimf::recording {
 
 /// CDR. `shown`: how many markers each namespace has, before and after this message; those beyond are deleted. Models (meshes in files)
-/// are left out. Throws SetupError: the message is damaged.
-[[nodiscard]] std::string ros_markers(std::string_view scene_update, std::map<std::string, int>& shown);
+/// are left out. `names`: of frames. Throws SetupError: the message is damaged.
+[[nodiscard]] std::string ros_markers(std::string_view scene_update, std::map<std::string, int>& shown,
+                                      const FrameNames& names = {});
 
 }  // namespace murosimf::recording

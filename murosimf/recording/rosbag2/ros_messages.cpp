@@ -35,15 +35,20 @@ std::vector<std::string> parts_of(std::string_view topic, std::string_view prefi
   return parts;
 }
 
-RosMessage transforms(std::string_view data) {
+std::string_view named(std::string_view frame, const FrameNames& names) {
+  const auto found = names.find(frame);
+  return found == names.end() ? frame : std::string_view(found->second);
+}
+
+RosMessage transforms(std::string_view data, const FrameNames& names) {
   std::vector<FramePose> poses;
   for (ProtobufReader all(data); all.next();) {
     if (all.field() != 1) continue;
     FramePose pose;
     for (ProtobufReader in = all.message(); in.next();) {
       if (in.field() == 1) pose.time = read_time(in.message());
-      if (in.field() == 2) pose.parent = in.bytes();
-      if (in.field() == 3) pose.child = in.bytes();
+      if (in.field() == 2) pose.parent = named(in.bytes(), names);
+      if (in.field() == 3) pose.child = named(in.bytes(), names);
       if (in.field() == 4) pose.position = read_vector(in.message());
       if (in.field() == 5) pose.orientation = from_matrix(read_rotation(in.message()));
     }
@@ -291,6 +296,12 @@ RosMessage ros_clock(Duration time) {
   return {"/clock", "rosgraph_msgs/Clock", out.message()};
 }
 
+RosMessage ros_description(const std::string& robot, const std::string& urdf) {
+  RosWriter out;
+  out.text(urdf);
+  return {fmt::format("/{}/robot_description", ros_name(robot)), "std_msgs/String", out.message(), true};
+}
+
 bool RosMessages::converts(const Channel& channel) {
   return channel.topic == "/tf" || channel.topic == "/cameras/tf" || channel.topic == "/joints" ||
          channel.topic == "/targets" || channel.topic == "/events" || channel.topic == "/warnings" ||
@@ -299,8 +310,8 @@ bool RosMessages::converts(const Channel& channel) {
 
 std::vector<RosMessage> RosMessages::of(const Channel& channel, std::string_view data, Duration time) {
   const std::string& topic = channel.topic;
-  if (topic == "/tf") return {ros_clock(time), transforms(data)};
-  if (topic == "/cameras/tf") return {transforms(data)};
+  if (topic == "/tf") return {ros_clock(time), transforms(data, names_)};
+  if (topic == "/cameras/tf") return {transforms(data, names_)};
   if (topic == "/joints") return joints(data, "joint_states", true);
   if (topic == "/targets") return joints(data, "joint_targets", false);
   if (topic == "/events" || topic == "/warnings") return {log_line(data)};
@@ -314,7 +325,7 @@ RosMessage RosMessages::markers(const std::string& topic, std::string_view data)
   const std::string name = topic.starts_with("/drawings/")
                                ? fmt::format("/drawings/{}", fmt::join(parts_of(topic, "/drawings/"), "/"))
                                : topic;
-  return {name, "visualization_msgs/MarkerArray", ros_markers(data, markers_[topic])};
+  return {name, "visualization_msgs/MarkerArray", ros_markers(data, markers_[topic], names_)};
 }
 
 }  // namespace murosimf::recording

@@ -16,10 +16,12 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "murosimf/dds/ros2/ros_names.h"
 #include "murosimf/recording/mcap/mcap_records.h"
+#include "murosimf/recording/robot_urdf.h"
 #include "murosimf/world/time.h"
 
 namespace murosimf::recording {
@@ -27,11 +29,14 @@ namespace murosimf::recording {
 struct RosMessage {
   std::string topic, type;  ///< "/tf", "tf2_msgs/TFMessage"
   std::string data;         ///< CDR
+  bool kept = false;        ///< transient local: for nodes that come later
 };
 
 /// A converter has memory: markers that a later message does not contain are deleted.
 class RosMessages {
  public:
+  /// `names`: of frames.
+  explicit RosMessages(FrameNames names = {}) : names_(std::move(names)) {}
   /// Of a message of this channel. Empty: ROS has nothing like it. Throws SetupError: the message is damaged.
   [[nodiscard]] std::vector<RosMessage> of(const Channel& channel, std::string_view data, Duration time);
   /// Whether messages of this channel are converted.
@@ -41,10 +46,14 @@ class RosMessages {
   [[nodiscard]] RosMessage markers(const std::string& topic, std::string_view data);
 
   std::map<std::string, std::map<std::string, int>> markers_;  // by topic and namespace: how many are shown
+  FrameNames names_;
 };
 
 /// rosgraph_msgs/Clock.
 [[nodiscard]] RosMessage ros_clock(Duration time);
+
+/// std_msgs/String, kept, of the robot of this name.
+[[nodiscard]] RosMessage ros_description(const std::string& robot, const std::string& urdf);
 
 using dds::ros2::ros_name;
 

@@ -21,6 +21,7 @@ constexpr std::array ros_types{
     RosType{"builtin_interfaces/Time", "int32 sec\nuint32 nanosec\n"},
     RosType{"builtin_interfaces/Duration", "int32 sec\nuint32 nanosec\n"},
     RosType{"std_msgs/Header", "builtin_interfaces/Time stamp\nstring frame_id\n"},
+    RosType{"std_msgs/String", "string data\n"},
     RosType{"std_msgs/ColorRGBA", "float32 r\nfloat32 g\nfloat32 b\nfloat32 a\n"},
     RosType{"std_msgs/MultiArrayDimension", "string label\nuint32 size\nuint32 stride\n"},
     RosType{"std_msgs/MultiArrayLayout", "std_msgs/MultiArrayDimension[] dim\nuint32 data_offset\n"},

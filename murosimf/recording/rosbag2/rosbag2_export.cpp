@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <map>
 #include <string>
+#include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -11,6 +13,8 @@
 #include "murosimf/files/output_file.h"
 #include "murosimf/model/error.h"
 #include "murosimf/recording/mcap/mcap_writer.h"
+#include "murosimf/recording/recorded_run.h"
+#include "murosimf/recording/robot_urdf.h"
 #include "murosimf/recording/rosbag2/ros_messages.h"
 #include "murosimf/recording/rosbag2/ros_types.h"
 #include "murosimf/recording/topics.h"
@@ -26,13 +30,27 @@ std::string full_type(const std::string& type) {
   return fmt::format("{}/msg/{}", type.substr(0, slash), type.substr(slash + 1));
 }
 
+/// Reliable, transient local, depth 1, in the numbers of rmw; line breaks as YAML has them in a string.
+constexpr std::string_view kept_profile =
+    R"(- history: 1\n  depth: 1\n  reliability: 1\n  durability: 1\n  deadline:\n    sec: 9223372036\n    nsec: 854775807\n)"
+    R"(  lifespan:\n    sec: 9223372036\n    nsec: 854775807\n  liveliness: 1\n  liveliness_lease_duration:\n)"
+    R"(    sec: 9223372036\n    nsec: 854775807\n  avoid_ros_namespace_conventions: false)";
+
+/// With its line breaks.
+std::string kept_profile_lines() {
+  std::string text(kept_profile);
+  for (std::size_t at = text.find("\\n"); at != std::string::npos; at = text.find("\\n")) text.replace(at, 2, "\n");
+  return text;
+}
+
 class BagWriter {
  public:
   explicit BagWriter(const fs::path& file) : file_(file, {.library = "murosimf", .profile = "ros2"}) {}
 
   void write(const RosMessage& message, Duration time) {
     auto [topic, is_new] = topics_.try_emplace(message.topic);
-    if (is_new) topic->second = {.type = message.type, .channel = channel_of(message), .messages = 0};
+    if (is_new)
+      topic->second = {.type = message.type, .channel = channel_of(message), .messages = 0, .kept = message.kept};
     if (topic->second.type != message.type)
       throw SetupError(fmt::format("'{}' would have two types of messages, {} and {}", message.topic,
                                    topic->second.type, message.type));
@@ -65,9 +83,9 @@ class BagWriter {
           "        name: {}\n"
           "        type: {}\n"
           "        serialization_format: cdr\n"
-          "        offered_qos_profiles: \"\"\n"
+          "        offered_qos_profiles: \"{}\"\n"
           "      message_count: {}\n",
-          name, full_type(topic.type), topic.messages);
+          name, full_type(topic.type), topic.kept ? kept_profile : "", topic.messages);
     }
     text += fmt::format(
         "  compression_format: \"\"\n"
@@ -90,12 +108,14 @@ class BagWriter {
     std::string type;
     std::uint16_t channel = 0;
     std::uint64_t messages = 0;
+    bool kept = false;
   };
   std::uint16_t channel_of(const RosMessage& message) {
     const std::string type = full_type(message.type);
     auto [schema, is_new] = schemas_.try_emplace(type, std::uint16_t{0});
     if (is_new) schema->second = file_.add_schema(type, "ros2msg", ros_definition(message.type));
-    return file_.add_channel(message.topic, "cdr", schema->second, {{"offered_qos_profiles", ""}});
+    return file_.add_channel(message.topic, "cdr", schema->second,
+                             {{"offered_qos_profiles", message.kept ? kept_profile_lines() : ""}});
   }
 
   McapWriter file_;
@@ -105,19 +125,28 @@ class BagWriter {
   Duration begin_{}, end_{};
 };
 
-void convert(const McapReader& recording, BagWriter& bag) {
+/// At the first instant: a bag is played from there.
+void describe(const std::vector<RobotDescription>& robots, Duration begin, BagWriter& bag) {
+  for (const RobotDescription& one : robots) bag.write(ros_description(one.robot, one.urdf), begin);
+}
+
+void convert(const McapReader& recording, const std::vector<RobotDescription>& robots, BagWriter& bag) {
   std::map<std::uint16_t, Channel> channels;
   for (const Channel& channel : recording.contents().channels) {
     if (RosMessages::converts(channel)) channels.emplace(channel.id, channel);
   }
-  RosMessages messages;
+  FrameNames names;
+  for (const RobotDescription& one : robots) names.merge(frames_by_links(one.robot, one.urdf));
+  RosMessages messages(std::move(names));
   for (const ChunkIndex& chunk : recording.contents().chunks) {
     if (!has_any(chunk, channels)) continue;
     recording.visit_messages(chunk, [&](const Message& message) {
       const auto channel = channels.find(message.channel_id);
       if (channel == channels.end()) return;
       const Duration time = time_of(message);
-      for (const RosMessage& one : messages.of(channel->second, message.data, time)) bag.write(one, time);
+      const std::vector<RosMessage> all = messages.of(channel->second, message.data, time);
+      if (!all.empty() && bag.summary().messages == 0) describe(robots, time, bag);
+      for (const RosMessage& one : all) bag.write(one, time);
     });
   }
   if (bag.summary().messages == 0) throw SetupError("it has nothing that ROS 2 has messages for (--record-what)");
@@ -157,12 +186,34 @@ class PartFolder {
 
 }  // namespace
 
-Rosbag2Summary write_rosbag2(const McapReader& recording, const fs::path& folder) {
+std::vector<RobotDescription> recorded_descriptions(const fs::path& recording, std::vector<std::string>& why) {
+  std::vector<RobotDescription> all;
+  const auto attempt = [&](const std::string& what, const auto& call) {
+    try {
+      call();
+    } catch (const SetupError& error) {
+      why.push_back(fmt::format("{}: {}", what, error.what()));
+    }
+  };
+  attempt("the bag has no robot_description", [&] {
+    const RecordedRun run(recording);
+    const auto scene = run.build_to_show({});
+    for (const Entity* robot : scene->parts().robots) {
+      attempt(fmt::format("the bag has no robot_description of {}", robot->name()), [&] {
+        all.push_back({robot->name(), urdf_of(*scene, *robot)});
+      });
+    }
+  });
+  return all;
+}
+
+Rosbag2Summary write_rosbag2(const McapReader& recording, const fs::path& folder,
+                             const std::vector<RobotDescription>& descriptions) {
   const fs::path named = folder.has_filename() ? folder : folder.parent_path();  // "bag/" is "bag"
   PartFolder part(named);
   const std::string file_name = named.filename().string() + "_0.mcap";
   BagWriter bag(part.path() / file_name);
-  with_context(recording.file().string(), [&] { convert(recording, bag); });
+  with_context(recording.file().string(), [&] { convert(recording, descriptions, bag); });
   bag.close();
   files::write_file(part.path() / "metadata.yaml", bag.metadata(file_name));
   part.commit();

@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "murosimf/recording/mcap/mcap_reader.h"
 
@@ -14,9 +16,20 @@ struct Rosbag2Summary {
   std::size_t topics = 0;
 };
 
-/// Writes `folder`, which must not exist. Stamps are simulated time from 0; /clock has it at each instant of /tf. Throws SetupError:
+/// The model of a robot as URDF.
+struct RobotDescription {
+  std::string robot, urdf;
+};
+/// Of the robots of a recorded run, from the files in the recording; `why`: those that are missing, one line each. Throws nothing: a recording need
+/// not have them.
+[[nodiscard]] std::vector<RobotDescription> recorded_descriptions(const std::filesystem::path& recording,
+                                                                  std::vector<std::string>& why);
+
+/// Writes `folder`, which must not exist. `descriptions` are its first messages, kept for nodes that come later, and name the frames of
+/// links. Stamps are simulated time from 0; /clock has it at each instant of /tf. Throws SetupError:
 /// nothing in the recording has a counterpart in ROS, the recording is damaged, the folder exists or cannot be written; then there is no
 /// folder.
-Rosbag2Summary write_rosbag2(const McapReader& recording, const std::filesystem::path& folder);
+Rosbag2Summary write_rosbag2(const McapReader& recording, const std::filesystem::path& folder,
+                             const std::vector<RobotDescription>& descriptions = {});
 
 }  // namespace murosimf::recording
