@@ -81,6 +81,8 @@ class CdrReader {
     at_ += size;
     return text;
   }
+  /// [byte] not read yet.
+  [[nodiscard]] std::size_t left() const { return good_ ? bytes_.size() - at_ : 0; }
   /// Count of a sequence, at most `most`; 0 if there are more.
   [[nodiscard]] std::uint32_t count(std::uint32_t most) {
     const auto count = number<std::uint32_t>();

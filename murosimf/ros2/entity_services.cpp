@@ -12,6 +12,18 @@ namespace {
 
 constexpr const char* no_entity = "there is no such entity";
 
+/// What is not to be set stays as it is.
+void keep_unset(EntityStateRequest& request, const EntityState& present) {
+  EntityState& state = request.state;
+  if (!request.sets_pose) {
+    state.position = present.position;
+    state.orientation = present.orientation;
+  }
+  if (request.sets_twist) return;
+  state.linear = present.linear;
+  state.angular = present.angular;
+}
+
 }  // namespace
 
 void SimulationServices::get_entities(dds::CdrReader& in, Answer& out) {
@@ -71,21 +83,25 @@ void SimulationServices::get_entity_state(dds::CdrReader& in, Answer& out) {
 }
 
 void SimulationServices::set_entity_state(dds::CdrReader& in, Answer& out) {
-  const std::string name = in.text();
-  EntityState state = read_state(in);
+  EntityStateRequest request = read_state_request(in);
   if (!in.good()) return;
-  if (const std::string trouble = trouble_with(state); !trouble.empty())
-    return put(out, {ResultCode::operation_failed, trouble});
   std::vector<std::string> changes;
+  std::string trouble;
+  bool there = false;
   const Result visited = attempt([&] {
     visit([&](scene::Scene& scene) {
-      const Entity* const entity = find_entity(scene, name);
-      if (entity && entity->present()) changes = changes_to(*entity, state);
+      const Entity* const entity = find_entity(scene, request.entity);
+      there = entity && entity->present();
+      if (!there) return;
+      keep_unset(request, state_of(scene, *entity));
+      trouble = trouble_with(request.state);
+      if (trouble.empty()) changes = changes_to(*entity, request.state);
     });
   });
   if (visited.code != ResultCode::ok) return put(out, visited);
-  if (changes.empty()) return put(out, {ResultCode::not_found, no_entity});
-  put(out, change(changes));
+  if (!there) return put(out, {ResultCode::not_found, no_entity});
+  if (!trouble.empty()) return put(out, {ResultCode::invalid_state, trouble});
+  put(out, request.sets_pose || request.sets_twist ? change(changes) : Result{});
 }
 
 void SimulationServices::get_entity_info(dds::CdrReader& in, Answer& out) {

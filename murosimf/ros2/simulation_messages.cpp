@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "murosimf/math/assert.h"
+
 namespace murosimf::ros2 {
 namespace {
 
@@ -65,7 +67,9 @@ void put(dds::ros2::RosWriter& out, const EntityInfo& info) {
 }
 
 void put(dds::ros2::RosWriter& out, const Bounds& bounds) {
-  out.u8(0);  // TYPE_BOX
+  constexpr std::uint8_t type_empty = 0, type_box = 1;
+  MUROSIMF_ASSERT(bounds.points.empty() || bounds.points.size() == 2);
+  out.u8(bounds.points.empty() ? type_empty : type_box);
   out.u32(static_cast<std::uint32_t>(bounds.points.size()));
   for (const Vec3d& point : bounds.points) out.vector(point);
 }
@@ -100,6 +104,15 @@ EntityState read_state(dds::CdrReader& in) {
   state.angular = read_vector(in);
   for (int i = 0; i < 2; ++i) (void)read_vector(in);
   return state;
+}
+
+EntityStateRequest read_state_request(dds::CdrReader& in) {
+  EntityStateRequest request{in.text(), read_state(in)};
+  constexpr std::size_t flags = 3;  // of pose, twist, acceleration
+  if (in.left() < flags) return request;
+  request.sets_pose = in.number<std::uint8_t>() != 0;
+  request.sets_twist = in.number<std::uint8_t>() != 0;
+  return request;
 }
 
 EntityState read_pose(dds::CdrReader& in) {

@@ -1,7 +1,8 @@
-/// simulation_messages.h - messages of simulation_interfaces 2.0, decoded and encoded.
+/// simulation_messages.h - messages of simulation_interfaces 2.1, decoded and encoded.
 ///
-/// Source: package simulation_interfaces (ros-simulation), version 2.0: fields in their order, numbers of features and results. Requests of 1.x that have the same
-/// bytes (all but Spawnable and WorldResource, which only answers have) are understood as well.
+/// Source: package simulation_interfaces (ros-simulation), versions 2.0 and 2.1, docs.ros.org: fields in their order, numbers of features and
+/// results. Requests of 1.x and 2.0 have the same bytes, but for the flags that 2.1 appends to SetEntityState; answers of 1.x with Spawnable and
+/// WorldResource have others.
 #pragma once
 
 #include <cstdint>
@@ -27,6 +28,7 @@ enum class ResultCode : std::uint8_t {
   namespace_invalid = 105,        ///< SpawnEntity
   resource_parse_error = 106,     ///< SpawnEntity
   invalid_pose = 109,             ///< SpawnEntity
+  invalid_state = 101,            ///< SetEntityState: INVALID_POSE
   no_world_resource = 102,        ///< LoadWorld
   world_parse_error = 103,        ///< LoadWorld
   already_in_target_state = 101,  ///< SetSimulationState
@@ -68,10 +70,9 @@ enum class Feature : std::uint16_t {
 
 /// simulation_interfaces/EntityCategory
 enum class Category : std::uint8_t {
-  unknown = 0,
-  object = 1,
-  robot = 2,
-  human = 3,
+  object = 0,  ///< or not specified
+  robot = 1,
+  human = 2,
   dynamic_object = 4,
   static_object = 5
 };
@@ -94,14 +95,14 @@ void read_tags_into(dds::CdrReader& in, EntityFilters& filters);
 
 /// simulation_interfaces/EntityInfo
 struct EntityInfo {
-  Category category = Category::unknown;
+  Category category = Category::object;
   std::string description;
   std::vector<std::string> tags;
 };
 [[nodiscard]] EntityInfo read_info(dds::CdrReader& in);
 void put(dds::ros2::RosWriter& out, const EntityInfo& info);
 
-/// simulation_interfaces/Bounds of TYPE_BOX: its upper, then its lower corner [m]; no points: unbounded.
+/// simulation_interfaces/Bounds of TYPE_BOX: its upper, then its lower corner [m]. Without points: of TYPE_EMPTY, unbounded.
 struct Bounds {
   std::vector<Vec3d> points;
 };
@@ -117,6 +118,14 @@ struct EntityState {
 };
 void put(dds::ros2::RosWriter& out, const EntityState& state);
 [[nodiscard]] EntityState read_state(dds::CdrReader& in);
+
+/// Request of SetEntityState. Before 2.1 it has no flags: pose and velocities are set.
+struct EntityStateRequest {
+  std::string entity;
+  EntityState state;
+  bool sets_pose = true, sets_twist = true;
+};
+[[nodiscard]] EntityStateRequest read_state_request(dds::CdrReader& in);
 /// geometry_msgs/PoseStamped
 [[nodiscard]] EntityState read_pose(dds::CdrReader& in);
 

@@ -17,8 +17,11 @@ void SimulationServices::get_current_world(dds::CdrReader&, Answer& out) {
 
 void SimulationServices::get_available_worlds(dds::CdrReader& in, Answer& out) {
   (void)read_texts(in);
+  EntityFilters filter;
+  read_tags_into(in, filter);
   if (!in.good()) return;
-  const std::vector<std::string> names = files::data_file_names("scenes", ".toml");
+  std::vector<std::string> names;
+  if (has_tags(filter, {})) names = files::data_file_names("scenes", ".toml");  // worlds have no tags
   put(out, Result{});
   out.u32(static_cast<std::uint32_t>(names.size()));
   for (const std::string& name : names) put_world(out, name, "");

@@ -132,12 +132,17 @@ class Sources(IdlStruct):
 class WorldSources(IdlStruct):
     sources: sequence[str] = field(default_factory=list)
     filter: TagsFilter = field(default_factory=TagsFilter)
+    offline_only: bool = False
+    continue_on_error: bool = False
 
 
 @dataclass
 class SetState(IdlStruct):
     entity: str
     state: EntityState
+    set_pose: bool = True
+    set_twist: bool = True
+    set_acceleration: bool = False
 
 
 @dataclass

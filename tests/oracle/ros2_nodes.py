@@ -204,9 +204,9 @@ def steer(node, call, clock):
     names = call("get_entities", si.Filters()).entities
     expect("entities", sorted(names) == ["ball", NAME], names)
     expect("filtered", list(call("get_entities", si.Filters(filter="^b.*1$")).entities) == [NAME], "")
-    expect("robots", list(call("get_entities", si.Filters(categories=[si.Category(2)])).entities) == [NAME], "")
+    expect("robots", list(call("get_entities", si.Filters(categories=[si.Category(1)])).entities) == [NAME], "")
     expect("a bad filter", call("get_entities", si.Filters(filter="(")).result.result == 4, "")
-    expect("info", call("get_entity_info", NAME).info.category.category == 2, "")
+    expect("info", call("get_entity_info", NAME).info.category.category == 1, "")
     expect("no such entity", call("get_entity_state", "nobody").result.result == 2, "")
 
     expect("playing", call("get_simulation_state", 0).state == 1, "")
@@ -235,10 +235,16 @@ def steer(node, call, clock):
     expect("where it was wanted", abs(moved.pose.position.x - robot.pose.position.x) < 1e-6 and
            abs(moved.pose.orientation.z - math.sin(0.5)) < 1e-6, moved.pose)
     state.pose.orientation = ros.Quaternion(0.0, 0.0, 0.0, 0.0)
-    expect("no orientation", call("set_entity_state", "ball", state).result.result == 4, "")
+    expect("no orientation", call("set_entity_state", "ball", state).result.result == 101, "")
+    state.twist.linear = ros.Vector3(0.25, 0.0, 0.0)
+    expect("velocities alone", call("set_entity_state", "ball", state, False, True).result.result == 1, "")
+    there = call("get_entity_state", "ball").state
+    expect("its place stays", abs(there.pose.position.z - 0.3) < 1e-6 and abs(there.twist.linear.x - 0.25) < 1e-6, there)
+    expect("no flag, no change", call("set_entity_state", "ball", state, False, False).result.result == 1, "")
 
     absent = call("get_spawnables", []).spawnables
     uris = [one.entity_resource.uri for one in absent]
+    expect("no bounds are told", {one.spawn_bounds.type for one in absent} == {0}, "")
     expect("spawnables", uris[0] == "reserve" and {"kid21", "obstacle"} <= set(uris[1:]), uris)
     pose = ros.PoseStamped()
     pose.pose.position = ros.Point(-1.0, 0.5, robot.pose.position.z)
@@ -263,7 +269,9 @@ def steer(node, call, clock):
 
 
 def look_at_bounds_and_poses(call):
-    upper, lower = call("get_entity_bounds", "ball").bounds.points
+    bounds = call("get_entity_bounds", "ball").bounds
+    expect("a box", bounds.type == 1, bounds)
+    upper, lower = bounds.points
     expect("bounds of a sphere", max(abs(upper.x - upper.z), abs(upper.x + lower.y), abs(upper.z + lower.z)) < 1e-9 and
            0.03 < upper.x < 0.15, (upper, lower))
     upper, lower = call("get_entity_bounds", NAME).bounds.points
@@ -274,10 +282,10 @@ def look_at_bounds_and_poses(call):
     expect("none by such tags", not call("get_named_poses", si.TagsFilter(["start", "parking"], 1)).poses, "")
     expect("bounds of a pose", len(call("get_named_pose_bounds", "ball").bounds.points) == 2, "")
     expect("no such pose", call("get_named_pose_bounds", "nowhere").result.result == 2, "")
-    marked = si.EntityInfo(si.Category(3), "the keeper", ["keeper"])
+    marked = si.EntityInfo(si.Category(2), "the keeper", ["keeper"])
     expect("info is set", call("set_entity_info", NAME, marked).result.result == 1, "")
     told = call("get_entity_info", NAME).info
-    expect("as it was set", told.category.category == 3 and list(told.tags) == ["keeper"], told)
+    expect("as it was set", told.category.category == 2 and list(told.tags) == ["keeper"], told)
     expect("found by the tag", list(call("get_entities", si.Filters(tags=si.TagsFilter(["keeper"]))).entities) == [NAME], "")
     expect("info of nobody", call("set_entity_info", "nobody", marked).result.result == 2, "")
 
