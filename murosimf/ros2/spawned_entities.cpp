@@ -158,7 +158,7 @@ std::filesystem::path SpawnedEntities::written(const std::string& text) {
   return file;
 }
 
-/// Files are not quoted over a network (SECURITY.md); a text comes from who is told, and reads nothing but what comes with the program.
+/// Files are not quoted over a network (SECURITY.md); a text is known to the client that sent it, and reads nothing else.
 void SpawnedEntities::refuse(const SpawnRequest& wanted, const std::string& whole) const {
   if (wanted.uri.empty()) {
     throw RefusedSpawn(ResultCode::resource_parse_error,
