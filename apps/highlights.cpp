@@ -1,5 +1,6 @@
 // `murosimf highlights`: finds the goals, kicks, falls and get-ups of a recording, and cuts them to one video.
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 #include "apps/error_output.h"
 #include "apps/interruption.h"
 #include "apps/option_values.h"
+#include "apps/picture_overlay.h"
 #include "apps/progress.h"
 #include "apps/repeat_arguments.h"
 #include "apps/results.h"
@@ -39,6 +41,7 @@ struct HighlightOptions {
   double fps = 25;
   double slow = 1;
   std::string light;
+  std::vector<std::string> overlay;
   RepeatArguments repeat;
 };
 
@@ -59,6 +62,7 @@ void define(const Command& command, HighlightOptions& options) {
   command.add("--slow", options.slow, "Slow motion: the video takes so many times longer than what it shows")
       .shows_default();
   command.add("--light", options.light, "hall, day, evening, spots, night or plain, instead of the scene's");
+  add_overlay(command, options.overlay);
   add_repeat(command, options.repeat);
   add_json(command, options.json);
 }
@@ -113,8 +117,10 @@ const Moment& shown_moment(const Clip& clip, Duration now) {
 /// Draws clips into a video.
 class Cutter {
  public:
-  Cutter(recording::RecordedSource& source, const HighlightOptions& options)
+  /// `overlay`: null, or with the scene of the source.
+  Cutter(recording::RecordedSource& source, const HighlightOptions& options, PictureOverlay* overlay)
       : source_(source),
+        options_(options),
         size_(read_size(options.size)),
         step_(1 / (options.fps * options.slow)),
         painter_(source.scene(),
@@ -124,6 +130,7 @@ class Cutter {
                    spec.samples = std::max(spec.samples, 4);
                  }),
         view_(source.scene()),
+        overlay_(overlay),
         video_(options.video, appearance::VideoFile::Pixels::colors, size_.width, size_.height, options.fps) {}
 
   /// Until it is interrupted.
@@ -154,17 +161,22 @@ class Cutter {
     }
     sensors::View seen;
     render::Renderer& renderer = painter_.renderer();
-    renderer.draw(view_.look(size_.width, size_.height), {.color = true}, 0, seen);
+    const sensors::Perspective from = view_.look(size_.width, size_.height);
+    renderer.draw(from, {.color = true}, 0, seen);
     if (const std::string trouble = renderer.trouble(); !trouble.empty()) throw SetupError(trouble);
-    render::draw_caption(seen.color, fmt::format("{:.2f} s   {}", seconds(time), text_of(moment)));
+    if (overlay_) overlay_->draw(from, seen.color);
+    const bool has_time = has_word(options_.overlay, "time");
+    render::draw_caption(seen.color, (has_time ? "" : fmt::format("{:.2f} s   ", seconds(time))) + text_of(moment));
     video_.add(seen.color);
   }
 
   recording::RecordedSource& source_;
+  const HighlightOptions& options_;
   PictureSize size_;
   double step_;  // [s] of simulated time
   scene::ScenePainter painter_;
   scene::ActionView view_;
+  PictureOverlay* overlay_;
   appearance::VideoFile video_;
   const Moment* followed_ = nullptr;
   Progress line_;
@@ -173,8 +185,12 @@ class Cutter {
 int highlights(const HighlightOptions& options) {
   check(options);
   end_gently();
-  recording::RecordedSource source(recorded_run_of(options.file, options.repeat), options_of(options.repeat));
+  const auto run = recorded_run_of(options.file, options.repeat);
+  recording::RecordedSource source(run, options_of(options.repeat));
+  std::optional<PictureOverlay> overlay;
+  if (!options.overlay.empty()) overlay.emplace(source.scene(), options.overlay);
   std::vector<Moment> moments = find_moments(source, interrupted);
+  if (overlay) overlay->read_score(*run, moments);
   const std::set<std::string> kinds(options.what.begin(), options.what.end());
   std::erase_if(moments, [&](const Moment& one) { return !kinds.contains(std::string(name_of(one.kind))); });
   const std::vector<Clip> clips =
@@ -187,7 +203,7 @@ int highlights(const HighlightOptions& options) {
         throw SetupError(fmt::format("{}: there is nothing of this in it: {}; no video", options.file,
                                      fmt::join(options.what, ", ")));
       }
-      Cutter(source, options).cut(clips);
+      Cutter(source, options, overlay ? &*overlay : nullptr).cut(clips);
     });
   }
   if (interrupted()) say_error(fmt::format("stopped by {}", signal_name()));

@@ -9,6 +9,7 @@
 
 #include "apps/interruption.h"
 #include "apps/option_values.h"
+#include "apps/picture_overlay.h"
 #include "murosimf/drawing/drawn.h"
 #include "murosimf/imaging/depth_numbers.h"
 #include "murosimf/model/properties.h"
@@ -56,7 +57,7 @@ Taken taken(const imaging::LabelImage& labels, bool shown) {
 /// A place from where people look.
 class Eye final : public PictureSource {
  public:
-  Eye(scene::Scene& scene, const RenderOptions& options, const recording::RecordedRun* run)
+  Eye(scene::Scene& scene, const RenderOptions& options, const std::shared_ptr<const recording::RecordedRun>& run)
       : scene_(scene),
         view_(options.view),
         size_(read_size(options.size)),
@@ -65,6 +66,7 @@ class Eye final : public PictureSource {
         fps_(options.fps),
         slow_(options.slow) {
     if (!drawings_.empty() && !layer_.is(Kind::color)) throw SetupError("--drawings are drawn over colors");
+    if (!options.overlay.empty() && !layer_.is(Kind::color)) throw SetupError("--overlay is drawn over colors");
     if (!options.follow.empty()) {
       follow(options.follow);
     } else {
@@ -80,6 +82,7 @@ class Eye final : public PictureSource {
     painter_ = std::make_unique<scene::ScenePainter>(scene, for_people, mark_feet);
     if (run && !drawings_.empty()) recorded_.emplace(run->file());
     if (recorded_) others_.emplace(scene.simulation().world());
+    if (!options.overlay.empty()) begin_overlay(options, run);
   }
   [[nodiscard]] double fps() const override { return fps_; }
   [[nodiscard]] double rate() const override { return fps_ * slow_; }
@@ -91,12 +94,19 @@ class Eye final : public PictureSource {
     renderer.draw(from, layers, 0, view);
     if (const std::string trouble = renderer.trouble(); !trouble.empty()) throw SetupError(trouble);
     if (!drawings_.empty()) draw_drawings(from, view.color);
+    if (overlay_) overlay_->draw(from, view.color);
     if (layer_.is(Kind::depth)) return taken(view.depth, layer_.shown);
     if (layer_.is(Kind::labels)) return taken(view.labels, layer_.shown);
     return std::move(view.color);
   }
 
  private:
+  void begin_overlay(const RenderOptions& options, const std::shared_ptr<const recording::RecordedRun>& run) {
+    overlay_.emplace(scene_, options.overlay);
+    if (!run) return overlay_->watch_score();
+    const bool one = options.video.empty() && options.sheet.empty();
+    overlay_->read_score(run, one ? from_seconds(options.time) : run->end());
+  }
   void follow(const std::vector<std::string>& names) {
     std::vector<std::string> all = names;
     if (names == std::vector<std::string>{"all"}) {
@@ -152,6 +162,7 @@ class Eye final : public PictureSource {
   std::optional<scene::ActionView> following_;
   std::optional<recording::DrawingReader> recorded_;
   std::optional<recording::RecordedExternalDrawings> others_;
+  std::optional<PictureOverlay> overlay_;
 };
 
 /// A camera that a robot carries.
@@ -241,7 +252,7 @@ std::unique_ptr<PictureSource> make_robot_camera(scene::Scene& scene, const Rend
 }
 
 std::unique_ptr<PictureSource> make_eye(scene::Scene& scene, const RenderOptions& options,
-                                        const recording::RecordedRun* run) {
+                                        const std::shared_ptr<const recording::RecordedRun>& run) {
   return std::make_unique<Eye>(scene, options, run);
 }
 

@@ -38,6 +38,6 @@ class PictureSource {
 /// A viewpoint outside of the robots; after the scene is initialized. `run`: whose scene it is, which has what other programs drew then; null:
 /// none, must outlive it. Throws SetupError.
 [[nodiscard]] std::unique_ptr<PictureSource> make_eye(scene::Scene& scene, const RenderOptions& options,
-                                                      const recording::RecordedRun* run);
+                                                      const std::shared_ptr<const recording::RecordedRun>& run);
 
 }  // namespace murosimf::app

@@ -9,6 +9,7 @@
 #include "apps/interruption.h"
 #include "apps/option_values.h"
 #include "apps/picture_files.h"
+#include "apps/picture_overlay.h"
 #include "apps/picture_sheet.h"
 #include "apps/picture_source.h"
 #include "apps/render_dataset.h"
@@ -74,6 +75,7 @@ void define(const Command& command, RenderOptions& options) {
       .value_if_alone("all")
       .separated_by(',')
       .excludes(camera);
+  add_overlay(command, options.overlay).excludes(camera);
   const Option out = command.add("--out", options.out, "PNG file to write");
   command
       .add(
@@ -137,10 +139,10 @@ void say_stopped(const RenderOptions& options, const Simulation& simulation, boo
 }
 
 /// The recording that is drawn; nothing: a scene is.
-std::unique_ptr<const recording::RecordedRun> run_of(const SceneArguments& arguments) {
+std::shared_ptr<const recording::RecordedRun> run_of(const SceneArguments& arguments) {
   if (!recording::is_recording(arguments.file)) return nullptr;
   refuse_changes(arguments);
-  auto run = std::make_unique<const recording::RecordedRun>(arguments.file);
+  auto run = std::make_shared<const recording::RecordedRun>(arguments.file);
   check_plugins(*run, repeat_arguments(arguments));
   return run;
 }
@@ -182,7 +184,7 @@ int render(const RenderOptions& given) {
   if (options.view.empty() && options.camera.empty() && options.follow.empty()) options.view = "overview";
   if (options.camera.empty() && options.size.empty()) options.size = options.sheet.empty() ? "1280x720" : sheet_picture;
   const Duration time = time_of("--time", options.time);
-  const std::unique_ptr<const recording::RecordedRun> run = run_of(options.scene);
+  const std::shared_ptr<const recording::RecordedRun> run = run_of(options.scene);
   const std::shared_ptr<scene::Scene> built = run ? build(*run, options) : build(options);
   scene::Scene& scene = *built;
   Simulation& simulation = scene.simulation();
@@ -193,7 +195,7 @@ int render(const RenderOptions& given) {
   } else {
     simulation.initialize();
   }
-  if (!source) source = make_eye(scene, options, run.get());
+  if (!source) source = make_eye(scene, options, run);
   for (const std::string& warning : make_report(scene).warnings) say_warning(warning);
   run_with_progress(simulation, time);
   const double duration =

@@ -23,6 +23,7 @@ struct RenderOptions {
   bool stance = false;                ///< standing feet of kinematic walkers are yellow
   bool no_shadows = false;            ///< in pictures of viewpoints; those of cameras are as in the scene
   std::vector<std::string> drawings;  ///< groups, "blue1/ball", "roboviz/ball"; "all"; none
+  std::vector<std::string> overlay;   ///< words of picture_overlay.h; none
   std::string dataset;                ///< folder of labelled pictures instead
   std::int64_t frames = 1000;         ///< how many
   std::string randomise = "soccer";   ///< what varies in them

@@ -46,7 +46,24 @@ TEST(Highlights, AreAVideo) {
   EXPECT_FALSE(fs::exists(none));
 }
 
+TEST(Highlights, HaveWordsOverThem) {
+  if (std::system("ffmpeg -version >/dev/null 2>&1") != 0) GTEST_SKIP() << "no ffmpeg here";
+  const auto video = [](const std::string& options) {
+    const fs::path file = scratch("over.gif");
+    const Result result =
+        murosimf("highlights " + recording() + " --size 64x36 --fps 2 --video " + file.string() + options);
+    EXPECT_TRUE(result.exit_code == 0 || result.errors.find("no pictures by OpenGL") != std::string::npos)
+        << result.errors;
+    return result.exit_code == 0 ? read_file(file) : std::string();
+  };
+  const std::string without = video("");
+  if (without.empty()) GTEST_SKIP() << "no pictures here";
+  EXPECT_NE(video(" --overlay support"), without) << "contacts of a recording say who touches the ground";
+}
+
 TEST(Highlights, SayWhatIsWrong) {
+  expect_mistake("highlights " + recording() + " --overlay name", {"--overlay", "name", "names", "support"});
+  expect_mistake("highlights " + recording() + " --overlay score", {"--overlay score", "two teams", "0"});
   expect_mistake("highlights missing.mcap", {"missing.mcap"});
   expect_mistake("highlights " + recording() + " --what goals", {"--what", "goals"});
   expect_mistake("highlights " + recording() + " --video film.txt", {"film.txt", ".mp4"});

@@ -155,8 +155,25 @@ TEST_F(Render, DrawingsOfSoftwareAreOverThePicture) {
   EXPECT_NE(picture("--drawings"), without);
   EXPECT_EQ(picture("--drawings one/picture"), picture("--drawings all"));
   EXPECT_EQ(picture("--drawings one/other"), without);
+  EXPECT_EQ(picture("--drawings one/other,one/picture"), picture("--drawings"));
   expect_mistake("render " + scene.string() + " --libraries --layer depth --drawings --out x.png",
                  {"--drawings", "colors"});
+}
+
+TEST_F(Render, WordsAndMarksAreOverThePicture) {
+  std::set<std::string> pictures{draw("--size 120x70 --time 0.2 --view side")};
+  for (const char* words : {"time", "names,levels", "forces", "support", "all"}) {
+    const std::string set = " --set one.level=simplified_dynamics";
+    EXPECT_TRUE(pictures.insert(draw("--size 120x70 --time 0.2 --view side --overlay " + (words + set))).second)
+        << words;
+  }
+  EXPECT_TRUE(
+      pictures.contains(draw("--size 120x70 --time 0.2 --view side --set one.level=simplified_dynamics --overlay")))
+      << "alone it is all";
+  expect_refused("--overlay names,tim" + out(), {"--overlay", "tim", "time,score,names,levels,forces,support"});
+  expect_refused("--overlay score" + out(), {"--overlay score", "two teams"});
+  expect_refused("--overlay time --layer depth" + out(), {"--overlay", "colors"});
+  expect_refused("--overlay time --camera one.camera" + out(), {"--overlay", "--camera"});
 }
 
 TEST_F(Render, TheSameCallGivesTheSamePicture) {
