@@ -17,6 +17,7 @@ struct RenderOptions {
   std::vector<std::string> follow;    ///< names; "all"; instead of a place
   std::string sheet;                  ///< COLUMNSxROWS; empty: one picture
   std::string camera;                 ///< ROBOT.CAMERA instead
+  std::string inset;                  ///< ROBOT.CAMERA in a corner; empty: none
   std::string size;                   ///< WIDTHxHEIGHT; empty: 1280x720
   std::string layer = "color";        ///< or depth, labels, depth_shown, labels_shown
   std::string light;                  ///< instead of the scene's

@@ -176,6 +176,24 @@ TEST_F(Render, WordsAndMarksAreOverThePicture) {
   expect_refused("--overlay time --camera one.camera" + out(), {"--overlay", "--camera"});
 }
 
+TEST_F(Render, WhatARobotSeesIsInACorner) {
+  const std::string options = "--size 120x70 --time 0.3 --view side", without = draw(options);
+  const std::string inset = draw(options + " --inset one.camera");
+  EXPECT_NE(inset, without);
+  EXPECT_EQ(size_of_png(inset), "120x70");
+  expect_refused("--inset one.camra" + out(), {"--inset 'one.camra'", "did you mean 'camera'?"});
+  expect_refused("--inset one" + out(), {"--inset 'one'", "write ROBOT.CAMERA, like one.camera"});
+  expect_refused("--inset one.camera --layer depth" + out(), {"--inset", "colors"});
+  expect_refused("--inset one.camera --camera one.camera" + out(), {"--inset", "--camera"});
+  expect_refused("--inset one.camera --set one.sensors.camera.color=false" + out(),
+                 {"--inset one.camera", "does not draw color", "--set 'one.sensors.camera.color=true'"});
+  EXPECT_EQ(murosimf("run " + scene_.string() + " --no-cameras --duration 0.4 --record " + file("run.mcap")).exit_code,
+            0);
+  const Result result = murosimf("render " + file("run.mcap") + " " + options + " --inset one.camera" + out("b.png"));
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_TRUE(read_file(file("b.png")) == inset) << "the same of a recording, also if cameras were off then";
+}
+
 TEST_F(Render, TheSameCallGivesTheSamePicture) {
   for (const char* options : {"--size 120x70 --time 0.5 --view one", "--camera one.camera --time 0.5"}) {
     const std::string first = draw(options);
