@@ -24,6 +24,7 @@
 #include "murosimf/scene/action_view.h"
 #include "murosimf/scene/scene_pictures.h"
 #include "murosimf/studies/text_table.h"
+#include "murosimf/web/html_recording.h"
 
 namespace murosimf::app {
 namespace {
@@ -34,6 +35,7 @@ using recording::Moment;
 struct HighlightOptions {
   std::string file;   ///< MCAP
   std::string video;  ///< empty: only the table
+  std::string html;   ///< empty: none
   std::string json;   ///< file, "-" for standard output
   std::vector<std::string> what = recording::moment_kinds();
   int most = 8;
@@ -49,6 +51,8 @@ void define(const Command& command, HighlightOptions& options) {
   command.add("file", options.file, "Recording (MCAP) of 'murosimf run --record'").required();
   command.add("--video", options.video,
               "Video file to write, .mp4, .webm or .gif (needs ffmpeg); without: only the table");
+  command.add("--html", options.html,
+              "HTML file to write: the clips in a page that plays them in any browser and jumps to moments");
   command
       .add("--what", options.what, "Kinds of moments: " + fmt::format("{}", fmt::join(recording::moment_kinds(), ", ")))
       .separated_by(',')
@@ -72,6 +76,7 @@ void check(const HighlightOptions& options) {
   check_rates(options.fps, options.slow);
   if (!options.light.empty()) check_light(options.light);
   check_json_file(options.json);
+  if (!options.html.empty()) files::claim_output("--html", options.html);
   if (options.video.empty()) return;
   appearance::check_video(options.video);
   files::claim_output("--video", options.video);
@@ -112,6 +117,11 @@ const Moment& shown_moment(const Clip& clip, Duration now) {
     if (moment.time - std::chrono::milliseconds(400) <= now) shown = &moment;
   }
   return *shown;
+}
+
+[[noreturn]] void refuse_nothing(const HighlightOptions& options, std::string_view file) {
+  throw SetupError(
+      fmt::format("{}: there is nothing of this in it: {}; no {}", options.file, fmt::join(options.what, ", "), file));
 }
 
 /// Draws clips into a video.
@@ -182,6 +192,19 @@ class Cutter {
   Progress line_;
 };
 
+/// Writes clips and moments into a page, until it is interrupted.
+void write_html(recording::RecordedSource& source, const HighlightOptions& options, const std::vector<Clip>& clips) {
+  web::HtmlRecording page(source.scene(), {.file = options.html, .rate = options.fps, .by_hand = true});
+  for (const Clip& clip : clips) {
+    for (Duration time = clip.begin; time <= clip.end && !interrupted(); time += page.period()) {
+      source.seek(time, {}, [] { return false; });
+      page.take_frame();
+    }
+    for (const Moment& moment : clip.moments) page.note(moment.time, text_of(moment));
+  }
+  page.finish();
+}
+
 int highlights(const HighlightOptions& options) {
   check(options);
   end_gently();
@@ -199,11 +222,14 @@ int highlights(const HighlightOptions& options) {
   results.write([&] { write_result(options.json, table_of(moments, clips), json_of(moments, clips)); });
   if (!options.video.empty() && !interrupted()) {
     results.write([&] {
-      if (clips.empty()) {
-        throw SetupError(fmt::format("{}: there is nothing of this in it: {}; no video", options.file,
-                                     fmt::join(options.what, ", ")));
-      }
+      if (clips.empty()) refuse_nothing(options, "video");
       Cutter(source, options, overlay ? &*overlay : nullptr).cut(clips);
+    });
+  }
+  if (!options.html.empty() && !interrupted()) {
+    results.write([&] {
+      if (clips.empty()) refuse_nothing(options, "page");
+      write_html(source, options, clips);
     });
   }
   if (interrupted()) say_error(fmt::format("stopped by {}", signal_name()));

@@ -61,6 +61,19 @@ TEST(Highlights, HaveWordsOverThem) {
   EXPECT_NE(video(" --overlay support"), without) << "contacts of a recording say who touches the ground";
 }
 
+TEST(Highlights, AreAPageOfTheClipsAlone) {
+  const fs::path page = scratch("up.html"), all = scratch("all.html");
+  const Result result = murosimf("highlights " + recording() + " --html " + page.string());
+  if (result.errors.find("without its page") != std::string::npos) GTEST_SKIP() << result.errors;
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_EQ(murosimf("replay " + recording() + " --html " + all.string()).exit_code, 0);
+  EXPECT_LT(read_file(page).size(), read_file(all).size());
+  const Result nothing = murosimf("highlights " + recording() + " --what goal --html " + page.string());
+  EXPECT_EQ(nothing.exit_code, 2);
+  EXPECT_NE(nothing.errors.find("goal; no page"), std::string::npos) << nothing.errors;
+  expect_mistake("highlights " + recording() + " --html " + recording(), {"--html"});
+}
+
 TEST(Highlights, SayWhatIsWrong) {
   expect_mistake("highlights " + recording() + " --overlay name", {"--overlay", "name", "names", "support"});
   expect_mistake("highlights " + recording() + " --overlay score", {"--overlay score", "two teams", "0"});
