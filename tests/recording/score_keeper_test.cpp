@@ -19,9 +19,8 @@ fixtures::RepeatableRun goals() {
   run.when_initialized = [](scene::Scene& scene) {
     int x = 0;
     for (const char* place : {"3.2", "0", "-3.2", "0.5", "-3.2"}) {
-      scene.simulation().at(x++ * 100ms + 50ms, [&scene, place] {
-        (void)scene.post(std::string("ball.place = [") + place + ", 0]");
-      });
+      scene.simulation().at(x++ * 100ms + 50ms,
+                            [&scene, place] { (void)scene.post(std::string("ball.place = [") + place + ", 0]"); });
     }
   };
   return run;
