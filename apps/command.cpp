@@ -54,6 +54,8 @@ Option Option::one_at_a_time() const {
 
 Option Option::separated_by(char separator) const {
   option_->delimiter(separator);
+  // also if it takes one word only, or none (value_if_alone)
+  option_->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   return *this;
 }
 

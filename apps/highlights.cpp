@@ -1,5 +1,6 @@
 // `murosimf highlights`: finds the goals, kicks, falls and get-ups of a recording, and cuts them to one video.
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 #include "apps/error_output.h"
 #include "apps/interruption.h"
 #include "apps/option_values.h"
+#include "apps/picture_overlay.h"
 #include "apps/progress.h"
 #include "apps/repeat_arguments.h"
 #include "apps/results.h"
@@ -22,6 +24,7 @@
 #include "murosimf/scene/action_view.h"
 #include "murosimf/scene/scene_pictures.h"
 #include "murosimf/studies/text_table.h"
+#include "murosimf/web/html_recording.h"
 
 namespace murosimf::app {
 namespace {
@@ -32,6 +35,7 @@ using recording::Moment;
 struct HighlightOptions {
   std::string file;   ///< MCAP
   std::string video;  ///< empty: only the table
+  std::string html;   ///< empty: none
   std::string json;   ///< file, "-" for standard output
   std::vector<std::string> what = recording::moment_kinds();
   int most = 8;
@@ -39,6 +43,7 @@ struct HighlightOptions {
   double fps = 25;
   double slow = 1;
   std::string light;
+  std::vector<std::string> overlay;
   RepeatArguments repeat;
 };
 
@@ -46,6 +51,8 @@ void define(const Command& command, HighlightOptions& options) {
   command.add("file", options.file, "Recording (MCAP) of 'murosimf run --record'").required();
   command.add("--video", options.video,
               "Video file to write, .mp4, .webm or .gif (needs ffmpeg); without: only the table");
+  command.add("--html", options.html,
+              "HTML file to write: the clips in a page that plays them in any browser and jumps to moments");
   command
       .add("--what", options.what, "Kinds of moments: " + fmt::format("{}", fmt::join(recording::moment_kinds(), ", ")))
       .separated_by(',')
@@ -59,6 +66,7 @@ void define(const Command& command, HighlightOptions& options) {
   command.add("--slow", options.slow, "Slow motion: the video takes so many times longer than what it shows")
       .shows_default();
   command.add("--light", options.light, "hall, day, evening, spots, night or plain, instead of the scene's");
+  add_overlay(command, options.overlay);
   add_repeat(command, options.repeat);
   add_json(command, options.json);
 }
@@ -68,6 +76,7 @@ void check(const HighlightOptions& options) {
   check_rates(options.fps, options.slow);
   if (!options.light.empty()) check_light(options.light);
   check_json_file(options.json);
+  if (!options.html.empty()) files::claim_output("--html", options.html);
   if (options.video.empty()) return;
   appearance::check_video(options.video);
   files::claim_output("--video", options.video);
@@ -110,11 +119,18 @@ const Moment& shown_moment(const Clip& clip, Duration now) {
   return *shown;
 }
 
+[[noreturn]] void refuse_nothing(const HighlightOptions& options, std::string_view file) {
+  throw SetupError(
+      fmt::format("{}: there is nothing of this in it: {}; no {}", options.file, fmt::join(options.what, ", "), file));
+}
+
 /// Draws clips into a video.
 class Cutter {
  public:
-  Cutter(recording::RecordedSource& source, const HighlightOptions& options)
+  /// `overlay`: null, or with the scene of the source.
+  Cutter(recording::RecordedSource& source, const HighlightOptions& options, PictureOverlay* overlay)
       : source_(source),
+        options_(options),
         size_(read_size(options.size)),
         step_(1 / (options.fps * options.slow)),
         painter_(source.scene(),
@@ -124,6 +140,7 @@ class Cutter {
                    spec.samples = std::max(spec.samples, 4);
                  }),
         view_(source.scene()),
+        overlay_(overlay),
         video_(options.video, appearance::VideoFile::Pixels::colors, size_.width, size_.height, options.fps) {}
 
   /// Until it is interrupted.
@@ -154,27 +171,49 @@ class Cutter {
     }
     sensors::View seen;
     render::Renderer& renderer = painter_.renderer();
-    renderer.draw(view_.look(size_.width, size_.height), {.color = true}, 0, seen);
+    const sensors::Perspective from = view_.look(size_.width, size_.height);
+    renderer.draw(from, {.color = true}, 0, seen);
     if (const std::string trouble = renderer.trouble(); !trouble.empty()) throw SetupError(trouble);
-    render::draw_caption(seen.color, fmt::format("{:.2f} s   {}", seconds(time), text_of(moment)));
+    if (overlay_) overlay_->draw(from, seen.color);
+    const bool has_time = has_word(options_.overlay, "time");
+    render::draw_caption(seen.color, (has_time ? "" : fmt::format("{:.2f} s   ", seconds(time))) + text_of(moment));
     video_.add(seen.color);
   }
 
   recording::RecordedSource& source_;
+  const HighlightOptions& options_;
   PictureSize size_;
   double step_;  // [s] of simulated time
   scene::ScenePainter painter_;
   scene::ActionView view_;
+  PictureOverlay* overlay_;
   appearance::VideoFile video_;
   const Moment* followed_ = nullptr;
   Progress line_;
 };
 
+/// Writes clips and moments into a page, until it is interrupted.
+void write_html(recording::RecordedSource& source, const HighlightOptions& options, const std::vector<Clip>& clips) {
+  web::HtmlRecording page(source.scene(), {.file = options.html, .rate = options.fps, .by_hand = true});
+  for (const Clip& clip : clips) {
+    for (Duration time = clip.begin; time <= clip.end && !interrupted(); time += page.period()) {
+      source.seek(time, {}, [] { return false; });
+      page.take_frame();
+    }
+    for (const Moment& moment : clip.moments) page.note(moment.time, text_of(moment));
+  }
+  page.finish();
+}
+
 int highlights(const HighlightOptions& options) {
   check(options);
   end_gently();
-  recording::RecordedSource source(recorded_run_of(options.file, options.repeat), options_of(options.repeat));
+  const auto run = recorded_run_of(options.file, options.repeat);
+  recording::RecordedSource source(run, options_of(options.repeat));
+  std::optional<PictureOverlay> overlay;
+  if (!options.overlay.empty()) overlay.emplace(source.scene(), options.overlay);
   std::vector<Moment> moments = find_moments(source, interrupted);
+  if (overlay) overlay->read_score(*run, moments);
   const std::set<std::string> kinds(options.what.begin(), options.what.end());
   std::erase_if(moments, [&](const Moment& one) { return !kinds.contains(std::string(name_of(one.kind))); });
   const std::vector<Clip> clips =
@@ -183,11 +222,14 @@ int highlights(const HighlightOptions& options) {
   results.write([&] { write_result(options.json, table_of(moments, clips), json_of(moments, clips)); });
   if (!options.video.empty() && !interrupted()) {
     results.write([&] {
-      if (clips.empty()) {
-        throw SetupError(fmt::format("{}: there is nothing of this in it: {}; no video", options.file,
-                                     fmt::join(options.what, ", ")));
-      }
-      Cutter(source, options).cut(clips);
+      if (clips.empty()) refuse_nothing(options, "video");
+      Cutter(source, options, overlay ? &*overlay : nullptr).cut(clips);
+    });
+  }
+  if (!options.html.empty() && !interrupted()) {
+    results.write([&] {
+      if (clips.empty()) refuse_nothing(options, "page");
+      write_html(source, options, clips);
     });
   }
   if (interrupted()) say_error(fmt::format("stopped by {}", signal_name()));

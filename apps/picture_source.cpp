@@ -7,14 +7,15 @@
 
 #include <fmt/format.h>
 
-#include "apps/interruption.h"
 #include "apps/option_values.h"
+#include "apps/picture_overlay.h"
 #include "murosimf/drawing/drawn.h"
 #include "murosimf/imaging/depth_numbers.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/recording/recorded_drawings.h"
 #include "murosimf/recording/recorded_external_drawings.h"
 #include "murosimf/render/image_png.h"
+#include "murosimf/render/inset.h"
 #include "murosimf/render/renderer.h"
 #include "murosimf/render/seen_drawing.h"
 #include "murosimf/scene/action_view.h"
@@ -56,15 +57,19 @@ Taken taken(const imaging::LabelImage& labels, bool shown) {
 /// A place from where people look.
 class Eye final : public PictureSource {
  public:
-  Eye(scene::Scene& scene, const RenderOptions& options, const recording::RecordedRun* run)
+  Eye(scene::Scene& scene, const RenderOptions& options, const std::shared_ptr<const recording::RecordedRun>& run,
+      std::unique_ptr<CameraFeed> inset)
       : scene_(scene),
         view_(options.view),
         size_(read_size(options.size)),
         layer_(layer_of(options.layer)),
         drawings_(options.drawings.begin(), options.drawings.end()),
         fps_(options.fps),
-        slow_(options.slow) {
+        slow_(options.slow),
+        inset_(std::move(inset)) {
     if (!drawings_.empty() && !layer_.is(Kind::color)) throw SetupError("--drawings are drawn over colors");
+    if (!options.overlay.empty() && !layer_.is(Kind::color)) throw SetupError("--overlay is drawn over colors");
+    if (inset_ && !layer_.is(Kind::color)) throw SetupError("--inset is drawn over colors");
     if (!options.follow.empty()) {
       follow(options.follow);
     } else {
@@ -80,10 +85,13 @@ class Eye final : public PictureSource {
     painter_ = std::make_unique<scene::ScenePainter>(scene, for_people, mark_feet);
     if (run && !drawings_.empty()) recorded_.emplace(run->file());
     if (recorded_) others_.emplace(scene.simulation().world());
+    if (!options.overlay.empty()) begin_overlay(options, run);
   }
   [[nodiscard]] double fps() const override { return fps_; }
   [[nodiscard]] double rate() const override { return fps_ * slow_; }
   std::optional<Taken> take(Duration /*instant*/) override {
+    // the newest frame, or the first one that comes
+    if (inset_ && inset_->frame().number == 0 && !inset_->wait(scene_.simulation().now())) return std::nullopt;
     sensors::View view;
     const sensors::Layers layers{layer_.is(Kind::color), layer_.is(Kind::depth), layer_.is(Kind::labels)};
     render::Renderer& renderer = painter_->renderer();
@@ -91,12 +99,20 @@ class Eye final : public PictureSource {
     renderer.draw(from, layers, 0, view);
     if (const std::string trouble = renderer.trouble(); !trouble.empty()) throw SetupError(trouble);
     if (!drawings_.empty()) draw_drawings(from, view.color);
+    if (overlay_) overlay_->draw(from, view.color);
+    if (inset_) render::draw_inset(view.color, inset_->colors(), inset_->path());
     if (layer_.is(Kind::depth)) return taken(view.depth, layer_.shown);
     if (layer_.is(Kind::labels)) return taken(view.labels, layer_.shown);
     return std::move(view.color);
   }
 
  private:
+  void begin_overlay(const RenderOptions& options, const std::shared_ptr<const recording::RecordedRun>& run) {
+    overlay_.emplace(scene_, options.overlay);
+    if (!run) return overlay_->watch_score();
+    const bool one = options.video.empty() && options.sheet.empty();
+    overlay_->read_score(run, one ? from_seconds(options.time) : run->end());
+  }
   void follow(const std::vector<std::string>& names) {
     std::vector<std::string> all = names;
     if (names == std::vector<std::string>{"all"}) {
@@ -152,67 +168,30 @@ class Eye final : public PictureSource {
   std::optional<scene::ActionView> following_;
   std::optional<recording::DrawingReader> recorded_;
   std::optional<recording::RecordedExternalDrawings> others_;
+  std::optional<PictureOverlay> overlay_;
+  std::unique_ptr<CameraFeed> inset_;
 };
 
 /// A camera that a robot carries.
 class RobotCamera final : public PictureSource {
  public:
   RobotCamera(scene::Scene& scene, const RenderOptions& options)
-      : simulation_(scene.simulation()),
-        path_(options.camera),
-        frame_(find(scene.simulation().world(), path_)),
-        layer_(layer_of(options.layer)),
-        slow_(options.slow) {
+      : feed_(scene, "--camera", options.camera), layer_(layer_of(options.layer)), slow_(options.slow) {
     if (options.size.empty()) return;
-    throw SetupError(fmt::format("--size: the size of a camera is its own; {} changes it", setting("width=640")));
+    throw SetupError(fmt::format("--size: the size of a camera is its own; {} changes it", feed_.setting("width=640")));
   }
   [[nodiscard]] double fps() const override { return rate() / slow_; }
-  [[nodiscard]] double rate() const override { return 1 / seconds(frame_.info->period); }
+  [[nodiscard]] double rate() const override { return 1 / seconds(feed_.frame().info->period); }
   std::optional<Taken> take(Duration instant) override {
-    // a frame of now is there after the next step, or later by its delay
-    while (frame_.number == 0 || frame_.time < instant) {
-      if (interrupted()) return std::nullopt;
-      if (simulation_.now() > instant + frame_.info->period + std::chrono::seconds(10)) {
-        throw SetupError(fmt::format("--camera '{}': it shows nothing", path_));
-      }
-      simulation_.run(std::chrono::milliseconds(1));
-    }
-    if (layer_.is(Kind::depth)) return taken(wanted(frame_.depth, "depth"), layer_.shown);
-    if (layer_.is(Kind::labels)) return taken(wanted(frame_.labels, "labels"), layer_.shown);
-    return frame_.mosaic.empty() ? wanted(frame_.color, "color") : render::shown(frame_.mosaic);
+    if (!feed_.wait(instant)) return std::nullopt;
+    const sensors::CameraFrame& frame = feed_.frame();
+    if (layer_.is(Kind::depth)) return taken(feed_.wanted(frame.depth, "depth"), layer_.shown);
+    if (layer_.is(Kind::labels)) return taken(feed_.wanted(frame.labels, "labels"), layer_.shown);
+    return feed_.colors();
   }
 
  private:
-  /// What changes the camera, for the reader of messages.
-  [[nodiscard]] std::string setting(std::string_view change) const {
-    const auto dot = path_.find('.');
-    return fmt::format("--set '{}.sensors{}.{}'", path_.substr(0, dot), path_.substr(dot), change);
-  }
-  static const sensors::CameraFrame& find(World& world, const std::string& path) {
-    return *with_context(fmt::format("--camera '{}'", path), [&] {
-      const auto dot = path.find('.');
-      Entity& robot = world.entity(path.substr(0, dot));
-      if (dot == std::string::npos) refuse_robot(robot, path);
-      return &sensors::want_frames(robot, path.substr(dot + 1));
-    });
-  }
-  [[noreturn]] static void refuse_robot(const Entity& robot, const std::string& path) {
-    std::string cameras;
-    for (const sensors::CameraFrame* frame : sensors::frames_of(robot)) {
-      cameras += fmt::format("{} {}.{}", cameras.empty() ? ", like" : ",", path, frame->info->name);
-    }
-    throw SetupError("write ROBOT.CAMERA" + cameras);
-  }
-  template <class Image>
-  [[nodiscard]] const Image& wanted(const Image& image, std::string_view layer) const {
-    if (!image.empty()) return image;
-    throw SetupError(fmt::format("--layer {}: the camera does not draw it; {} lets it", layer,
-                                 setting(fmt::format("{}=true", layer))));
-  }
-
-  Simulation& simulation_;
-  std::string path_;
-  const sensors::CameraFrame& frame_;
+  CameraFeed feed_;
   const Layer& layer_;
   double slow_;
 };
@@ -241,8 +220,9 @@ std::unique_ptr<PictureSource> make_robot_camera(scene::Scene& scene, const Rend
 }
 
 std::unique_ptr<PictureSource> make_eye(scene::Scene& scene, const RenderOptions& options,
-                                        const recording::RecordedRun* run) {
-  return std::make_unique<Eye>(scene, options, run);
+                                        const std::shared_ptr<const recording::RecordedRun>& run,
+                                        std::unique_ptr<CameraFeed> inset) {
+  return std::make_unique<Eye>(scene, options, run, std::move(inset));
 }
 
 }  // namespace murosimf::app

@@ -5,6 +5,7 @@
 #include <optional>
 #include <variant>
 
+#include "apps/camera_feed.h"
 #include "apps/render_options.h"
 #include "murosimf/recording/recorded_run.h"
 #include "murosimf/scene/scene.h"
@@ -36,8 +37,9 @@ class PictureSource {
 [[nodiscard]] std::unique_ptr<PictureSource> make_robot_camera(scene::Scene& scene, const RenderOptions& options);
 
 /// A viewpoint outside of the robots; after the scene is initialized. `run`: whose scene it is, which has what other programs drew then; null:
-/// none, must outlive it. Throws SetupError.
+/// none. `inset`: whose last frame is in a corner; null: none. Throws SetupError.
 [[nodiscard]] std::unique_ptr<PictureSource> make_eye(scene::Scene& scene, const RenderOptions& options,
-                                                      const recording::RecordedRun* run);
+                                                      const std::shared_ptr<const recording::RecordedRun>& run,
+                                                      std::unique_ptr<CameraFeed> inset);
 
 }  // namespace murosimf::app

@@ -9,6 +9,7 @@
 #include "apps/interruption.h"
 #include "apps/option_values.h"
 #include "apps/picture_files.h"
+#include "apps/picture_overlay.h"
 #include "apps/picture_sheet.h"
 #include "apps/picture_source.h"
 #include "apps/render_dataset.h"
@@ -74,6 +75,11 @@ void define(const Command& command, RenderOptions& options) {
       .value_if_alone("all")
       .separated_by(',')
       .excludes(camera);
+  add_overlay(command, options.overlay).excludes(camera);
+  command
+      .add("--inset", options.inset,
+           "ROBOT.CAMERA: what a robot sees, in a corner of pictures from a view, with its name")
+      .excludes(camera);
   const Option out = command.add("--out", options.out, "PNG file to write");
   command
       .add(
@@ -137,13 +143,16 @@ void say_stopped(const RenderOptions& options, const Simulation& simulation, boo
 }
 
 /// The recording that is drawn; nothing: a scene is.
-std::unique_ptr<const recording::RecordedRun> run_of(const SceneArguments& arguments) {
+std::shared_ptr<const recording::RecordedRun> run_of(const SceneArguments& arguments) {
   if (!recording::is_recording(arguments.file)) return nullptr;
   refuse_changes(arguments);
-  auto run = std::make_unique<const recording::RecordedRun>(arguments.file);
+  auto run = std::make_shared<const recording::RecordedRun>(arguments.file);
   check_plugins(*run, repeat_arguments(arguments));
   return run;
 }
+
+/// Whether robots' cameras are in the pictures.
+bool looks_through(const RenderOptions& options) { return !options.camera.empty() || !options.inset.empty(); }
 
 std::vector<std::string> overrides_of(const RenderOptions& options) {
   return options.light.empty() ? std::vector<std::string>{} : std::vector{"light.name=" + options.light};
@@ -159,15 +168,15 @@ std::shared_ptr<scene::Scene> build(const recording::RecordedRun& run, const Ren
   load_plugins(options.scene.plugins);
   recording::RepeatOptions repeat = options_of(repeat_arguments(options.scene));
   repeat.overrides = overrides_of(options);
-  if (!options.camera.empty()) repeat.cameras = true;
+  if (looks_through(options)) repeat.cameras = true;
   return run.build(repeat);
 }
 
 /// Another light, or cameras that were off, are in none of the recorded states: the run is repeated from its start then.
 void begin(const recording::RecordedRun& run, scene::Scene& scene, const RenderOptions& options) {
-  const bool as_then = options.light.empty() && (options.camera.empty() || run.description().cameras);
+  const bool as_then = options.light.empty() && (!looks_through(options) || run.description().cameras);
   // states have no pictures of cameras that were not used then; from then on these are drawn
-  const Duration time = time_of("--time", options.time) - (options.camera.empty() ? 0 : 1) * std::chrono::seconds(1);
+  const Duration time = time_of("--time", options.time) - (looks_through(options) ? 1 : 0) * std::chrono::seconds(1);
   if (time_of("--time", options.time) > run.end()) {
     throw SetupError(fmt::format("--time {}: the recording ends at {} s", options.time, seconds(run.end())));
   }
@@ -182,18 +191,20 @@ int render(const RenderOptions& given) {
   if (options.view.empty() && options.camera.empty() && options.follow.empty()) options.view = "overview";
   if (options.camera.empty() && options.size.empty()) options.size = options.sheet.empty() ? "1280x720" : sheet_picture;
   const Duration time = time_of("--time", options.time);
-  const std::unique_ptr<const recording::RecordedRun> run = run_of(options.scene);
+  const std::shared_ptr<const recording::RecordedRun> run = run_of(options.scene);
   const std::shared_ptr<scene::Scene> built = run ? build(*run, options) : build(options);
   scene::Scene& scene = *built;
   Simulation& simulation = scene.simulation();
   std::unique_ptr<PictureSource> source;
   if (!options.camera.empty()) source = make_robot_camera(scene, options);
+  std::unique_ptr<CameraFeed> inset;
+  if (!options.inset.empty()) inset = std::make_unique<CameraFeed>(scene, "--inset", options.inset);
   if (run) {
     begin(*run, scene, options);
   } else {
     simulation.initialize();
   }
-  if (!source) source = make_eye(scene, options, run.get());
+  if (!source) source = make_eye(scene, options, run, std::move(inset));
   for (const std::string& warning : make_report(scene).warnings) say_warning(warning);
   run_with_progress(simulation, time);
   const double duration =

@@ -28,9 +28,11 @@ bool add_meshes(const std::vector<VisualMesh>& visuals, const Transformd& place,
   bool any = false;
   for (const VisualMesh& visual : visuals) {
     try {
-      geometry::TriangleMesh mesh = visual_triangles(visual);
-      for (Vec3d& v : mesh.vertices) v = place.position + place.orientation * v;
-      robot.meshes.push_back({0, render::render_mesh_of(mesh.vertices, mesh.triangles), visual.color});
+      std::vector<std::string> not_shown;
+      for (auto& [mesh, color] : visual_parts(visual, not_shown)) {
+        for (Vec3d& v : mesh.vertices) v = place.position + place.orientation * v;
+        robot.meshes.push_back({0, render::render_mesh_of(mesh.vertices, mesh.triangles), color});
+      }
       any = true;
     } catch (const SetupError&) {
       continue;

@@ -1,7 +1,9 @@
 #include "murosimf/appearance/visual_meshes.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -13,9 +15,86 @@
 #include "murosimf/model/properties.h"
 #include "murosimf/robot_formats/mesh/mesh_file.h"
 #include "murosimf/robot_formats/mesh/mesh_library.h"
+#include "murosimf/robot_formats/mesh/mtl_file.h"
 
 namespace murosimf::appearance {
 namespace {
+
+using robot_formats::mesh::MeshFile;
+
+constexpr std::size_t most_colors = 100;  // of a mesh; others are drawn as if they had none
+constexpr std::uint32_t no_vertex = std::numeric_limits<std::uint32_t>::max();
+
+/// A file's mesh in the frame of the object.
+MeshFile read_placed(const VisualMesh& mesh) {
+  const Vec3d& s = mesh.scale;
+  if (s.x == 0 || s.y == 0 || s.z == 0) {
+    throw SetupError(fmt::format("{}: a scale of 0 makes the mesh flat; correct it", mesh.file));
+  }
+  MeshFile file = robot_formats::mesh::read_mesh_file(mesh.file);
+  geometry::TriangleMesh& triangles = file.mesh;
+  for (Vec3d& v : triangles.vertices) v = transposed_times(mesh.file_orientation, v - mesh.file_position);
+  robot_formats::mesh::scale_mesh(triangles, s);
+  for (Vec3d& v : triangles.vertices) v = mesh.position + mesh.orientation * v;
+  return file;
+}
+
+/// The triangles of one part, with its own vertices. `number`: of each vertex of the file, all none; is left so.
+geometry::TriangleMesh own_mesh(const geometry::TriangleMesh& file, const std::vector<std::size_t>& triangles,
+                                std::vector<std::uint32_t>& number) {
+  geometry::TriangleMesh mesh;
+  std::vector<std::uint32_t> used;
+  for (const std::size_t triangle : triangles) {
+    auto corners = file.triangles[triangle];
+    for (std::uint32_t& corner : corners) {
+      MUROSIMF_ASSERT(corner < number.size());
+      if (number[corner] == no_vertex) {
+        number[corner] = static_cast<std::uint32_t>(mesh.vertices.size());
+        mesh.vertices.push_back(file.vertices[corner]);
+        used.push_back(corner);
+      }
+      corner = number[corner];
+    }
+    mesh.triangles.push_back(corners);
+  }
+  for (const std::uint32_t corner : used) number[corner] = no_vertex;
+  return mesh;
+}
+
+/// Colors of the materials, the first of which is that of triangles without one. Gray is made another gray: the default one means the entity's
+/// own color.
+std::vector<Color> colors_of(const MeshFile& file, const Color& otherwise) {
+  std::vector<Color> colors{otherwise};
+  for (const robot_formats::mesh::MeshMaterial& material : file.materials) {
+    colors.push_back(material.color.value_or(otherwise));
+    if (material.color == Color{}) colors.back().red += 1e-3;
+  }
+  return colors;
+}
+
+std::vector<VisualPart> parts_by_color(const MeshFile& file, const Color& otherwise) {
+  const std::vector<Color> colors = colors_of(file, otherwise);
+  std::vector<std::size_t> part_of;  // by material
+  std::vector<Color> different;
+  for (const Color& color : colors) {
+    auto known = std::ranges::find(different, color);
+    if (known == different.end() && different.size() == most_colors) known = different.begin();
+    part_of.push_back(static_cast<std::size_t>(known - different.begin()));
+    if (known == different.end()) different.push_back(color);
+  }
+  std::vector<std::vector<std::size_t>> triangles(different.size());
+  for (std::size_t i = 0; i < file.mesh.triangles.size(); ++i) {
+    const std::uint32_t material = i < file.material_of.size() ? file.material_of[i] : 0;
+    MUROSIMF_ASSERT(material < part_of.size());
+    triangles[part_of[material]].push_back(i);
+  }
+  std::vector<std::uint32_t> number(file.mesh.vertices.size(), no_vertex);
+  std::vector<VisualPart> parts;
+  for (std::size_t i = 0; i < different.size(); ++i) {
+    if (!triangles[i].empty()) parts.push_back({own_mesh(file.mesh, triangles[i], number), different[i]});
+  }
+  return parts;
+}
 
 /// Adds visual meshes. True if one of them is visible.
 bool add_visuals(const Model& model, int object, Appearance& appearance) {
@@ -23,7 +102,9 @@ bool add_visuals(const Model& model, int object, Appearance& appearance) {
   bool any = false;
   for (const VisualMesh& visual : visuals ? *visuals : Visuals{}) {
     try {
-      appearance.meshes.push_back({object, visual_triangles(visual), visual.color});
+      for (VisualPart& part : visual_parts(visual, appearance.warnings)) {
+        appearance.meshes.push_back({object, std::move(part.mesh), part.color});
+      }
       any = true;
     } catch (const SetupError& error) {
       appearance.warnings.push_back(
@@ -56,16 +137,16 @@ void reduce(Appearance& appearance, std::size_t most) {
 
 }  // namespace
 
-geometry::TriangleMesh visual_triangles(const VisualMesh& mesh) {
-  const Vec3d& s = mesh.scale;
-  if (s.x == 0 || s.y == 0 || s.z == 0) {
-    throw SetupError(fmt::format("{}: a scale of 0 makes the mesh flat; correct it", mesh.file));
+geometry::TriangleMesh visual_triangles(const VisualMesh& mesh) { return read_placed(mesh).mesh; }
+
+std::vector<VisualPart> visual_parts(const VisualMesh& mesh, std::vector<std::string>& notes) {
+  MeshFile file = read_placed(mesh);
+  if (!mesh.mesh_colors || file.materials.empty()) return {{std::move(file.mesh), mesh.color}};
+  std::ranges::move(robot_formats::mesh::add_mtl_colors(mesh.file, file), std::back_inserter(notes));
+  if (std::ranges::any_of(file.materials, &robot_formats::mesh::MeshMaterial::textured)) {
+    notes.push_back(fmt::format("{}: textures of meshes are not drawn", mesh.file));
   }
-  geometry::TriangleMesh triangles = robot_formats::mesh::read_mesh_file(mesh.file).mesh;
-  for (Vec3d& v : triangles.vertices) v = transposed_times(mesh.file_orientation, v - mesh.file_position);
-  robot_formats::mesh::scale_mesh(triangles, s);
-  for (Vec3d& v : triangles.vertices) v = mesh.position + mesh.orientation * v;
-  return triangles;
+  return parts_by_color(file, mesh.color);
 }
 
 std::vector<std::string> visual_files(const Model& model) {

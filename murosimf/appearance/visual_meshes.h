@@ -14,6 +14,15 @@ namespace murosimf::appearance {
 /// mesh file, line if there is one, what is wrong, what to do.
 [[nodiscard]] geometry::TriangleMesh visual_triangles(const VisualMesh& mesh);
 
+/// Triangles of one color, in the frame of their object.
+struct VisualPart {
+  geometry::TriangleMesh mesh;
+  Color color;
+};
+/// The same triangles by the colors of the file's materials, where these count; else one part. `notes` gets lines about what is not shown
+/// of them. Throws SetupError as visual_triangles().
+[[nodiscard]] std::vector<VisualPart> visual_parts(const VisualMesh& mesh, std::vector<std::string>& notes);
+
 /// The files of all visual meshes of a model, one for each use.
 [[nodiscard]] std::vector<std::string> visual_files(const Model& model);
 

@@ -11,9 +11,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "murosimf/dataset/jpeg_bytes.h"
 #include "murosimf/dataset/manifest.h"
 #include "murosimf/dataset/painter.h"
-#include "murosimf/dataset/jpeg_bytes.h"
 #include "murosimf/dataset/random_camera.h"
 #include "murosimf/dataset/summary.h"
 #include "murosimf/files/json_document.h"

@@ -106,21 +106,22 @@ void GameTask::step(const Instant& instant) noexcept {
   ask();
 }
 
-/// Assigns the referee's teams to those of the scene. False if they are others.
-bool GameTask::find_teams(const GameState& game) {
+std::optional<std::array<std::uint8_t, 2>> places_of_teams(const GameState& game, const std::array<int, 2>& numbers) {
   std::array<std::uint8_t, 2> places{0, 1};
   for (std::size_t team = 0; team < 2; ++team) {
-    const int number = options_.team_numbers[team];
-    const auto found = std::ranges::find(game.teams, number, &TeamState::number);
-    if (number != 0) places[team] = static_cast<std::uint8_t>(found - game.teams.begin());
+    const auto found = std::ranges::find(game.teams, numbers[team], &TeamState::number);
+    if (numbers[team] != 0) places[team] = static_cast<std::uint8_t>(found - game.teams.begin());
   }
-  if (options_.team_numbers[0] == 0 && options_.team_numbers[1] != 0)
-    places[0] = static_cast<std::uint8_t>(1 - places[1]);
-  if (options_.team_numbers[1] == 0 && options_.team_numbers[0] != 0)
-    places[1] = static_cast<std::uint8_t>(1 - places[0]);
+  if (numbers[0] == 0 && numbers[1] != 0) places[0] = static_cast<std::uint8_t>(1 - places[1]);
+  if (numbers[1] == 0 && numbers[0] != 0) places[1] = static_cast<std::uint8_t>(1 - places[0]);
   // 0 + 1: both were found, and are different
-  if (places[0] + places[1] == 1) {
-    place_of_team_ = places;
+  return places[0] + places[1] == 1 ? std::optional(places) : std::nullopt;
+}
+
+/// Assigns the referee's teams to those of the scene. False if they are others.
+bool GameTask::find_teams(const GameState& game) {
+  if (const auto places = places_of_teams(game, options_.team_numbers)) {
+    place_of_team_ = *places;
     return true;
   }
   if (!std::exchange(told_of_teams_, true)) {

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,11 @@
 #include "murosimf/world/setup.h"
 
 namespace murosimf::league {
+
+/// Places of a scene's two teams in what a referee says. `numbers`: of these teams; 0: those of the referee, in its order. Nothing: the
+/// referee has other teams.
+[[nodiscard]] std::optional<std::array<std::uint8_t, 2>> places_of_teams(const GameState& game,
+                                                                         const std::array<int, 2>& numbers);
 
 /// A robot of the game.
 struct Player {

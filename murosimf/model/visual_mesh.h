@@ -26,6 +26,7 @@ struct VisualMesh {
   Vec3d position;          ///< [m] of the mesh frame, in the object's frame
   Mat3d orientation;       ///< mesh axes to the object's axes
   Color color;
+  bool mesh_colors = false;  ///< the materials of the file count, where it has some
 };
 
 using Visuals = std::vector<VisualMesh>;

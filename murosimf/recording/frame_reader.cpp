@@ -159,7 +159,7 @@ void FrameReader::take_joints(std::string_view data, bool targets) {
   }
 }
 
-/// Bodies of contacts are not needed for pictures.
+/// Entities are numbered from 1, by their places in the world; 0: two entities touch, or the file does not say.
 void FrameReader::take_contacts(std::string_view data) {
   for (ProtobufReader all(data); all.next();) {
     if (all.field() != 2) continue;
@@ -167,6 +167,7 @@ void FrameReader::take_contacts(std::string_view data) {
     for (ProtobufReader in = all.message(); in.next();) {
       if (in.field() == 1) mark.point = read_vector(in.message());
       if (in.field() == 2) mark.force = read_vector(in.message());
+      if (in.field() == 3) mark.ground_contact_of = static_cast<int>(in.varint()) - 1;
     }
     frame_.contacts.push_back(mark);
   }

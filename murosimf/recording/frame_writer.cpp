@@ -279,6 +279,7 @@ void FrameWriter::write_contacts(const RecordedFrame& frame) {
     out.message(2, [&](ProtobufWriter& in) {
       put_vector(in, 1, rounded(contact.point, point_step));
       put_vector(in, 2, rounded(contact.force, force_step));
+      in.varint(3, static_cast<std::uint64_t>(contact.ground_contact_of + 1));
     });
   }
   file_.write(*contacts_, frame.time, bytes_);

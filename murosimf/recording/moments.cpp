@@ -72,14 +72,14 @@ class MomentFinder {
       if (entity == ball_ || !R || entity->model().joints().empty()) continue;
       robots_.push_back({.entity = entity, .lying = R->values[0].z.z < cos_fallen});
     }
-    in_goal_ = ball_in_goal(scene_);
+    goal_ = goal_with_ball(scene_);
   }
 
   void see(std::vector<Moment>& moments) {
     const Duration now = scene_.simulation().now();
-    const bool in_goal = ball_in_goal(scene_);
-    if (in_goal && !in_goal_) moments.push_back({Kind::goal, now, "", 0});
-    in_goal_ = in_goal;
+    const int goal = goal_with_ball(scene_);
+    if (goal != 0 && goal_ == 0) moments.push_back({.kind = Kind::goal, .time = now, .robot = {}, .goal = goal});
+    goal_ = goal;
     see_kick(now, moments);
     for (WatchedRobot& robot : robots_) see_lean(robot, now, moments);
   }
@@ -95,7 +95,7 @@ class MomentFinder {
     if (!kicker || now < kicked_ + between_kicks) return;
     kicked_ = now;
     kick_ = moments.size();
-    moments.push_back({Kind::kick, now, kicker->entity->name(), motion_.speed()});
+    moments.push_back({Kind::kick, now, kicker->entity->name(), motion_.speed(), 0});
   }
 
   [[nodiscard]] const WatchedRobot* nearest_to(const Vec3d& place) const {
@@ -117,10 +117,10 @@ class MomentFinder {
     const double cos_lean = robot.entity->find(properties::orientation)->values[0].z.z;
     if (!robot.lying && cos_lean < cos_fallen) {
       robot.lying = true;
-      moments.push_back({Kind::fall, now, robot.entity->name(), 0});
+      moments.push_back({Kind::fall, now, robot.entity->name(), 0, 0});
     } else if (robot.lying && cos_lean > cos_upright) {
       robot.lying = false;
-      moments.push_back({Kind::get_up, now, robot.entity->name(), 0});
+      moments.push_back({Kind::get_up, now, robot.entity->name(), 0, 0});
     }
   }
 
@@ -130,7 +130,7 @@ class MomentFinder {
   BallMotion motion_;
   Duration kicked_ = Duration::min() / 2;
   std::size_t kick_ = 0;  // index of the last one
-  bool in_goal_ = false;
+  int goal_ = 0;
 };
 
 Duration before(Kind kind) {

@@ -21,6 +21,7 @@ struct Moment {
   Duration time{};
   std::string robot;  ///< empty: goal
   double speed = 0;   ///< [m/s] of the ball, its largest in the 0.2 s after a kick; else 0
+  int goal = 0;       ///< goal: which one, as goal_with_ball() (run_watch.h); else 0
 };
 
 /// "goal", "kick", "fall", "get_up": the most worth seeing first.

@@ -143,7 +143,8 @@ std::vector<MessageSchema> all_schemas() {
 
       message_schema("murosimf.Contact", R"(
         foxglove.Vector3 point = 1;
-        foxglove.Vector3 force = 2;)"),
+        foxglove.Vector3 force = 2;
+        uint32 ground_contact_of = 3;)"),
       message_schema("murosimf.Contacts", R"(
         google.protobuf.Timestamp timestamp = 1;
         repeated murosimf.Contact contacts = 2;)"),

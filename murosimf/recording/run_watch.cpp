@@ -15,15 +15,16 @@ const std::vector<std::string>& watchable() {
   return names;
 }
 
-bool ball_in_goal(const scene::Scene& scene) {
+int goal_with_ball(const scene::Scene& scene) {
   const Entity* ball = scene.parts().ball;
-  if (!ball || !ball->present() || !scene.spec().ball) return false;
+  if (!ball || !ball->present() || !scene.spec().ball) return 0;
   const Column<Vec3d>* position = ball->find(properties::position);
-  if (!position) return false;
+  if (!position) return 0;
   const scene_file::FieldSize& field = scene_file::field_size(scene.spec().field.size);
   const Vec3d r = position->values[0];
-  return std::abs(r.x) > field.length / 2 + scene.spec().ball->radius && std::abs(r.y) < field.goal_width / 2 &&
-         r.z < field.goal_height;
+  const bool inside = std::abs(r.x) > field.length / 2 + scene.spec().ball->radius &&
+                      std::abs(r.y) < field.goal_width / 2 && r.z < field.goal_height;
+  return inside ? (r.x > 0 ? 1 : -1) : 0;
 }
 
 RunWatch::RunWatch(const scene::Scene& scene, std::set<std::string> what) : scene_(scene), what_(std::move(what)) {}
@@ -42,7 +43,7 @@ std::vector<std::string> RunWatch::look() {
     one.falls = falls;
     one.frozen = frozen;
   }
-  const bool in_goal = what_.contains("goal") && ball_in_goal(scene_);
+  const bool in_goal = what_.contains("goal") && goal_with_ball(scene_) != 0;
   if (begun_ && in_goal && !in_goal_) happened.emplace_back("goal");
   in_goal_ = in_goal;
   begun_ = true;

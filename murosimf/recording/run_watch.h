@@ -30,8 +30,9 @@ class RunWatch {
   bool in_goal_ = false, begun_ = false;
 };
 
-/// Whether the whole ball is behind a goal line, between the posts and under the crossbar; false without a ball.
-[[nodiscard]] bool ball_in_goal(const scene::Scene& scene);
+/// The goal that has the whole ball behind its line, between the posts and under the crossbar: +1, the one at positive x; -1, the other one; 0:
+/// none has it.
+[[nodiscard]] int goal_with_ball(const scene::Scene& scene);
 
 /// "fall": a base tilted over 60 degrees. "goal": ball_in_goal() becomes true. "freeze": an entity was
 /// frozen because of invalid numbers. "asked": Recorder::ask, which is handled outside of RunWatch.

@@ -32,6 +32,16 @@ void draw_seen(cairo_t* canvas, const SeenShape& shape) {
 
 }  // namespace
 
+double width_of_words(const std::string& words, double height) {
+  const SurfacePtr surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, 1, 1), cairo_surface_destroy);
+  check(cairo_surface_status(surface.get()));
+  const CanvasPtr canvas(cairo_create(surface.get()), cairo_destroy);
+  set_font(canvas.get(), height, true);
+  const double width = text_width(canvas.get(), words);
+  check(cairo_status(canvas.get()));
+  return width;
+}
+
 void draw_over(imaging::ColorImage& picture, const std::vector<SeenShape>& shapes) {
   if (shapes.empty() || picture.empty()) return;
   // Cairo's rows are padded and its pixels are 32 bits wide: the picture is copied in and out.

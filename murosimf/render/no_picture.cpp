@@ -19,6 +19,8 @@ std::string field_picture_png(const Markings& /*markings*/, const std::vector<Pa
   refuse();
 }
 
+double width_of_words(const std::string& /*words*/, double /*height*/) { refuse(); }
+
 void draw_over(imaging::ColorImage& /*picture*/, const std::vector<SeenShape>& /*shapes*/) { refuse(); }
 
 std::string image_png(const imaging::ColorImage& /*image*/, const std::string& /*title*/) { refuse(); }

@@ -28,6 +28,10 @@ struct SeenShape {
 void see(const DrawnShape& shape, const Transformd& frame, const sensors::Perspective& view,
          std::vector<SeenShape>& into);
 
+/// [px] Width of words of that height, without the margin of their background, which has a quarter of the height on each side. Throws
+/// SetupError if this build has no pictures.
+[[nodiscard]] double width_of_words(const std::string& words, double height);
+
 /// Draws them over a picture. Throws SetupError if this build has no pictures.
 void draw_over(imaging::ColorImage& picture, const std::vector<SeenShape>& shapes);
 

@@ -107,6 +107,7 @@ struct VisualDescription {
   std::string mesh;  ///< among the description's meshes
   Transformd place;  ///< of the mesh frame in the frame of the body
   Color color;
+  bool mesh_colors = false;  ///< the mesh's materials count, where it has some
 };
 
 /// A named frame on a body.

@@ -100,13 +100,24 @@ void HtmlRecording::take_drawings() {
   drawings_.take(times_.size() - 1, all);
 }
 
+void HtmlRecording::note(Duration time, const std::string& text) { notes_.emplace_back(time, text); }
+
+nlohmann::json HtmlRecording::lines() const {
+  if (notes_.empty()) return lines_of(scene_.simulation());
+  nlohmann::json lines = nlohmann::json::array();
+  for (const auto& [time, text] : notes_) {
+    lines.push_back({{"time", seconds(time)}, {"text", text}, {"warning", false}});
+  }
+  return lines;
+}
+
 std::string HtmlRecording::packed() const {
   MUROSIMF_ASSERT(!frames_.empty());
   const Simulation& simulation = scene_.simulation();
   nlohmann::json text{{"scene_bytes", document_.bytes.size()},
                       {"frames", frames_.size()},
                       {"words", frames_.front().size() / 2},
-                      {"lines", lines_of(simulation)},
+                      {"lines", lines()},
                       {"entities", entity_states(simulation.world())}};
   if (!drawings_.empty()) text["drawings"] = drawings_.object();
   const std::string head = json_line(text);

@@ -15,6 +15,8 @@
 #include <utility>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "murosimf/drawing/debug_draw_source.h"
 #include "murosimf/runtime/pose_frame.h"
 #include "murosimf/scene/scene.h"
@@ -41,6 +43,9 @@ class HtmlRecording {
 
   /// Adds a frame of the present instant, a period after the previous one.
   void take_frame();
+  /// Adds a line to those that the page lists, with which people jump to an instant; with any, they stand in the place of events and
+  /// warnings of the run.
+  void note(Duration time, const std::string& text);
   [[nodiscard]] Duration period() const { return period_; }
   /// Writes the file, which is complete or absent. Throws SetupError.
   void finish();
@@ -49,6 +54,7 @@ class HtmlRecording {
   void start();
   void look();
   void take_drawings();
+  [[nodiscard]] nlohmann::json lines() const;
   [[nodiscard]] std::string packed() const;
 
   scene::Scene& scene_;
@@ -57,6 +63,7 @@ class HtmlRecording {
   Duration period_;
   std::vector<Duration> times_;
   std::vector<std::string> frames_;  // pose messages, all of the same size
+  std::vector<std::pair<Duration, std::string>> notes_;
   PoseFrame poses_;
   DrawingTracks drawings_;
   std::optional<std::pair<std::uint64_t, std::uint64_t>> drawn_;  // processed changes, of robots and of others

@@ -55,6 +55,62 @@ TEST(VisualMeshes, StandWhereTheMjcfFilePutsThem) {
   EXPECT_EQ(robot.model->find(properties::visuals, robot.model->object_index("elbow"))->at(0).color.blue, 0.3);
 }
 
+/// A tetrahedron whose faces have no material, "red", "red" and "dark", which `library` defines.
+std::string painted(const std::string& library) {
+  return library + "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nusemtl red\nf 1 2 4\nf 1 4 3\nusemtl dark\nf 2 3 4\n";
+}
+
+struct Painted {
+  std::vector<VisualPart> parts;
+  std::vector<std::string> notes;
+};
+/// The visual of a URDF file with t.obj as its mesh.
+Painted read_painted(const std::string& material = "") {
+  using namespace robot_formats::urdf::urdf_files;
+  const auto file = write("robot.urdf", with_link(solid() + "<visual><geometry><mesh filename='t.obj'/></geometry>" +
+                                                  material + "</visual>"));
+  const robot::RobotFile robot = robot::read_robot(file);
+  const Visuals* visuals = robot.model->find(properties::visuals, robot.model->having(properties::visuals).at(0));
+  Painted painted;
+  painted.parts = visual_parts(visuals->at(0), painted.notes);
+  return painted;
+}
+
+TEST(VisualMeshes, OfUrdfHaveTheColorsOfTheirFiles) {
+  write("t.obj", painted("mtllib t.mtl\n"));
+  write("t.mtl", "# colors\nnewmtl red\nKd 0.9 0.1 0\nd 0.5\nnewmtl dark\nKd 0.5 0.5 0.5\nmap_Kd skin.png\n");
+  const Painted found = read_painted();
+  ASSERT_EQ(found.parts.size(), 3U);
+  EXPECT_EQ(found.parts[0].color, Color{}) << "without a material: as the robot";
+  EXPECT_EQ(found.parts[0].mesh.triangles.size(), 1U);
+  EXPECT_EQ(found.parts[1].color, (Color{0.9, 0.1, 0, 0.5}));
+  EXPECT_EQ(found.parts[1].mesh.triangles.size(), 2U);
+  EXPECT_EQ(found.parts[1].mesh.vertices.size(), 4U);
+  EXPECT_NEAR(found.parts[2].color.red, 0.5, 0.002);
+  EXPECT_NE(found.parts[2].color, Color{}) << "gray of a material is no robot's own color";
+  ASSERT_EQ(found.notes.size(), 1U);
+  EXPECT_TRUE(says(found.notes[0], {"t.mtl", "textures of meshes are not drawn"})) << found.notes[0];
+
+  const Painted own = read_painted("<material name='blue'><color rgba='0 0 1 1'/></material>");
+  ASSERT_EQ(own.parts.size(), 1U) << "what the robot file says counts";
+  EXPECT_EQ(own.parts[0].color.blue, 1);
+  EXPECT_TRUE(own.notes.empty());
+}
+
+TEST(VisualMeshes, ColorsThatCannotBeReadAreNamed) {
+  write("t.obj", painted("mtllib ../t.mtl /etc/passwd missing.mtl\n"));
+  const Painted found = read_painted();
+  ASSERT_EQ(found.parts.size(), 1U);
+  EXPECT_EQ(found.parts[0].mesh.triangles.size(), 4U);
+  ASSERT_EQ(found.notes.size(), 3U);
+  EXPECT_TRUE(says(found.notes[0], {"'../t.mtl'", "beside"})) << found.notes[0];
+  EXPECT_TRUE(says(found.notes[1], {"'/etc/passwd'", "beside"})) << found.notes[1];
+  EXPECT_TRUE(says(found.notes[2], {"missing.mtl"})) << found.notes[2];
+  write("t.obj", painted("mtllib t.mtl\n"));
+  write("t.mtl", "newmtl red\nKd 0.9 much 0\n");
+  EXPECT_TRUE(says(read_painted().notes.at(0), {"t.mtl:2", "Kd"}));
+}
+
 TEST(VisualMeshes, OfWeldedLinksBelongToWhatTheyAreWeldedTo) {
   using namespace robot_formats::urdf::urdf_files;
   write("t.obj", tetrahedron());

@@ -46,7 +46,37 @@ TEST(Highlights, AreAVideo) {
   EXPECT_FALSE(fs::exists(none));
 }
 
+TEST(Highlights, HaveWordsOverThem) {
+  if (std::system("ffmpeg -version >/dev/null 2>&1") != 0) GTEST_SKIP() << "no ffmpeg here";
+  const auto video = [](const std::string& options) {
+    const fs::path file = scratch("over.gif");
+    const Result result =
+        murosimf("highlights " + recording() + " --size 64x36 --fps 2 --video " + file.string() + options);
+    EXPECT_TRUE(result.exit_code == 0 || result.errors.find("no pictures by OpenGL") != std::string::npos)
+        << result.errors;
+    return result.exit_code == 0 ? read_file(file) : std::string();
+  };
+  const std::string without = video("");
+  if (without.empty()) GTEST_SKIP() << "no pictures here";
+  EXPECT_NE(video(" --overlay support"), without) << "contacts of a recording say who touches the ground";
+}
+
+TEST(Highlights, AreAPageOfTheClipsAlone) {
+  const fs::path page = scratch("up.html"), all = scratch("all.html");
+  const Result result = murosimf("highlights " + recording() + " --html " + page.string());
+  if (result.errors.find("without its page") != std::string::npos) GTEST_SKIP() << result.errors;
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_EQ(murosimf("replay " + recording() + " --html " + all.string()).exit_code, 0);
+  EXPECT_LT(read_file(page).size(), read_file(all).size());
+  const Result nothing = murosimf("highlights " + recording() + " --what goal --html " + page.string());
+  EXPECT_EQ(nothing.exit_code, 2);
+  EXPECT_NE(nothing.errors.find("goal; no page"), std::string::npos) << nothing.errors;
+  expect_mistake("highlights " + recording() + " --html " + recording(), {"--html"});
+}
+
 TEST(Highlights, SayWhatIsWrong) {
+  expect_mistake("highlights " + recording() + " --overlay name", {"--overlay", "name", "names", "support"});
+  expect_mistake("highlights " + recording() + " --overlay score", {"--overlay score", "two teams", "0"});
   expect_mistake("highlights missing.mcap", {"missing.mcap"});
   expect_mistake("highlights " + recording() + " --what goals", {"--what", "goals"});
   expect_mistake("highlights " + recording() + " --video film.txt", {"film.txt", ".mp4"});

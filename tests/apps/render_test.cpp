@@ -155,8 +155,43 @@ TEST_F(Render, DrawingsOfSoftwareAreOverThePicture) {
   EXPECT_NE(picture("--drawings"), without);
   EXPECT_EQ(picture("--drawings one/picture"), picture("--drawings all"));
   EXPECT_EQ(picture("--drawings one/other"), without);
+  EXPECT_EQ(picture("--drawings one/other,one/picture"), picture("--drawings"));
   expect_mistake("render " + scene.string() + " --libraries --layer depth --drawings --out x.png",
                  {"--drawings", "colors"});
+}
+
+TEST_F(Render, WordsAndMarksAreOverThePicture) {
+  std::set<std::string> pictures{draw("--size 120x70 --time 0.2 --view side")};
+  for (const char* words : {"time", "names,levels", "forces", "support", "all"}) {
+    const std::string set = " --set one.level=simplified_dynamics";
+    EXPECT_TRUE(pictures.insert(draw("--size 120x70 --time 0.2 --view side --overlay " + (words + set))).second)
+        << words;
+  }
+  EXPECT_TRUE(
+      pictures.contains(draw("--size 120x70 --time 0.2 --view side --set one.level=simplified_dynamics --overlay")))
+      << "alone it is all";
+  expect_refused("--overlay names,tim" + out(), {"--overlay", "tim", "time,score,names,levels,forces,support"});
+  expect_refused("--overlay score" + out(), {"--overlay score", "two teams"});
+  expect_refused("--overlay time --layer depth" + out(), {"--overlay", "colors"});
+  expect_refused("--overlay time --camera one.camera" + out(), {"--overlay", "--camera"});
+}
+
+TEST_F(Render, WhatARobotSeesIsInACorner) {
+  const std::string options = "--size 120x70 --time 0.3 --view side", without = draw(options);
+  const std::string inset = draw(options + " --inset one.camera");
+  EXPECT_NE(inset, without);
+  EXPECT_EQ(size_of_png(inset), "120x70");
+  expect_refused("--inset one.camra" + out(), {"--inset 'one.camra'", "did you mean 'camera'?"});
+  expect_refused("--inset one" + out(), {"--inset 'one'", "write ROBOT.CAMERA, like one.camera"});
+  expect_refused("--inset one.camera --layer depth" + out(), {"--inset", "colors"});
+  expect_refused("--inset one.camera --camera one.camera" + out(), {"--inset", "--camera"});
+  expect_refused("--inset one.camera --set one.sensors.camera.color=false" + out(),
+                 {"--inset one.camera", "does not draw color", "--set 'one.sensors.camera.color=true'"});
+  EXPECT_EQ(murosimf("run " + scene_.string() + " --no-cameras --duration 0.4 --record " + file("run.mcap")).exit_code,
+            0);
+  const Result result = murosimf("render " + file("run.mcap") + " " + options + " --inset one.camera" + out("b.png"));
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_TRUE(read_file(file("b.png")) == inset) << "the same of a recording, also if cameras were off then";
 }
 
 TEST_F(Render, TheSameCallGivesTheSamePicture) {

@@ -50,8 +50,8 @@ TEST(Moments, OfAKickIsOneOfTheRobotWhenTheBallBeginsToMove) {
 TEST(Moments, OfABallThatIsPutBesideARobotAreNone) {
   fixtures::RepeatableRun run{.scene = "kick", .time = 300ms};
   run.when_initialized = [](scene::Scene& scene) {
-    scene.simulation().at(100ms, [&scene] { (void)scene.post("ball.position = [0.9, 0.5, 0.065]"); });
-    scene.simulation().at(200ms, [&scene] { (void)scene.post("ball.position = [0.2, 0.2, 0.065]"); });
+    scene.simulation().at(100ms, [&scene] { (void)scene.post("ball.place = [0.9, 0.5]"); });
+    scene.simulation().at(200ms, [&scene] { (void)scene.post("ball.place = [0.2, 0.2]"); });
   };
   EXPECT_EQ(moments_in(fixtures::record("placed.mcap", run)).size(), 0U);
 }

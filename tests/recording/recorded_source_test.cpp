@@ -22,7 +22,7 @@ using namespace std::chrono_literals;
 struct Seen {
   std::vector<Vec3d> position;
   std::vector<double> joints;
-  std::size_t contacts = 0;
+  std::vector<int> contacts;  // who touches the ground
 };
 Seen seen_in(scene::Scene& scene) {
   Seen seen;
@@ -37,7 +37,7 @@ Seen seen_in(scene::Scene& scene) {
   seen.joints = frame.joint_position;
   std::vector<ContactMark> marks;
   scene.simulation().poses().add_contacts(scene.simulation().world(), marks);
-  seen.contacts = marks.size();
+  for (const ContactMark& mark : marks) seen.contacts.push_back(mark.ground_contact_of);
   return seen;
 }
 

@@ -35,6 +35,8 @@ function frames(bytes: Uint8Array, count: number, words: number): ArrayBuffer[] 
   return all;
 }
 
+const longestPause = 0.5; // [s] between two frames of one clip
+
 export class Player implements Source {
   readonly live = false;
   private frames: Poses[] = [];
@@ -110,9 +112,17 @@ export class Player implements Source {
     this.last = now;
     if (this.paused || passed === 0) return;
     this.time = Math.min(this.end(), this.time + this.speed * Math.min(passed, 0.25));
+    this.time = this.afterGap(this.time);
     this.paused = this.time >= this.end();
     this.show();
     this.tell();
+  }
+
+  // Clips follow each other without what lies between them.
+  private afterGap(time: number): number {
+    const next = this.frames.findIndex((frame) => frame.time > time);
+    const a = this.frames[next - 1], b = this.frames[next];
+    return a && b && b.time - a.time > longestPause ? b.time : time;
   }
 
   private show(): void {

@@ -8,6 +8,7 @@
 #include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/robot_formats/mesh/dae_geometry.h"
+#include "murosimf/robot_formats/mesh/dae_material.h"
 
 namespace murosimf::robot_formats::mesh {
 namespace {
@@ -88,16 +89,17 @@ class Reader {
       const std::string tag = child.tag();
       if (tag == "node") add_node(child, frame, depth + 1);
       if (tag == "instance_node") add_node(ids_.find(child, "url"), frame, depth + 1);
-      if (tag == "instance_geometry") add_geometry(ids_.find(child, "url"), frame);
+      if (tag == "instance_geometry") add_geometry(ids_.find(child, "url"), frame, bound_materials(child, ids_));
     }
   }
 
-  void add_geometry(const files::XmlElement& geometry, const Affine& frame) {
+  void add_geometry(const files::XmlElement& geometry, const Affine& frame,
+                    const std::map<std::string, MeshMaterial>& bound) {
     auto known = geometries_.find(geometry.id());
     if (known == geometries_.end()) {
       known = geometries_.emplace(geometry.id(), read_dae_geometry(geometry, ids_)).first;
     }
-    const geometry::TriangleMesh& mesh = known->second;
+    const geometry::TriangleMesh& mesh = known->second.mesh;
     auto& [vertices, triangles] = file_.mesh;
     if (vertices.size() + mesh.vertices.size() > most_vertices) {
       geometry.fail(fmt::format("the mesh has more than {} vertices; simplify it", most_vertices));
@@ -115,12 +117,32 @@ class Reader {
       MUROSIMF_ASSERT(a < mesh.vertices.size() && b < mesh.vertices.size() && c < mesh.vertices.size());
       triangles.push_back({base + a, base + (mirrored ? c : b), base + (mirrored ? b : c)});
     }
+    add_materials(known->second, bound);
     if (mesh.triangles.empty()) file_.part_begin.pop_back();  // every part begins with a triangle
+  }
+
+  /// Of the triangles that were added last.
+  void add_materials(const DaeGeometry& geometry, const std::map<std::string, MeshMaterial>& bound) {
+    std::vector<std::uint32_t> numbers;
+    for (const std::string& symbol : geometry.symbols) {
+      const auto material = bound.find(symbol);
+      numbers.push_back(material == bound.end() ? 0 : number_of(material->second));
+    }
+    for (const std::uint32_t symbol : geometry.symbol_of) file_.material_of.push_back(numbers[symbol]);
+    MUROSIMF_ASSERT(file_.material_of.size() == file_.mesh.triangles.size());
+  }
+
+  /// From 1.
+  std::uint32_t number_of(const MeshMaterial& material) {
+    const auto known = numbers_.emplace(material.name, static_cast<std::uint32_t>(file_.materials.size() + 1));
+    if (known.second) file_.materials.push_back(material);
+    return known.first->second;
   }
 
   files::XmlFile xml_;
   DaeIds ids_;
-  std::map<const void*, geometry::TriangleMesh> geometries_;  // as read, without the frames of their nodes
+  std::map<std::string, std::uint32_t> numbers_;   // of materials
+  std::map<const void*, DaeGeometry> geometries_;  // as read, without the frames of their nodes
   MeshFile file_;
   std::size_t elements_ = 0;
 };

@@ -1,8 +1,8 @@
 /// dae_file.h - triangles of a COLLADA file, a frequent format of meshes of URDF files.
 ///
 /// Reads the geometries of the scene with the transformations of their nodes, and the unit of length. The "up" axis is
-/// ignored: a URDF file's origin expects the numbers as they are written (but see robot/mesh_up_axis.h). Skins, splines, materials and lights
-/// are not read. Source: COLLADA - Digital Asset Schema Release 1.4.1, specification.
+/// ignored: a URDF file's origin expects the numbers as they are written (but see robot/mesh_up_axis.h). Materials have colors
+/// (dae_material.h); skins, splines, textures and lights are not read. Source: COLLADA - Digital Asset Schema Release 1.4.1, specification.
 #pragma once
 
 #include "murosimf/robot_formats/mesh/mesh_file.h"

@@ -170,12 +170,18 @@ std::vector<double> dae_numbers(const files::XmlElement& element, std::size_t co
   return *numbers;
 }
 
-geometry::TriangleMesh read_dae_geometry(const files::XmlElement& geometry, const DaeIds& ids) {
-  geometry::TriangleMesh result;
+DaeGeometry read_dae_geometry(const files::XmlElement& geometry, const DaeIds& ids) {
+  DaeGeometry result;
   const auto mesh = child(geometry, "mesh");
   if (!mesh) return result;
-  result.vertices = read_positions(*mesh, ids);
-  for (const files::XmlElement& primitive : mesh->children()) add_primitive(result, primitive);
+  result.mesh.vertices = read_positions(*mesh, ids);
+  for (const files::XmlElement& primitive : mesh->children()) {
+    add_primitive(result.mesh, primitive);
+    const auto symbol = static_cast<std::uint32_t>(result.symbols.size());
+    if (result.symbol_of.size() == result.mesh.triangles.size()) continue;
+    result.symbols.push_back(primitive.attribute("material").value_or(""));
+    result.symbol_of.resize(result.mesh.triangles.size(), symbol);
+  }
   return result;
 }
 

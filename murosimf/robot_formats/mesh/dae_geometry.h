@@ -1,6 +1,7 @@
 /// dae_geometry.h - a `geometry` element of a COLLADA file as triangles.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -24,9 +25,15 @@ class DaeIds {
 /// The numbers in an element. Throws SetupError for other contents, or if there are not `count` of them (0: any number).
 [[nodiscard]] std::vector<double> dae_numbers(const files::XmlElement& element, std::size_t count = 0);
 
+struct DaeGeometry {
+  geometry::TriangleMesh mesh;
+  std::vector<std::string> symbols;      ///< of its materials
+  std::vector<std::uint32_t> symbol_of;  ///< by triangle, an index
+};
+
 /// Triangles of triangles, polylist, polygons, tristrips and trifans, polygons as fans, in the file's own unit and the
 /// frame of the geometry; none for a geometry without surface. Throws SetupError for indices out of range, polygons with
 /// holes, and more triangles than `most_triangles`.
-[[nodiscard]] geometry::TriangleMesh read_dae_geometry(const files::XmlElement& geometry, const DaeIds& ids);
+[[nodiscard]] DaeGeometry read_dae_geometry(const files::XmlElement& geometry, const DaeIds& ids);
 
 }  // namespace murosimf::robot_formats::mesh

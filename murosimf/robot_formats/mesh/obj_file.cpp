@@ -1,6 +1,8 @@
 #include "murosimf/robot_formats/mesh/obj_file.h"
 
 #include <charconv>
+#include <map>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -20,6 +22,7 @@ class ObjReader {
       if (word == "v") read_vertex();
       if (word == "f") read_face();
       if (word == "o" || word == "g") begin_part();
+      if (word == "usemtl") use_material(lines_.word());
     }
   }
 
@@ -72,6 +75,15 @@ class ObjReader {
     auto& triangles = result.mesh.triangles;
     if (triangles.size() == most_triangles) lines_.fail(too_many());
     triangles.push_back({a, b, c});
+    if (material_ == 0) return;
+    result.material_of.resize(triangles.size() - 1);
+    result.material_of.push_back(material_);
+  }
+
+  void use_material(std::string_view name) {
+    const auto known = materials_.emplace(name, static_cast<std::uint32_t>(result.materials.size() + 1));
+    if (known.second) result.materials.push_back({.name = std::string(name)});
+    material_ = known.first->second;
   }
 
   void begin_part() {
@@ -81,6 +93,8 @@ class ObjReader {
   }
 
   files::TextLines lines_;
+  std::map<std::string, std::uint32_t, std::less<>> materials_;  // their numbers, from 1
+  std::uint32_t material_ = 0;                                   // at present; 0: none
 };
 
 }  // namespace

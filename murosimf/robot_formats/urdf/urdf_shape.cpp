@@ -127,7 +127,7 @@ void UrdfShapes::add_visual_mesh(const Part& part, const files::XmlElement& mesh
   const auto found = meshes_.find(mesh);
   if (!found) return log_.warn(mesh, fmt::format("for the eye, {}; it is left out", meshes_.complaint(mesh)));
   body.visuals.push_back({part.element.attribute("name").value_or(""), part.element.where(), found->name,
-                          read_origin(part.element), part.color});
+                          read_origin(part.element), part.color, part.element.children("material").empty()});
 }
 
 void UrdfShapes::add_collision_mesh(const Part& part, const files::XmlElement& mesh,

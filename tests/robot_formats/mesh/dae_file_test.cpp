@@ -56,6 +56,44 @@ void expect_tetrahedron(const MeshFile& file) {
   expect_near(solid.center, {0.25, 0.25, 0.25});
 }
 
+/// Three faces bound to a red material, one to another one, whose `diffuse` has this inside.
+MeshFile read_materials(const std::string& diffuse) {
+  const std::string input = "<input semantic='VERTEX' source='#v' offset='0'/>";
+  const auto effect = [](const std::string& id, const std::string& inside) {
+    return "<effect id='" + id + "'><profile_COMMON><technique sid='t'><phong><diffuse>" + inside +
+           "</diffuse></phong></technique></profile_COMMON></effect>";
+  };
+  const std::string materials =
+      "<library_effects>" + effect("e1", "<color>1 0 0.25 1</color>") + effect("e2", diffuse) +
+      "</library_effects><library_materials><material id='m1'><instance_effect url='#e1'/></material><material id='m2'>"
+      "<instance_effect url='#e2'/></material></library_materials>";
+  const std::string bound =
+      "<node><instance_geometry url='#g'><bind_material><technique_common><instance_material symbol='one' "
+      "target='#m1'/><instance_material symbol='two' target='#m2'/></technique_common></bind_material>"
+      "</instance_geometry></node>";
+  return read(file_of(library("<triangles count='3' material='one'>" + input + "<p>0 2 1 0 1 3 0 3 2</p></triangles>" +
+                              "<triangles count='1' material='two'>" + input + "<p>1 2 3</p></triangles>") +
+                          materials,
+                      bound));
+}
+
+TEST(DaeFile, MaterialsHaveTheirDiffuseColors) {
+  const MeshFile file = read_materials("<color>0 0.5 2 1</color>");
+  expect_tetrahedron(file);
+  ASSERT_EQ(file.materials.size(), 2U);
+  EXPECT_EQ(file.materials[0].color, (Color{1, 0, 0.25}));
+  EXPECT_EQ(file.materials[1].color, (Color{0, 0.5, 1})) << "at most 1";
+  EXPECT_EQ(file.material_of, (std::vector<std::uint32_t>{1, 1, 1, 2}));
+}
+
+TEST(DaeFile, MaterialsThatAreNotUnderstoodHaveNoColor) {
+  const MeshFile textured = read_materials("<texture texture='picture' texcoord='uv'/>");
+  EXPECT_TRUE(textured.materials[1].textured);
+  EXPECT_FALSE(textured.materials[1].color);
+  EXPECT_FALSE(read_materials("<color>red</color>").materials[1].color);
+  EXPECT_TRUE(read_primitive(triangles).materials.empty());
+}
+
 TEST(DaeFile, ReadsTriangles) { expect_tetrahedron(read_primitive(triangles)); }
 
 TEST(DaeFile, SkipsNormalsBetweenTheCorners) {
