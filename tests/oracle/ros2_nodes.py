@@ -9,6 +9,7 @@ Garbage, a wrong type and a subscriber that is killed do not end the run. Nothin
 Needs cyclonedds in this Python; without it, or in a build without DDS, it is skipped (exit code 77).
 """
 
+import atexit
 import math
 import os
 import re
@@ -81,6 +82,7 @@ class Run:
         scene.write_text(SCENE)
         self.process = subprocess.Popen([program, "run", str(scene), "--ros2", str(domain), "--duration", "300",
                                          "--json", str(self.report), *options], stderr=subprocess.PIPE, text=True)
+        atexit.register(self.process.kill)  # else its answers would disturb the next test
 
 
 def look_at_topics(node):
@@ -223,24 +225,24 @@ def steer(node, call, clock):
     state = si.EntityState()
     state.pose.position = ros.Point(0.7, -0.4, 0.3)
     state.twist.linear = ros.Vector3(0.0, 0.5, 0.0)
-    expect("the ball is placed", call("set_entity_state", "ball", state).result.result == 1, "")
+    expect("the ball is placed", call("set_entity_state", "ball", state, True, True, False).result.result == 1, "")
     there = call("get_entity_state", "ball").state
     expect("where it was wanted", abs(there.pose.position.x - 0.7) < 1e-6 and abs(there.pose.position.z - 0.3) < 1e-6 and
            abs(there.twist.linear.y - 0.5) < 1e-6, (there.pose.position, there.twist.linear))
     robot = call("get_entity_state", NAME).state
     robot.pose.position.x += 0.5
     robot.pose.orientation = ros.Quaternion(0.0, 0.0, math.sin(0.5), math.cos(0.5))
-    expect("the robot is placed", call("set_entity_state", NAME, robot).result.result == 1, "")
+    expect("the robot is placed", call("set_entity_state", NAME, robot, True, True, False).result.result == 1, "")
     moved = call("get_entity_state", NAME).state
     expect("where it was wanted", abs(moved.pose.position.x - robot.pose.position.x) < 1e-6 and
            abs(moved.pose.orientation.z - math.sin(0.5)) < 1e-6, moved.pose)
     state.pose.orientation = ros.Quaternion(0.0, 0.0, 0.0, 0.0)
-    expect("no orientation", call("set_entity_state", "ball", state).result.result == 101, "")
+    expect("no orientation", call("set_entity_state", "ball", state, True, True, False).result.result == 101, "")
     state.twist.linear = ros.Vector3(0.25, 0.0, 0.0)
-    expect("velocities alone", call("set_entity_state", "ball", state, False, True).result.result == 1, "")
+    expect("velocities alone", call("set_entity_state", "ball", state, False, True, False).result.result == 1, "")
     there = call("get_entity_state", "ball").state
     expect("its place stays", abs(there.pose.position.z - 0.3) < 1e-6 and abs(there.twist.linear.x - 0.25) < 1e-6, there)
-    expect("no flag, no change", call("set_entity_state", "ball", state, False, False).result.result == 1, "")
+    expect("no flag, no change", call("set_entity_state", "ball", state, False, False, False).result.result == 1, "")
 
     absent = call("get_spawnables", []).spawnables
     uris = [one.entity_resource.uri for one in absent]
@@ -411,7 +413,7 @@ def step_by_action(node, call):
 
 
 def load_worlds(call):
-    worlds = [world.name for world in call("get_available_worlds", [], si.TagsFilter()).worlds]
+    worlds = [world.name for world in call("get_available_worlds", [], si.TagsFilter(), False, False).worlds]
     expect("worlds", "nudge" in worlds, len(worlds))
     expect("current world", call("get_current_world", 0).world.name == "ros2", "")
     expect("no file elsewhere", call("load_world", si.Resource("/etc/passwd"), False, False).result.result == 103, "")
