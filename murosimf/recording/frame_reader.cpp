@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::size_t most_kept = 4;                                                            // chunks
 constexpr auto latest = static_cast<std::uint64_t>(std::numeric_limits<Duration::rep>::max());  // [ns]
+constexpr std::uint64_t most_entities = 1'000'000;  // more are none of a recording's
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
@@ -167,7 +168,7 @@ void FrameReader::take_contacts(std::string_view data) {
     for (ProtobufReader in = all.message(); in.next();) {
       if (in.field() == 1) mark.point = read_vector(in.message());
       if (in.field() == 2) mark.force = read_vector(in.message());
-      if (in.field() == 3) mark.ground_contact_of = static_cast<int>(in.varint()) - 1;
+      if (in.field() == 3) mark.ground_contact_of = static_cast<int>(std::min(in.varint(), most_entities)) - 1;
     }
     frame_.contacts.push_back(mark);
   }
