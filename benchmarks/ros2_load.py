@@ -96,7 +96,7 @@ class Reading:
 
 
 def answered(client, number):
-    """Without the naps of ros2_peer."""
+    """Waits for the answer without the pauses of ros2_peer."""
     while True:
         sample = client.reader.take_one(timeout=duration(seconds=5))
         if hasattr(sample, "client") and sample.client == client.id and sample.number == number:
@@ -122,10 +122,10 @@ def round_trips(options, folder):
 
 def loads(options, folder):
     base = None
-    for what, ros2, reads, pictures in (("without --ros2", False, False, False), ("nobody reads", True, False, False),
+    for what, ros2, reads, pictures in (("without --ros2", False, False, False), ("without readers", True, False, False),
                                         ("joint_states and imu are read", True, True, False),
                                         ("without --ros2, one camera", False, False, True),
-                                        ("one camera, nobody reads", True, False, True),
+                                        ("one camera, without readers", True, False, True),
                                         ("the camera is read, too", True, True, True)):
         with Run(options, folder, ros2, pictures) as run:
             reading = Reading(options.robots, pictures) if reads else None

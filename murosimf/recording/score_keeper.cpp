@@ -57,7 +57,7 @@ void ScoreKeeper::count(const std::vector<Moment>& moments) {
   }
 }
 
-/// Packets that the run did not understand, or of other teams, are no words.
+/// Skips packets that are damaged or of other teams.
 bool ScoreKeeper::hear(const RecordedRun& run) {
   const auto input = recorded_external_input(run.file());
   const ExternalInputLog::Channel* said = input ? input->find("game") : nullptr;

@@ -15,14 +15,14 @@ namespace murosimf::recording {
 
 class ScoreKeeper {
  public:
-  /// Throws SetupError: the scene has not two teams, which it needs to know only here.
+  /// Keeps nothing of the scene. Throws SetupError: it does not have two teams.
   explicit ScoreKeeper(const scene::Scene& scene);
 
   /// Counts the goals of a scene that runs, from now on; it must outlive the run, at the same address. After initialize().
   void watch(scene::Scene& scene);
   /// Counts goals that were found in a recording; once.
   void count(const std::vector<Moment>& moments);
-  /// What the referee of a recorded run said. False, and without effect: there was none.
+  /// Takes the scores in the referee's packets of a recorded run. False, and without effect: there was no referee.
   bool hear(const RecordedRun& run);
 
   /// By team, in the scene's order.
@@ -39,7 +39,7 @@ class ScoreKeeper {
   std::array<double, 2> attacks_{};
   std::array<int, 2> numbers_{};  // of the teams, for a referee
   std::vector<Change> changes_;   // by time
-  int goal_ = 0;                  // that has the ball now
+  int goal_ = 0;                  // in which the ball is; 0: in none
 };
 
 }  // namespace murosimf::recording
