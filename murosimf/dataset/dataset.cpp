@@ -18,7 +18,9 @@
 #include "murosimf/dataset/summary.h"
 #include "murosimf/files/json_document.h"
 #include "murosimf/model/error.h"
-#include "murosimf/scene/scene_pictures.h"
+#include "murosimf/scene/scene.h"
+#include "murosimf/scene/scene_cameras.h"
+#include "murosimf/scene/scene_parts.h"
 
 namespace murosimf::dataset {
 namespace {
@@ -81,18 +83,11 @@ class Crew {
   std::exception_ptr error_;
 };
 
-/// What says something about the light of the scene does not count: each picture has its own.
-std::unique_ptr<render::Renderer> make_renderer(const Stage& stage) {
-  return scene::make_renderer(stage.scene(), stage.scene().spec().light);
-}
-
-std::vector<Painter> painters_of(const Studio& studio, int count, std::string& drawn_by) {
+std::vector<Painter> painters_of(const Studio& studio, int count) {
   std::vector<Painter> painters;
-  for (int i = 0; i < std::max(count, 1); ++i) {
-    auto renderer = make_renderer(*studio.stage);
-    drawn_by = renderer->name();
-    painters.emplace_back(studio, std::move(renderer));
-  }
+  scene::Scene& scene = studio.stage->scene();
+  for (int i = 0; i < std::max(count, 1); ++i)  // the light is each picture's own
+    painters.emplace_back(studio, scene::make_camera_renderer(scene.parts(), scene.spec().light));
   return painters;
 }
 
@@ -124,9 +119,8 @@ Outcome write_dataset(const Request& request) {
                       .lenses = random_lenses(randomisation.lens, request.width, request.height, seed),
                       .seed = seed,
                       .normals = request.normals};
-  std::string drawn_by;
-  std::vector<Painter> painters = painters_of(studio, request.options.threads, drawn_by);
-  prepare(folder, request, manifest_of(request, randomisation, stage, drawn_by));
+  std::vector<Painter> painters = painters_of(studio, request.options.threads);
+  prepare(folder, request, manifest_of(request, randomisation, stage));
   crew.work(painters);
   if (crew.outcome().complete) write_summary(folder, stage.categories(), request.pictures);
   return crew.outcome();

@@ -95,8 +95,7 @@ bool is_half_manifest(const std::filesystem::path& file) {
 
 }  // namespace
 
-nlohmann::json manifest_of(const Request& request, const Randomisation& randomisation, const Stage& stage,
-                           const std::string& drawn_by) {
+nlohmann::json manifest_of(const Request& request, const Randomisation& randomisation, const Stage& stage) {
   json manifest{{"schema", files::json_schema("dataset")},
                 {"version", request.version},
                 {"scene", request.scene.string()},
@@ -105,7 +104,6 @@ nlohmann::json manifest_of(const Request& request, const Randomisation& randomis
                 {"width", request.width},
                 {"height", request.height},
                 {"normals", request.normals},
-                {"drawn_by", drawn_by},
                 {"randomise", request.randomisation.string()},
                 {"ranges", randomisation.text},
                 {"classes", classes_of(stage)},

@@ -11,8 +11,8 @@ namespace murosimf::dataset {
 
 constexpr const char* manifest_name = "manifest.json";
 
-[[nodiscard]] nlohmann::json manifest_of(const Request& request, const Randomisation& randomisation, const Stage& stage,
-                                         const std::string& drawn_by);
+[[nodiscard]] nlohmann::json manifest_of(const Request& request, const Randomisation& randomisation,
+                                         const Stage& stage);
 
 /// An empty folder, none, or one with a manifest: before anything is computed. Halves of a manifest, which a call that was killed leaves,
 /// do not count. Throws SetupError for all others.

@@ -25,7 +25,7 @@ Viewpoint viewpoint_of(const sensors::CameraSpec& camera, const sensors::CameraM
 
 }  // namespace
 
-Painter::Painter(const Studio& studio, std::unique_ptr<render::Renderer> renderer)
+Painter::Painter(const Studio& studio, std::unique_ptr<render::SoftwareRenderer> renderer)
     : studio_(&studio), renderer_(std::move(renderer)), yolo_classes_(yolo_classes(studio.stage->categories())) {}
 
 void Painter::paint(std::uint64_t picture) {
@@ -48,7 +48,6 @@ void Painter::paint(std::uint64_t picture) {
   sensors::CameraModel model(camera, RandomStream(studio.seed, "dataset/pixels"));
   model.open();
   model.take(*renderer_, arrangement.motion, picture, picture_);
-  if (const std::string trouble = renderer_->trouble(); !trouble.empty()) throw SetupError(trouble);
   const Viewpoint view = viewpoint_of(camera, arrangement.motion);
   const Annotated annotated = annotate(*studio.stage, arrangement, picture_.view, view, renderer_->scene(),
                                        static_cast<std::uint64_t>(r.picture.least_pixels));

@@ -9,7 +9,7 @@
 #include "murosimf/dataset/folder.h"
 #include "murosimf/dataset/normals.h"
 #include "murosimf/dataset/viewpoint.h"
-#include "murosimf/render/renderer.h"
+#include "murosimf/render/software_renderer.h"
 #include "murosimf/sensors/camera_model.h"
 
 namespace murosimf::dataset {
@@ -27,9 +27,9 @@ struct Studio {
 /// One for each thread.
 class Painter {
  public:
-  Painter(const Studio& studio, std::unique_ptr<render::Renderer> renderer);
+  Painter(const Studio& studio, std::unique_ptr<render::SoftwareRenderer> renderer);
 
-  /// Throws SetupError: a file that cannot be written, or what the device says.
+  /// Throws SetupError: a file that cannot be written.
   void paint(std::uint64_t picture);
 
  private:
@@ -37,7 +37,7 @@ class Painter {
   void write_layers(std::uint64_t picture, std::size_t lens, const sensors::View& view, Dice& dice);
 
   const Studio* studio_;
-  std::unique_ptr<render::Renderer> renderer_;
+  std::unique_ptr<render::SoftwareRenderer> renderer_;
   std::vector<int> yolo_classes_;
   std::map<std::size_t, sensors::CameraModel> keepers_;  // of maps of lenses, which take long to make
   std::map<std::size_t, imaging::Image<Vec3d>> rays_;

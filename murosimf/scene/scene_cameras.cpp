@@ -1,12 +1,11 @@
 #include "murosimf/scene/scene_cameras.h"
 
-#include <fmt/format.h>
-
 #include "murosimf/appearance/entity_appearance.h"
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/render/renderer.h"
+#include "murosimf/render/software_renderer.h"
 #include "murosimf/scene/scene_parts.h"
 
 namespace murosimf::scene {
@@ -21,12 +20,15 @@ render::Light light_of(const scene_file::LightSpec& spec) {
   return light;
 }
 
-std::unique_ptr<render::Renderer> make_renderer(SceneParts& parts, const scene_file::LightSpec& light) {
+namespace {
+
+/// Of one of the two renderers.
+template <class AnyRenderer>
+std::unique_ptr<AnyRenderer> make_renderer_of(SceneParts& parts, const render::RendererOptions& options) {
   appearance::AppearanceLibrary library;
-  auto renderer = std::make_unique<render::Renderer>(
+  auto renderer = std::make_unique<AnyRenderer>(
       parts.simulation->world(), parts.moving_entities,
-      [&](const Entity& entity) { return library.appearance(entity); },
-      render::RendererOptions{light_of(light), light.samples});
+      [&](const Entity& entity) { return library.appearance(entity); }, options);
   for (const std::string& warning : library.warnings()) {  // several renderers report the same
     if (!parts.diagnostics.has_warning(warning)) parts.diagnostics.warn(warning);
   }
@@ -34,27 +36,28 @@ std::unique_ptr<render::Renderer> make_renderer(SceneParts& parts, const scene_f
   return renderer;
 }
 
+}  // namespace
+
+std::unique_ptr<render::Renderer> make_renderer(SceneParts& parts, const scene_file::LightSpec& light) {
+  return make_renderer_of<render::Renderer>(parts, {light_of(light), light.samples});
+}
+
+std::unique_ptr<render::SoftwareRenderer> make_camera_renderer(SceneParts& parts, const scene_file::LightSpec& light) {
+  return make_renderer_of<render::SoftwareRenderer>(parts, {light_of(light), light.samples});
+}
+
 CameraRenderer::CameraRenderer(SceneParts& parts) : parts_(parts) {}
 
 CameraRenderer::~CameraRenderer() = default;
 
-/// Made at the first picture: without a graphics driver, scenes without pictures must run.
+/// Made at the first picture: scenes without pictures need no meshes.
 sensors::ViewSource* CameraRenderer::view_source() {
-  if (cannot_draw_) return nullptr;
-  if (renderer_) return this;
-  try {
-    renderer_ = make_renderer(parts_, parts_.spec.light);
-    parts_.diagnostics.note("cameras", fmt::format("drawn by {}", renderer_->name()));
-  } catch (const SetupError& error) {
-    cannot_draw_ = true;
-    parts_.diagnostics.warn(fmt::format("cameras have no frames: {}", error.what()));
-    return nullptr;
-  }
+  if (!renderer_) renderer_ = make_camera_renderer(parts_, parts_.spec.light);
   return this;
 }
 
 void CameraRenderer::renew() {
-  if (renderer_) renderer_ = make_renderer(parts_, parts_.spec.light);
+  if (renderer_) renderer_ = make_camera_renderer(parts_, parts_.spec.light);
 }
 
 void CameraRenderer::renew_light() {

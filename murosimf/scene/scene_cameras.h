@@ -8,6 +8,7 @@
 namespace murosimf::render {
 struct Light;
 class Renderer;
+class SoftwareRenderer;
 }  // namespace murosimf::render
 
 namespace murosimf::scene_file {
@@ -25,7 +26,12 @@ struct SceneParts;
 /// or this build cannot draw.
 [[nodiscard]] std::unique_ptr<render::Renderer> make_renderer(SceneParts& parts, const scene_file::LightSpec& light);
 
-/// Draws for the cameras of a scene, in its light. The renderer is created at the first request.
+/// What draws for cameras, in this light. The scene must be initialized and outlive it.
+[[nodiscard]] std::unique_ptr<render::SoftwareRenderer> make_camera_renderer(SceneParts& parts,
+                                                                             const scene_file::LightSpec& light);
+
+/// Draws for the cameras of a scene, in its light, by the processor alone: the same bits on every machine. The renderer is created at the
+/// first request.
 class CameraRenderer final : public sensors::ViewSource {
  public:
   explicit CameraRenderer(SceneParts& parts);
@@ -33,7 +39,6 @@ class CameraRenderer final : public sensors::ViewSource {
   CameraRenderer(const CameraRenderer&) = delete;
   CameraRenderer& operator=(const CameraRenderer&) = delete;
 
-  /// Null if drawing is impossible here, which then is a warning.
   [[nodiscard]] sensors::ViewSource* view_source();
   /// Called between two steps when an entity was added to the scene, or changed its appearance.
   void renew();
@@ -45,8 +50,7 @@ class CameraRenderer final : public sensors::ViewSource {
 
  private:
   SceneParts& parts_;
-  std::unique_ptr<render::Renderer> renderer_;
-  bool cannot_draw_ = false;
+  std::unique_ptr<render::SoftwareRenderer> renderer_;
 };
 
 }  // namespace murosimf::scene

@@ -13,9 +13,10 @@
 #include <fmt/format.h>
 
 #include "murosimf/math/assert.h"
-#include "murosimf/model/error.h"
-#include "murosimf/render/renderer.h"
-#include "murosimf/scene/scene_pictures.h"
+#include "murosimf/render/software_renderer.h"
+#include "murosimf/scene/scene.h"
+#include "murosimf/scene/scene_cameras.h"
+#include "murosimf/scene/scene_parts.h"
 #include "murosimf/sensors/camera_model.h"
 
 namespace murosimf::web {
@@ -76,9 +77,8 @@ struct CameraSubscriptions::Visit {
   std::vector<Found> found;
   PoseFrame frame;
   std::uint64_t seed = 0;
-  std::unique_ptr<render::Renderer> renderer;
-  int changes = -1;      // shown by the renderer (SceneParts::changes_to_see)
-  std::string cannot{};  // reason why drawing is impossible
+  std::unique_ptr<render::SoftwareRenderer> renderer;
+  int changes = -1;  // shown by the renderer (SceneParts::changes_to_see)
 
   void make(scene::Scene& scene) {
     Simulation& simulation = scene.simulation();
@@ -95,7 +95,7 @@ struct CameraSubscriptions::Visit {
       known[path] = shown->number;
       one.own = std::make_shared<const sensors::CameraFrame>(*shown);
     }
-    if (!is_to_draw || !cannot.empty()) return;
+    if (!is_to_draw) return;
     seed = scene.spec().seed;
     simulation.poses().take(simulation.world(), simulation.now(), 0, frame);
     renew_renderer(scene);
@@ -105,12 +105,7 @@ struct CameraSubscriptions::Visit {
   void renew_renderer(scene::Scene& scene) {
     if (renderer && changes == scene.parts().changes_to_see) return;
     changes = scene.parts().changes_to_see;
-    try {
-      renderer = scene::make_renderer(scene, scene.spec().light);
-    } catch (const SetupError& error) {
-      renderer = nullptr;
-      cannot = error.what();
-    }
+    renderer = scene::make_camera_renderer(scene.parts(), scene.spec().light);
   }
 };
 
@@ -126,7 +121,6 @@ struct CameraSubscriptions::Inside {
 
   void work();
   [[nodiscard]] std::set<std::string> next_cameras(WallClock::time_point next);
-  void load_driver();
   [[nodiscard]] bool visit(const std::set<std::string>& cameras);
   void show(const Found& found);
   void draw(const Found& found);
@@ -142,29 +136,14 @@ struct CameraSubscriptions::Inside {
   std::atomic<std::uint64_t> drawn = 0;
   // accessed by the thread only
   std::shared_ptr<Visit> now;
-  World nothing;
-  std::unique_ptr<render::Renderer> driver;  // of an empty world: loads the driver outside of the simulation's thread
   std::map<std::string, Eye> eyes;
   std::map<std::string, std::pair<Duration, std::int64_t>> last;  // time and number of the last picture
   std::thread thread;
 };
 
-/// In the drawing thread: graphics contexts belong to one thread.
-void CameraSubscriptions::Inside::load_driver() {
-  if (driver) return;
-  try {
-    driver = std::make_unique<render::Renderer>(nothing, std::vector<Entity*>{}, render::appearance_of_shapes);
-  } catch (const SetupError& error) {
-    now->cannot = error.what();
-  }
-}
-
 /// Returns whether the visit was completed before all subscriptions ended.
 bool CameraSubscriptions::Inside::visit(const std::set<std::string>& cameras) {
-  if (!now) {
-    now = std::make_shared<Visit>();
-    load_driver();
-  }
+  if (!now) now = std::make_shared<Visit>();
   now->wanted = cameras;
   std::future<void> done = session.visit([visit = now](scene::Scene& scene) { visit->make(scene); });
   while (done.wait_for(patience) != std::future_status::ready) {
@@ -241,13 +220,14 @@ void CameraSubscriptions::Inside::draw(const Found& found) {
   frame->mosaic = picture.mosaic;
   frame->depth = picture.view.depth;
   frame->labels = picture.view.labels;
-  tell(found.path, {.frame = std::move(frame), .trouble = now->renderer->trouble()});
+  tell(found.path, {
+                       .frame = std::move(frame),
+                   });
 }
 
 void CameraSubscriptions::Inside::show(const Found& found) {
   if (!found.info) return tell(found.path, {.trouble = fmt::format("there is no camera '{}'", found.path)});
-  if (!found.draws && now->renderer) return draw(found);
-  if (!found.draws) return tell(found.path, {.trouble = now->cannot});
+  if (!found.draws) return draw(found);
   if (found.own) tell(found.path, {.frame = found.own, .own = true});
 }
 
@@ -259,7 +239,6 @@ std::set<std::string> CameraSubscriptions::Inside::next_cameras(WallClock::time_
     eyes.clear();
     if (!changed.wait_for(lock, keeps_renderer, is_called)) {
       now = nullptr;
-      driver = nullptr;
       changed.wait(lock, is_called);
     }
   }

@@ -8,7 +8,6 @@
 #include "murosimf/sensors/camera_frame.h"
 #include "murosimf/world/drawing.h"
 #include "tests/fixtures.h"
-#include "tests/render/drawn.h"
 #include "tests/written_scene.h"
 
 namespace murosimf::control_software {
@@ -39,7 +38,6 @@ const SoftwareReport& software(const scene::Scene& scene) {
 }
 
 TEST(LibraryPictures, AreThoseOfTheCamera) {
-  if (!test::no_drawing().empty()) GTEST_SKIP() << test::no_drawing();
   scene::Scene scene(fixtures::write_scene(scene_with("delay = 0.03\ndepth = true\n", "camera.depth")),
                      {.libraries = true});
   scene.simulation().run(250ms);
@@ -52,7 +50,6 @@ TEST(LibraryPictures, AreThoseOfTheCamera) {
 }
 
 TEST(LibraryDrawings, StandThereAsTheyWereDrawn) {
-  if (!test::no_drawing().empty()) GTEST_SKIP() << test::no_drawing();  // it draws when it sees something
   scene::Scene scene(fixtures::write_scene(scene_with("", "camera.color")), {.libraries = true});
   scene.simulation().run(50ms);
   const Drawings& all = scene.simulation().world().entity("one").find(properties::drawings)->values[0];

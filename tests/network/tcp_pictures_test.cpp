@@ -3,7 +3,6 @@
 
 #include "murosimf/sensors/camera_frame.h"
 #include "tests/network/tcp_fixture.h"
-#include "tests/render/drawn.h"
 #include "tests/written_scene.h"
 
 namespace murosimf::control_software {
@@ -45,7 +44,6 @@ void see(const std::string& camera, const std::vector<std::string>& names, const
 }
 
 TEST(TcpPictures, AreThoseOfTheCamera) {
-  if (!test::no_drawing().empty()) GTEST_SKIP() << test::no_drawing();
   int cycles = 0;
   see("depth = true\nlabels = true\n", {"camera.color", "camera.depth", "camera.labels"},
       [&](const client::RobotClient&, const auto& pictures, const sensors::CameraFrame& frame) {
@@ -69,7 +67,6 @@ TEST(TcpPictures, AreThoseOfTheCamera) {
 }
 
 TEST(TcpPictures, OfAMosaicHaveItsPattern) {
-  if (!test::no_drawing().empty()) GTEST_SKIP() << test::no_drawing();
   see("mosaic = 'grbg'\n", {"camera.color"},
       [&](const client::RobotClient&, const auto& pictures, const sensors::CameraFrame& frame) {
         EXPECT_EQ(pictures[0]->format, "bayer_grbg8");
@@ -80,7 +77,6 @@ TEST(TcpPictures, OfAMosaicHaveItsPattern) {
 
 // Taken at 0, 100, ... ms, available 55 ms later: in the cycles of 60, 160, ... ms.
 TEST(TcpPictures, ComeWithTheDelayOfTheCamera) {
-  if (!test::no_drawing().empty()) GTEST_SKIP() << test::no_drawing();
   std::vector<std::pair<long long, long long>> come;  // [ms] now, time
   std::uint64_t last = 0;
   see("delay = 0.055\n", {"camera.color"},

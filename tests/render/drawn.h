@@ -1,19 +1,25 @@
-/// drawn.h - small worlds for a renderer; tests are skipped where no renderer works.
+/// drawn.h - small worlds for the renderers; tests are skipped where one does not work.
 #pragma once
 
 #include <memory>
+#include <string>
+#include <type_traits>
 
 #include <gtest/gtest.h>
 
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/render/renderer.h"
+#include "murosimf/render/software_renderer.h"
 #include "murosimf/scene_file/field.h"
 #include "tests/fixtures.h"
 
 namespace murosimf::test {
 
-/// The reason why no renderer works here; empty if one does.
+/// What draws.
+enum class Device { opengl, processor };
+
+/// The reason why OpenGL does not draw here; empty if it does.
 inline std::string no_drawing() {
   static const std::string reason = [] {
     try {
@@ -27,7 +33,24 @@ inline std::string no_drawing() {
   return reason;
 }
 
+/// Tests of what both renderers draw.
+class DrawnBy : public testing::TestWithParam<Device> {
+ protected:
+  void SetUp() override {
+    if (GetParam() == Device::opengl && !no_drawing().empty()) GTEST_SKIP() << no_drawing();
+  }
+  /// For the rows of the table of laws.
+  static std::string device_name() { return GetParam() == Device::opengl ? "OpenGL" : "camera"; }
+};
+
+inline const auto all_devices = testing::Values(Device::opengl, Device::processor);
+inline std::string name_of_device(const testing::TestParamInfo<Device>& device) {
+  return device.param == Device::opengl ? "opengl" : "processor";
+}
+
 struct DrawnWorld {
+  explicit DrawnWorld(Device draws = Device::opengl) : device(draws) {}
+
   Entity& add(const std::string& name, ModelPtr model, const Vec3d& place, const Mat3d& turn = {}) {
     Entity& entity = world.add(name, std::move(model));
     entity.column(properties::position).values.assign(entity.model().size(), place);
@@ -48,14 +71,23 @@ struct DrawnWorld {
   template <class AnyView>
   sensors::View draw(const AnyView& view, const sensors::Layers& layers = {true, true, true},
                      render::RendererOptions options = {.light = {.shadows = false}}, double ahead = 0) {
+    sensors::View drawn;
+    if constexpr (std::is_same_v<AnyView, sensors::Perspective>) {
+      if (device == Device::processor) {
+        render::SoftwareRenderer renderer(world, moving_entities, render::appearance_of_shapes, options);
+        renderer.locate();
+        renderer.draw(view, layers, ahead, drawn);
+        return drawn;
+      }
+    }
     render::Renderer renderer(world, moving_entities, render::appearance_of_shapes, options);
     renderer.locate();
-    sensors::View drawn;
     renderer.draw(view, layers, ahead, drawn);
     EXPECT_EQ(renderer.trouble(), "");
     return drawn;
   }
 
+  Device device;
   World world;
   std::vector<Entity*> moving_entities;
 };

@@ -16,12 +16,8 @@ namespace {
 
 using sensors::View;
 
-class Look : public testing::Test {
- protected:
-  void SetUp() override {
-    if (!no_drawing().empty()) GTEST_SKIP() << no_drawing();
-  }
-};
+class Look : public DrawnBy {};
+INSTANTIATE_TEST_SUITE_P(Devices, Look, all_devices, name_of_device);
 
 render::RendererOptions in_light(std::string_view name) {
   render::RendererOptions options;
@@ -46,8 +42,8 @@ void fill(DrawnWorld& world) {
 }
 
 // Law: looks are for the eye; labels and depths are those of the same scene without patterns, bit for bit.
-TEST_F(Look, ChangesNeitherLabelsNorDepths) {
-  DrawnWorld world;
+TEST_P(Look, ChangesNeitherLabelsNorDepths) {
+  DrawnWorld world(GetParam());
   fill(world);
   const auto view = along_x({0, 0, 0.5}, 0.9, 320, 240);
   const View plain = world.draw(view);
@@ -68,8 +64,8 @@ TEST_F(Look, ChangesNeitherLabelsNorDepths) {
 }
 
 // Law: patterns are means over pixels: from far the field has the color that it has without them.
-TEST_F(Look, FromFarTheFieldIsAsBrightAsItIs) {
-  DrawnWorld world;
+TEST_P(Look, FromFarTheFieldIsAsBrightAsItIs) {
+  DrawnWorld world(GetParam());
   world.world.add("field", scene_file::field_model(scene_file::kid_size_2008, "carpet", {}, {.goals = false}));
   auto down = along_x({0.75, 1, 6}, 0.02, 12, 12);  // between lines, in one stripe; pixels of 2 cm
   down.axes = {{0, -1, 0}, {-1, 0, 0}, {0, 0, -1}};
@@ -95,8 +91,8 @@ TEST_F(Look, FromFarTheFieldIsAsBrightAsItIs) {
   EXPECT_GT(much, 2 * little) << "fibers are seen from near";
 }
 
-TEST_F(Look, SurroundingsEndTheVoid) {
-  DrawnWorld world;
+TEST_P(Look, SurroundingsEndTheVoid) {
+  DrawnWorld world(GetParam());
   world.add_field();
   const auto level = along_x({-2, 0, 0.5}, 0.8, 160, 120);
   for (const render::NamedLight& named : render::lights()) {
@@ -112,8 +108,8 @@ TEST_F(Look, SurroundingsEndTheVoid) {
   }
 }
 
-TEST_F(Look, BallsHavePanels) {
-  DrawnWorld world;
+TEST_P(Look, BallsHavePanels) {
+  DrawnWorld world(GetParam());
   PlacedShape ball;
   ball.shape = Sphere{0.2};
   ball.color = {0.9, 0.9, 0.9};

@@ -15,6 +15,11 @@ namespace {
 using sensors::Perspective;
 using sensors::View;
 
+/// What both renderers draw.
+class Drawn : public DrawnBy {};
+INSTANTIATE_TEST_SUITE_P(Devices, Drawn, all_devices, name_of_device);
+
+/// What OpenGL alone does.
 class Renderer : public testing::Test {
  protected:
   void SetUp() override {
@@ -44,12 +49,12 @@ struct Blob {
   int left = 1 << 20, right = -1, top = 1 << 20, bottom = -1;
 };
 
-TEST_F(Renderer, ABallIsWhereItsProjectionIs) {
+TEST_P(Drawn, ABallIsWhereItsProjectionIs) {
   law::Worst center, size, count;
   for (const double distance : {0.4, 0.9, 3.0, 7.0}) {
     for (const double aside : {0.0, 0.3, -0.6}) {
       const Vec3d place{distance, aside * distance, 0.4 + 0.2 * distance * std::abs(aside)};
-      DrawnWorld world;
+      DrawnWorld world(GetParam());
       world.add_ball("ball", 0.07, place);
       const Perspective view = along_x({0, 0, 0.4}, 0.9, 640, 480);
       const View drawn = world.draw(view, {.labels = true});
@@ -71,14 +76,14 @@ TEST_F(Renderer, ABallIsWhereItsProjectionIs) {
     }
   }
   const std::string source = "rays through the middles of pixels against the sphere";
-  law::expect_below({"a ball in the picture: its center", "camera", source}, center, 0.5, "px");
-  law::expect_below({"a ball in the picture: its diameter", "camera", source}, size, 0.5, "px");
-  law::expect_below({"labels: pixels of a ball, from 0.4 to 7 m", "camera", source}, count, 0.1, "1");
+  law::expect_below({"a ball in the picture: its center", device_name(), source}, center, 0.5, "px");
+  law::expect_below({"a ball in the picture: its diameter", device_name(), source}, size, 0.5, "px");
+  law::expect_below({"labels: pixels of a ball, from 0.4 to 7 m", device_name(), source}, count, 0.1, "1");
 }
 
-TEST_F(Renderer, DepthsAreThoseOfGroundAndBall) {
+TEST_P(Drawn, DepthsAreThoseOfGroundAndBall) {
   const Vec3d place{3, 0.2, 0.3};
-  DrawnWorld world;
+  DrawnWorld world(GetParam());
   world.add_ball("ball", 0.3, place);
   const Perspective view = along_x({0, 0, 0.5}, 0.7, 320, 240);
   const View drawn = world.draw(view, {.depth = true});
@@ -94,12 +99,12 @@ TEST_F(Renderer, DepthsAreThoseOfGroundAndBall) {
       if (edge > 1.02 && plane < 3.5) ground.see(std::abs(drawn.depth(u, v) - plane), u, v);
     }
   }
-  law::expect_below({"depth picture: the ground up to 3.5 m", "camera", "plane and ray"}, ground, 1e-4, "m");
-  law::expect_below({"depth picture: a ball of 0.3 m at 3 m", "camera", "sphere and ray"}, ball, 1e-3, "m");
+  law::expect_below({"depth picture: the ground up to 3.5 m", device_name(), "plane and ray"}, ground, 1e-4, "m");
+  law::expect_below({"depth picture: a ball of 0.3 m at 3 m", device_name(), "sphere and ray"}, ball, 1e-3, "m");
 }
 
-TEST_F(Renderer, NothingIsInfinitelyFar) {
-  DrawnWorld world;
+TEST_P(Drawn, NothingIsInfinitelyFar) {
+  DrawnWorld world(GetParam());
   Perspective up = along_x({0, 0, 1}, 0.5, 8, 8);
   up.axes = {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}};  // looks up
   const View drawn = world.draw(up);
@@ -108,10 +113,10 @@ TEST_F(Renderer, NothingIsInfinitelyFar) {
 }
 
 /// Every form of shape hides the objects behind it along rays. A turned one of each, against a march along the ray.
-TEST_F(Renderer, AllShapesAreWhatTheyAre) {
+TEST_P(Drawn, AllShapesAreWhatTheyAre) {
   for (const Shape& shape : fixtures::shapes_of_all_kinds()) {
     if (std::holds_alternative<Plane>(shape)) continue;
-    DrawnWorld world;
+    DrawnWorld world(GetParam());
     Shapes shapes{{.shape = shape, .position = {}, .orientation = {}, .surface = {}, .color = {}}};
     const Mat3d turn = rotation_z(0.7) * rotation_y(-0.4) * rotation_x(0.9);
     const Vec3d place{2, 0.1, 3};
@@ -140,8 +145,8 @@ TEST_F(Renderer, AllShapesAreWhatTheyAre) {
   }
 }
 
-TEST_F(Renderer, WhatMovesIsSeenLater) {
-  DrawnWorld world;
+TEST_P(Drawn, WhatMovesIsSeenLater) {
+  DrawnWorld world(GetParam());
   Entity& ball = world.add_ball("ball", 0.1, {2, 0, 1});
   ball.column(properties::linear_velocity).values.assign(1, {0, -1, 0});
   const Perspective view = along_x({0, 0, 1}, 0.5, 200, 200);
@@ -158,8 +163,8 @@ TEST_F(Renderer, WhatMovesIsSeenLater) {
   EXPECT_NEAR(middle(0.2) - middle(0), 200 * 0.2 / 2.0, 0.5) << "to the right, since y points to the left";
 }
 
-TEST_F(Renderer, LinesAreLabelledWhereTheyArePainted) {
-  DrawnWorld world;
+TEST_P(Drawn, LinesAreLabelledWhereTheyArePainted) {
+  DrawnWorld world(GetParam());
   world.add_field();
   Perspective down = along_x({-1, 0.3, 2}, 0.5, 200, 200);
   down.axes = {{0, -1, 0}, {-1, 0, 0}, {0, 0, -1}};  // from above, x of the world upwards in the picture
@@ -176,9 +181,9 @@ TEST_F(Renderer, LinesAreLabelledWhereTheyArePainted) {
   EXPECT_GT(drawn.color(gu, gv).green, drawn.color(gu, gv).red);
 }
 
-TEST_F(Renderer, ALineFarAwayIsAsBrightAsItIsWide) {
+TEST_P(Drawn, ALineFarAwayIsAsBrightAsItIsWide) {
   // A pixel that a line covers in part shows that part: the sum over a column is the line's width in pixels.
-  DrawnWorld world;
+  DrawnWorld world(GetParam());
   world.add_field(false);
   Perspective view = along_x({-6, 0, 1.5}, 0.3, 64, 128);
   view.axes = Mat3d{{0, -1, 0}, {0, 0, -1}, {1, 0, 0}} * rotation_x(-std::atan(1.5 / 6));  // at the halfway line
@@ -241,8 +246,8 @@ TEST_F(Renderer, ManySamplesMakeEdgesSmooth) {
   EXPECT_NEAR(both.depth(50, 50), 1.8, 1e-3);
 }
 
-TEST_F(Renderer, RowsAloneAreThoseOfTheWholePicture) {
-  DrawnWorld world;
+TEST_P(Drawn, RowsAloneAreThoseOfTheWholePicture) {
+  DrawnWorld world(GetParam());
   world.add_field();
   world.add_ball("ball", 0.2, {2, 0, 0.4});
   Perspective view = along_x({0, 0, 0.6}, 0.6, 120, 90);
@@ -276,8 +281,8 @@ ModelPtr plate(const Color& color) {
 }
 
 /// The color and depth of the middle of a picture of plates at 1, 2, ... m, in the order in which they are given.
-std::pair<imaging::Rgb, double> seen_through(const std::vector<std::pair<double, Color>>& plates) {
-  DrawnWorld world;
+std::pair<imaging::Rgb, double> seen_through(Device device, const std::vector<std::pair<double, Color>>& plates) {
+  DrawnWorld world(device);
   for (std::size_t i = 0; i < plates.size(); ++i) {
     world.add("plate_" + std::to_string(i), plate(plates[i].second), {plates[i].first, 0, 0});
   }
@@ -285,28 +290,29 @@ std::pair<imaging::Rgb, double> seen_through(const std::vector<std::pair<double,
   return {drawn.color(10, 10), drawn.depth(10, 10)};
 }
 
-TEST_F(Renderer, WhatIsSeeThroughIsLaidOverWhatIsBehind) {
+TEST_P(Drawn, WhatIsSeeThroughIsLaidOverWhatIsBehind) {
   const Color red{1, 0, 0}, green{0, 1, 0}, half_blue{0, 0, 1, 0.5}, half_green{0, 1, 0, 0.25};
-  const auto red_alone = seen_through({{2, red}}).first, blue_alone = seen_through({{1, {0, 0, 1}}}).first;
-  const auto green_alone = seen_through({{1, green}}).first;
+  const auto red_alone = seen_through(GetParam(), {{2, red}}).first,
+             blue_alone = seen_through(GetParam(), {{1, {0, 0, 1}}}).first;
+  const auto green_alone = seen_through(GetParam(), {{1, green}}).first;
   const auto expect_level = [](double value, double expected) { EXPECT_NEAR(value, expected, 2); };
   // in either order
   for (const bool swapped : {false, true}) {
     std::vector<std::pair<double, Color>> plates{{2, red}, {1, half_blue}};
     if (swapped) std::swap(plates[0], plates[1]);
-    const auto [color, depth] = seen_through(plates);
+    const auto [color, depth] = seen_through(GetParam(), plates);
     expect_level(color.red, 0.5 * red_alone.red);
     expect_level(color.blue, 0.5 * blue_alone.blue + 0.5 * red_alone.blue);
     EXPECT_NEAR(depth, 0.99, 1e-3);
   }
   // two transparent ones: the nearer over the farther
-  const auto both = seen_through({{1, half_green}, {2, half_blue}, {3, red}}).first;
+  const auto both = seen_through(GetParam(), {{1, half_green}, {2, half_blue}, {3, red}}).first;
   expect_level(both.red, 0.75 * 0.5 * red_alone.red);
   expect_level(both.blue, 0.75 * 0.5 * blue_alone.blue);
   expect_level(both.green, 0.25 * green_alone.green);
   // behind an opaque one it is invisible, and with alpha 0 it is absent
-  EXPECT_EQ(seen_through({{1, red}, {2, half_blue}}).first, seen_through({{1, red}}).first);
-  const auto [color, depth] = seen_through({{2, red}, {1, {0, 0, 1, 0}}});
+  EXPECT_EQ(seen_through(GetParam(), {{1, red}, {2, half_blue}}).first, seen_through(GetParam(), {{1, red}}).first);
+  const auto [color, depth] = seen_through(GetParam(), {{2, red}, {1, {0, 0, 1, 0}}});
   EXPECT_EQ(color, red_alone);
   EXPECT_NEAR(depth, 1.99, 1e-3);
 }

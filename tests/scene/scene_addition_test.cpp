@@ -8,7 +8,6 @@
 #include "murosimf/scene/scene.h"
 #include "murosimf/sensors/camera_frame.h"
 #include "tests/fixtures.h"
-#include "tests/render/drawn.h"
 #include "tests/scene/scene_hashes.h"
 #include "tests/written_scene.h"
 
@@ -207,7 +206,6 @@ TEST(SceneAddition, IsSeenByThoseWhoWereThere) {
 }
 
 TEST(SceneAddition, IsSeenByCameras) {
-  if (const auto why = test::no_drawing(); !why.empty()) GTEST_SKIP() << why;
   Scene scene(scene_with(R"(
 [robots.sensors.camera]
 type = "camera"

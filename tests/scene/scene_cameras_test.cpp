@@ -10,7 +10,6 @@
 #include "murosimf/sensors/camera_frame.h"
 #include "murosimf/sensors/reading.h"
 #include "tests/law.h"
-#include "tests/render/drawn.h"
 #include "tests/written_scene.h"
 
 namespace murosimf::scene {
@@ -37,7 +36,6 @@ const CameraFrame& frame(Scene& scene, const std::string& name) {
 }
 
 TEST(SceneCameras, AScenesRobotsSee) {
-  if (!test::no_drawing().empty()) GTEST_SKIP() << test::no_drawing();
   Scene scene(fixtures::write_scene(game()));
   scene.simulation().run(201ms);
   const CameraFrame& seen = frame(scene, "one");
@@ -51,12 +49,9 @@ TEST(SceneCameras, AScenesRobotsSee) {
   EXPECT_GT(count[4], 5) << "the ball in front of it";
   EXPECT_GT(count[6], 20) << "the other robot";
   EXPECT_GT(count[1], 500) << "ground";
-  const auto notes = make_report(scene).notes;
-  EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [](const auto& n) { return says(n, {"cameras: drawn by"}); }));
 }
 
 TEST(SceneCameras, FramesAndStatesDoNotDependOnThreads) {
-  if (!test::no_drawing().empty()) GTEST_SKIP() << test::no_drawing();
   std::vector<std::uint64_t> frames, states;
   for (const int threads : {1, 2, 3}) {
     Scene scene(fixtures::write_scene(game("k1 = -0.2\nshot_noise = 0.02\nblur = 0.7\nreadout_time = 0.02\n")),
@@ -89,7 +84,6 @@ TEST(SceneCameras, NobodyLooksNothingIsDrawn) {
 
 /// Where the halfway line is in a picture, column by column, against where the lens projects it.
 TEST(SceneCameras, AStraightLineBendsAsTheLensSays) {
-  if (!test::no_drawing().empty()) GTEST_SKIP() << test::no_drawing();
   struct Case {
     const char *name, *keys;
   };

@@ -11,7 +11,6 @@
 #include "murosimf/sensors/camera_frame.h"
 #include "murosimf/sensors/ground_truth.h"
 #include "tests/fixtures.h"
-#include "tests/render/drawn.h"
 #include "tests/scene/scene_hashes.h"
 #include "tests/written_scene.h"
 
@@ -263,7 +262,6 @@ rays = 31
 }
 
 TEST(ScenePresence, CamerasSeeNothingOfIt) {
-  if (const auto why = test::no_drawing(); !why.empty()) GTEST_SKIP() << why;
   Scene scene(duel("kinematic_walking", red1 + R"(
 [[robots]]
 name = "eye"

@@ -6,7 +6,6 @@
 #include "murosimf/model/properties.h"
 #include "murosimf/scene/scene.h"
 #include "tests/fixtures.h"
-#include "tests/render/drawn.h"
 #include "tests/scene/scene_hashes.h"
 #include "tests/written_scene.h"
 
@@ -16,7 +15,7 @@ namespace {
 using namespace std::chrono_literals;
 
 SceneOptions options(std::optional<std::uint64_t> seed = {}) {
-  SceneOptions how{.cameras = test::no_drawing().empty()};
+  SceneOptions how;
   how.seed = seed;
   return how;
 }

@@ -8,7 +8,6 @@
 #include "murosimf/scene/assets.h"
 #include "murosimf/scene/scene.h"
 #include "tests/fixtures.h"
-#include "tests/render/drawn.h"
 #include "tests/scene/scene_hashes.h"
 #include "tests/written_scene.h"
 
@@ -19,7 +18,7 @@ using namespace std::chrono_literals;
 using fixtures::error_of;
 using fixtures::says;
 
-SceneOptions options() { return {.cameras = test::no_drawing().empty()}; }
+SceneOptions options() { return {}; }
 
 void expect_repeats(const std::string& file, Duration before, Duration after, const SceneOptions& how = options()) {
   Scene scene(file, how);
@@ -102,7 +101,6 @@ TEST_P(SceneStateOfLevel, CanBeOfAnyStep) {
 }
 
 TEST(SceneStates, RemembersPicturesOnTheirWay) {
-  if (!test::no_drawing().empty()) GTEST_SKIP() << test::no_drawing();
   expect_repeats(fixtures::write_scene(game("simplified_dynamics",
                                             "[defaults.sensors.camera]\nwidth = 40\nheight = 30\nrate = 20\ndelay = "
                                             "0.07\nalways_on = true\n")),

@@ -10,7 +10,6 @@
 #include "murosimf/sensors/reading.h"
 #include "tests/fixtures.h"
 #include "tests/law.h"
-#include "tests/render/drawn.h"
 #include "tests/scene/scene_hashes.h"
 #include "tests/written_scene.h"
 
@@ -183,7 +182,6 @@ TEST(SectionChanges, RaysMeetTheNewBall) {
 
 // Law: a picture after a change is that of a scene that began so.
 TEST(SectionChanges, PicturesAreThoseOfASceneThatBeganSo) {
-  if (!test::no_drawing().empty()) GTEST_SKIP() << test::no_drawing();
   const std::string file = fixtures::write_scene(watched);
   Scene usual(file);
   usual.simulation().run(121ms);
@@ -231,12 +229,11 @@ TEST(SectionChanges, LightAndColorDoNotMoveAnybody) {
 // Law: a reset goes back to the first bits, for any number of threads.
 TEST(SectionChanges, AResetGoesBack) {
   const std::string file = fixtures::write_scene(kicked());
-  const bool draws = test::no_drawing().empty();
-  Scene fresh(file, {.events = changes, .cameras = draws});
+  Scene fresh(file, {.events = changes});
   fresh.simulation().initialize();
   const auto expected = go_on(fresh, 500ms);
   for (const int threads : {1, 3}) {
-    Scene scene(file, {.threads = threads, .events = changes, .cameras = draws});
+    Scene scene(file, {.threads = threads, .events = changes});
     for (int i = 0; i < 2; ++i) {
       scene.simulation().run(317ms);
       EXPECT_EQ(scene.spec().ball->radius, 0.09);
@@ -251,7 +248,7 @@ TEST(SectionChanges, AResetGoesBack) {
 // state of before the changes takes them back.
 TEST(SectionChanges, BelongToTheState) {
   const std::string file = fixtures::write_scene(kicked());
-  const SceneOptions how{.events = changes, .cameras = test::no_drawing().empty()};
+  const SceneOptions how{.events = changes};
   Scene scene(file, how), other(file, how);
   scene.simulation().run(10ms);
   const auto first = scene.save();

@@ -12,7 +12,6 @@
 #include "murosimf/soccer/localize.h"
 #include "murosimf/soccer/obstacle_course.h"
 #include "tests/law.h"
-#include "tests/render/drawn.h"
 
 namespace murosimf {
 namespace {
@@ -60,7 +59,6 @@ void localize(const std::string& camera, std::vector<std::string> overrides, Err
 }
 
 TEST(SelfLocalization, KnowsWhereItIs) {
-  if (!test::no_drawing().empty()) GTEST_SKIP() << test::no_drawing();
   Errors errors;
   for (const char* level : {"kinematic_walking", "simplified_dynamics"}) {
     localize(level, {std::string("robot.level=") + level}, errors);
@@ -71,7 +69,6 @@ TEST(SelfLocalization, KnowsWhereItIs) {
 }
 
 TEST(SelfLocalization, KnowsLessWithAnUnknownMountingError) {
-  if (!test::no_drawing().empty()) GTEST_SKIP() << test::no_drawing();
   Errors good, bad;
   localize("plain", {}, good);
   localize("mounted wrongly", {"robot.sensors.camera.mounting_error_deg=[0,0,8]"}, bad);
@@ -79,7 +76,6 @@ TEST(SelfLocalization, KnowsLessWithAnUnknownMountingError) {
 }
 
 TEST(SelfLocalization, WalksTheSameWayEveryTime) {
-  if (!test::no_drawing().empty()) GTEST_SKIP() << test::no_drawing();
   const auto run = [](std::uint64_t seed, int threads) {
     scene::SceneOptions all = options(seed);
     all.threads = threads;
@@ -115,7 +111,6 @@ INSTANTIATE_TEST_SUITE_P(Levels, ObstacleChallenge, testing::Values("kinematic_w
                          [](const auto& level) { return level.param; });
 
 TEST_P(ObstacleChallenge, IsCrossedWithoutATouch) {
-  if (!test::no_drawing().empty()) GTEST_SKIP() << test::no_drawing();
   const double nearest = nearest_pole(GetParam(), 1);
   EXPECT_GT(nearest, 0.02);  // [m] a touch is disqualified
 }

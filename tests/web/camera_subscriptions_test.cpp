@@ -11,7 +11,6 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/model/error.h"
-#include "tests/render/drawn.h"
 
 namespace murosimf::web {
 namespace {
@@ -65,14 +64,7 @@ sensors::CameraFrame own_picture(const std::vector<std::string>& overrides) {
   return frame;
 }
 
-class CameraSubscriptionsTest : public testing::Test {
- protected:
-  void SetUp() override {
-    if (!test::no_drawing().empty()) GTEST_SKIP() << test::no_drawing();
-  }
-};
-
-TEST_F(CameraSubscriptionsTest, SeeWhatTheCameraWouldSeeAndChangeNothing) {
+TEST(CameraSubscriptions, SeeWhatTheCameraWouldSeeAndChangeNothing) {
   const sensors::CameraFrame own = own_picture(eye);
   std::uint64_t alone = 0;
   {
@@ -108,7 +100,7 @@ TEST_F(CameraSubscriptionsTest, SeeWhatTheCameraWouldSeeAndChangeNothing) {
   EXPECT_EQ(sensors::frames_of(run.scene.simulation().world().entity("blue1")).at(0)->number, 0U);
 }
 
-TEST_F(CameraSubscriptionsTest, DrawOnlyWhatSomebodyWants) {
+TEST(CameraSubscriptions, DrawOnlyWhatSomebodyWants) {
   Running run;
   CameraSubscriptions cameras(run.session);
   ASSERT_TRUE(run.comes_to_its_end());
@@ -133,7 +125,7 @@ TEST_F(CameraSubscriptionsTest, DrawOnlyWhatSomebodyWants) {
   }
 }
 
-TEST_F(CameraSubscriptionsTest, ACameraThatDrawsShowsItsOwnPictures) {
+TEST(CameraSubscriptions, ACameraThatDrawsShowsItsOwnPictures) {
   Running run(eye_and("blue1.sensors.camera.always_on=true"));
   CameraSubscriptions cameras(run.session);
   cameras.want({camera});
@@ -149,7 +141,7 @@ TEST_F(CameraSubscriptionsTest, ACameraThatDrawsShowsItsOwnPictures) {
   EXPECT_EQ(cameras.drawn(), 0U);
 }
 
-TEST_F(CameraSubscriptionsTest, AMosaicIsOne) {
+TEST(CameraSubscriptions, AMosaicIsOne) {
   Running run(eye_and("blue1.sensors.camera.mosaic='rggb'"));
   CameraSubscriptions cameras(run.session);
   cameras.want({camera});

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "murosimf/render/lamp_view.h"
 #include "murosimf/render/render_scene.h"
 #include "murosimf/sensors/view_source.h"
 
@@ -22,14 +23,6 @@ using GlMatrix = std::array<float, 16>;  ///< by columns
 [[nodiscard]] GlMatrix parallel_clip_of(const sensors::Perspective& window, const RenderScene& render_scene,
                                         double ahead);
 
-/// A view of parallel light: what it shines on lies in a box about `eye`.
-struct LampView {
-  Vec3d eye;                                               ///< [m] world, in the middle of the box
-  Mat3d axes;                                              ///< optical axes to world axes; the third along the light
-  double half_width = 1, half_height = 1, half_depth = 1;  ///< [m]
-};
-/// A box around all pieces of the scene, with light from `toward`; positions are extrapolated by `ahead` [s].
-[[nodiscard]] LampView lamp_view(const RenderScene& render_scene, const Vec3d& toward, double ahead);
 [[nodiscard]] GlMatrix clip_of(const LampView& lamp);
 
 }  // namespace murosimf::render

@@ -1,0 +1,16 @@
+/// row_bytes.h - colors of a row as bytes of a picture.
+#pragma once
+
+#include <span>
+
+#include "murosimf/imaging/image.h"
+#include "murosimf/render/software/ground_shading.h"
+
+namespace murosimf::render::software {
+
+/// Rounds to the nearest.
+void write_bytes(const RowColors& colors, std::span<imaging::Rgb> pixels);
+/// Lays a color of that opacity over a pixel.
+void lay_over(const Float3& color, float alpha, imaging::Rgb& pixel);
+
+}  // namespace murosimf::render::software
