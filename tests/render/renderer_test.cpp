@@ -202,8 +202,8 @@ TEST_P(Drawn, ALineFarAwayIsAsBrightAsItIsWide) {
   EXPECT_NEAR(sum, width, 0.15 * width);
 }
 
-TEST_F(Renderer, LampsShadowsAndNight) {
-  DrawnWorld world;
+TEST_P(Drawn, LampsShadowsAndNight) {
+  DrawnWorld world(GetParam());
   world.add_field();
   world.add_ball("ball", 0.2, {0, 0, 0.5});
   Perspective down = along_x({0, 0, 3}, 0.5, 100, 100);
@@ -225,8 +225,8 @@ TEST_F(Renderer, LampsShadowsAndNight) {
   EXPECT_LT(ground("night", false, 0.4, 0.2), 0.5 * lit);
 }
 
-TEST_F(Renderer, ManySamplesMakeEdgesSmooth) {
-  DrawnWorld world;
+TEST_P(Drawn, ManySamplesMakeEdgesSmooth) {
+  DrawnWorld world(GetParam());
   world.add_ball("ball", 0.2, {2, 0, 1});
   const Perspective view = along_x({0, 0, 1}, 0.3, 100, 100);
   const auto colors_between = [&](int samples) {

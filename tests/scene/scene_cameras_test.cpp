@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/component_files/camera_info.h"
+#include "murosimf/model/properties.h"
 #include "murosimf/scene/scene.h"
 #include "murosimf/scene/scene_report.h"
 #include "murosimf/scene/scene_viewpoints.h"
