@@ -196,12 +196,6 @@ class RobotCamera final : public PictureSource {
   double slow_;
 };
 
-/// Throws SetupError if nothing can be drawn here: cameras would only wait.
-void check_drawing() {
-  const World nothing;
-  const render::Renderer renderer(nothing, {}, render::appearance_of_shapes);
-}
-
 }  // namespace
 
 bool has_numbers(const RenderOptions& options) {
@@ -214,9 +208,7 @@ bool has_labels(const RenderOptions& options) {
 }
 
 std::unique_ptr<PictureSource> make_robot_camera(scene::Scene& scene, const RenderOptions& options) {
-  auto camera = std::make_unique<RobotCamera>(scene, options);
-  check_drawing();
-  return camera;
+  return std::make_unique<RobotCamera>(scene, options);
 }
 
 std::unique_ptr<PictureSource> make_eye(scene::Scene& scene, const RenderOptions& options,

@@ -80,9 +80,7 @@ TEST(Crash, WhereMemoryEnds) {
 TEST(Crash, WhereADriverHasTooLittleMemory) {
   if (!can_limit_memory) GTEST_SKIP() << "sanitizers reserve more memory than a limit leaves";
   const Result run = with_memory(500000, "run six_cameras --duration 0.05");
-  if (run.output.find("libEGL.so.1 is not installed") != std::string::npos) GTEST_SKIP() << "no EGL here";
-  EXPECT_EQ(run.exit_code, 0) << run.errors;
-  EXPECT_NE(run.output.find("cameras have no frames"), std::string::npos) << run.output;
+  EXPECT_EQ(run.exit_code, 0) << "cameras need no driver: " << run.errors;
   const Result picture = with_memory(500000, "render walk --out " + scratch("p.png").string());
   expect_one_line(picture, 2, "no pictures by OpenGL");
   const Result pictures = with_memory(500000, "run walk --duration 1e9 --pictures " + scratch("p").string());

@@ -349,9 +349,7 @@ class Cameras(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder, "seen.png")
             words = [PROGRAM, "render", *cls.words[:-4], "--time", "0.5", "--camera", "blue1.camera", "--out", file]
-            made = subprocess.run(words, capture_output=True, check=False, text=True)
-            if "no pictures by OpenGL" in made.stderr:
-                raise unittest.SkipTest(made.stderr)
+            subprocess.run(words, capture_output=True, check=True)
             cls.rendered = read_png(file.read_bytes())
         alone = subprocess.run([PROGRAM, "run", *cls.words], capture_output=True, check=True, text=True)
         cls.state_hash = json.loads(alone.stdout)["state_hash"]
@@ -434,16 +432,13 @@ class Cameras(unittest.TestCase):
                 client.order(do="camera", camera="blue1.camera", id=1)
                 self.assert_rendered(pixels_of(client.wait_for(is_picture)))
 
-    def test_where_nothing_draws_one_line_says_so(self):
+    def test_cameras_need_no_driver(self):
         with Run(PROGRAM, *self.words, **{"__EGL_VENDOR_LIBRARY_FILENAMES": "/dev/null"}) as run:
-            client, viewer = Client(run.port), Client(run.port, protocol="foxglove.sdk.v1")
+            client = Client(run.port)
             client.order(do="camera", camera="blue1.camera", id=1)
             note = client.wait_for(lambda m: isinstance(m, dict) and m["is"] == "camera")
-            self.assertRegex(note["trouble"], r"^no pictures by OpenGL: [^\n]*$")
-            channel = self.camera_channels(viewer)["/cameras/blue1/camera/image"]["id"]
-            viewer.order(op="subscribe", subscriptions=[{"id": 5, "channelId": channel}])
-            status = viewer.wait_for(lambda m: isinstance(m, dict) and m["op"] == "status")
-            self.assertEqual(status["message"], note["trouble"])
+            self.assertEqual(note["trouble"], "")
+            self.assert_rendered(pixels_of(client.wait_for(is_picture)))
 
 
 class Clients(unittest.TestCase):

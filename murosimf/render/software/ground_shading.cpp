@@ -6,7 +6,7 @@
 
 #include "murosimf/math/assert.h"
 #include "murosimf/render/software/coverage.h"
-#include "murosimf/render/software/surfaces.h"
+#include "murosimf/render/software/seen_corner.h"
 
 namespace murosimf::render::software {
 namespace {
@@ -117,6 +117,14 @@ Footprints footprints_of(const GroundPlaces& p) {
   return {Footprint(magnitude(p.xu) + magnitude(p.xv)), Footprint(magnitude(p.yu) + magnitude(p.yv))};
 }
 
+/// The share of a pixel that the field covers.
+Floats field_share(const LookValues& look, const Floats2& at, const Footprints& f) {
+  if (!(look.half_length > 0)) return Floats{};
+  const Floats beyond =
+      greatest((magnitude(at.x) - look.half_length) * f.x.per_size, (magnitude(at.y) - look.half_width) * f.y.per_size);
+  return limited(0.5F - beyond, 0, 1);
+}
+
 }  // namespace
 
 void RowParts::begin(int height) {
@@ -181,20 +189,21 @@ void GroundShading::paint_area(const PixelRays& rays, const LookValues& look, in
   const float tangent_y = rays.tangent_y(v);
   for_ground(rays, v, 0, rays.width() - 1, numbers, [&](int u, const GroundPlaces& places, const Ints& there) {
     const Floats2 at = at_of(places);
-    const Ints on_field = (magnitude(at.x) < look.half_length) & (magnitude(at.y) < look.half_width);
+    const Footprints f = footprints_of(places);
+    const Floats field = field_share(look, at, f);
     const Floats lit = shadows_ ? shadows_->lit_at(seen_place(rays, u, tangent_y, places)) : all_lanes(1.0F);
     if (shadows_) store_lanes(lit, colors.lit.data() + u);
     const Floats3 floor = look.floor.at(lit, shadows_), grass = look.grass.at(lit, shadows_);
-    Floats3 color = choose(on_field, grass, floor);
+    const bool all_field = all(field >= 1);
+    Floats3 color = all_field ? grass : mixed(floor, grass, field);
     if (look.patterns) {
-      const Footprints f = footprints_of(places);
       const Floats pile = pile_at(at, pile_cells(f)), pool = pool_tone(look, at);
       store_lanes(pile, colors.pile.data() + u);
-      if (any(on_field)) color = grass * (lawn_tone(look, at, f, pile) * pool);
-      if (any(there & ~on_field)) {
+      if (any(field > 0)) color = grass * (lawn_tone(look, at, f, pile) * pool);
+      if (!all_field) {
         const Floats x = at.x - rays.eye().x, y = at.y - rays.eye().y;
         const Floats away = x * x + y * y + rays.eye().z * rays.eye().z;
-        color = choose(on_field, color, floor_look(look, floor * pool, at, f, pile, away));
+        color = mixed(floor_look(look, floor * pool, at, f, pile, away), color, field);
       }
     }
     colors.store(u, all(there) ? color : choose(there, color, colors.load(u)));

@@ -4,6 +4,8 @@
 #include <array>
 #include <cstring>
 
+#include "murosimf/render/software/surface_buffer.h"
+
 namespace murosimf::render::software {
 namespace {
 
@@ -13,11 +15,12 @@ Ints byte_of(const Floats& share) { return whole_numbers(limited(share, 0, 1) * 
 
 }  // namespace
 
-void write_bytes(const RowColors& colors, std::span<imaging::Rgb> pixels) {
+void write_bytes(const RowColors& colors, const std::int32_t* numbers, std::span<imaging::Rgb> pixels) {
   static_assert(sizeof(imaging::Rgb) == 3);
   const int width = static_cast<int>(pixels.size());
   std::array<Pixel4, pixel_lanes / 4> four{};
   for (int u = 0; u < width; u += pixel_lanes) {
+    if (all(load_lanes<Ints>(numbers + u) == left_out)) continue;
     const Floats3 color = colors.load(u);
     const Ints whole = byte_of(color.x) | byte_of(color.y) << 8 | byte_of(color.z) << 16;
     std::memcpy(four.data(), &whole, sizeof(whole));

@@ -8,8 +8,8 @@
 
 namespace murosimf::render::software {
 
-/// Rounds to the nearest.
-void write_bytes(const RowColors& colors, std::span<imaging::Rgb> pixels);
+/// Rounds to the nearest. Groups of pixels that are all left out by their numbers stay as they are.
+void write_bytes(const RowColors& colors, const std::int32_t* numbers, std::span<imaging::Rgb> pixels);
 /// Lays a color of that opacity over a pixel.
 void lay_over(const Float3& color, float alpha, imaging::Rgb& pixel);
 

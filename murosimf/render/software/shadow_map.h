@@ -13,7 +13,7 @@
 #include "murosimf/render/instances.h"
 #include "murosimf/render/lamp_view.h"
 #include "murosimf/render/software/float_lanes.h"
-#include "murosimf/render/software/surfaces.h"
+#include "murosimf/render/software/seen_corner.h"
 
 namespace murosimf::render::software {
 

@@ -7,7 +7,6 @@
 
 #include "murosimf/math/assert.h"
 #include "murosimf/render/software/row_bytes.h"
-#include "murosimf/render/software/samples.h"
 
 namespace murosimf::render::software {
 namespace {
@@ -69,24 +68,22 @@ std::size_t SoftwareDrawing::draw(const Stage& stage, const sensors::Perspective
                                   double ahead, sensors::View& into) {
   sensors::Perspective view = wanted;
   if (view.rows == 0) view.rows = view.height - view.first_row;
+  draw_part(stage, view, layers, ahead, nullptr, into);
   // Several samples to a pixel apply to colors only: a mean of depths or labels is meaningless.
-  const bool fine = stage.samples > 1 && layers.color;
-  if (fine) {
+  if (stage.samples > 1 && layers.color) {
     const Samples samples(stage.samples);
-    draw_part(stage, samples.enlarged(view), {.color = true}, ahead, fine_);
-    fit(into.color, view.width, view.height);
-    samples.average(fine_.color, view.first_row, view.rows, into.color);
+    draw_part(stage, samples.enlarged(view), {.color = true}, ahead, &samples, fine_);
+    samples.average(surfaces_, fine_.color, view.first_row, view.rows, into.color);
   }
-  const sensors::Layers rest{layers.color && !fine, layers.depth, layers.labels};
-  if (rest.color || rest.depth || rest.labels) draw_part(stage, view, rest, ahead, into);
   std::size_t triangles = 0;
   for (const InstanceGroup& group : list_.groups())
     triangles += group.count * catalog_.meshes[group.solid].triangle_count();
   return triangles;
 }
 
+/// With `samples` only the pixels of the finer view that edges need.
 void SoftwareDrawing::draw_part(const Stage& stage, const sensors::Perspective& view, const sensors::Layers& layers,
-                                double ahead, sensors::View& into) {
+                                double ahead, const Samples* samples, sensors::View& into) {
   std::optional<ShadowLookup> cast;
   if (stage.light.shadows && layers.color)
     cast.emplace(stage.shadows.at(scene_, catalog_, stage.light.toward, stage.shadow_side, ahead), view);
@@ -101,6 +98,7 @@ void SoftwareDrawing::draw_part(const Stage& stage, const sensors::Perspective& 
     draw_scenery(picture, stage.walls, Surface::Kind::wall);
     draw_scenery(picture, stage.ceiling, Surface::Kind::ceiling);
     draw_nets(picture);
+    if (samples) samples->leave_out_what_is_alike(surfaces_);
     fit(into.color, view.width, view.height);
     for (int v = view.first_row; v < end; ++v) paint_row(picture, v, into.color);
     lay_clear(picture, into.color);
@@ -113,20 +111,19 @@ void SoftwareDrawing::draw_part(const Stage& stage, const sensors::Perspective& 
   }
 }
 
-/// 1 / z of all pixels is that of the ground.
+/// 1 / z of all pixels is that of the ground, or 0.
 void SoftwareDrawing::begin(const Picture& picture, bool strokes, double ahead) {
   const sensors::Perspective& view = picture.view;
   surfaces_.begin(view.width, view.height, view.first_row, view.rows);
   colors_.resize(view.width);
-  if (!picture.has_ground()) return;
   const Floats lanes = lane_numbers();
   for (int v = view.first_row; v < view.first_row + view.rows; ++v) {
     float* per_z = surfaces_.per_z(v);
-    const RowLine ground = picture.rays.row(v).ground;
+    const RowLine ground = picture.has_ground() ? picture.rays.row(v).ground : RowLine{};
     for (int u = 0; u < view.width; u += pixel_lanes)
       store_lanes(greatest(Floats{}, ground.at(lanes + static_cast<float>(u))), per_z + u);
   }
-  if (!strokes) return;
+  if (!strokes || !picture.has_ground()) return;
   std::vector<ContactShadow> contacts;
   if (picture.stage.look.patterns) contacts = contact_shadows(scene_, ahead, view.without);
   ground_.begin(picture.rays, surfaces_.box(), std::move(contacts), picture.shadows);
@@ -159,16 +156,16 @@ void SoftwareDrawing::draw_nets(const Picture& picture) {
   Surface as;
   as.kind = Surface::Kind::net;
   for_triangles(corners_, nets, [&](const std::array<const SeenCorner*, 3>& corners) {
-    surfaces_.visit(picture.rays, corners, as, true,
-                    [&](const Surface& surface, int v, int u, const Ints& seen, const Floats& per_z) {
-                      const auto row = static_cast<std::size_t>(v);
-                      float* first = &through_nets_[row * net_stride_];
-                      if (has_nets_[row] == 0) std::fill_n(first, net_stride_, 1.0F);
-                      has_nets_[row] = 1;
-                      const auto old = load_lanes<Floats>(first + u);
-                      const Floats cover = net_cover_of(surface, v, u, per_z);
-                      store_lanes(choose(seen, old * (1 - thread_cover * cover), old), first + u);
-                    });
+    surfaces_.for_not_hidden(picture.rays, corners, as, true,
+                             [&](const Surface& surface, int v, int u, const Ints& seen, const Floats& per_z) {
+                               const auto row = static_cast<std::size_t>(v);
+                               float* first = &through_nets_[row * net_stride_];
+                               if (has_nets_[row] == 0) std::fill_n(first, net_stride_, 1.0F);
+                               has_nets_[row] = 1;
+                               const auto old = load_lanes<Floats>(first + u);
+                               const Floats cover = net_cover_of(surface, v, u, per_z);
+                               store_lanes(choose(seen, old * (1 - thread_cover * cover), old), first + u);
+                             });
   });
 }
 
@@ -177,7 +174,7 @@ void SoftwareDrawing::paint_row(const Picture& picture, int v, imaging::ColorIma
   if (picture.has_ground()) ground_.paint(picture.rays, picture.stage.look, v, surfaces_.numbers(v), colors_);
   paint_solids(picture, v);
   if (has_nets_[static_cast<std::size_t>(v)] != 0) lay_nets(picture, v);
-  write_bytes(colors_, into.row(v));
+  write_bytes(colors_, surfaces_.numbers(v), into.row(v));
 }
 
 void SoftwareDrawing::paint_background(const Picture& picture, int v) {
@@ -197,9 +194,9 @@ void SoftwareDrawing::paint_solids(const Picture& picture, int v) {
   const std::int32_t* numbers = surfaces_.numbers(v);
   for (int u = 0; u < picture.view.width; u += pixel_lanes) {
     const auto number = load_lanes<Ints>(numbers + u);
-    const Ints seen = number != 0;
+    const Ints seen = (number != 0) & (number != left_out);
     if (!any(seen)) continue;
-    const Ints surface = number < 0 ? -number : number;
+    const Ints surface = seen & (number < 0 ? -number : number);
     const auto per_z = load_lanes<Floats>(surfaces_.per_z(v) + u);
     const Floats3 color = picture.shading.colors(picture.rays, surfaces_.surfaces(), surface, seen, v, u,
                                                  choose(seen, per_z, all_lanes(1.0F)));
@@ -225,7 +222,7 @@ void SoftwareDrawing::lay_clear(const Picture& picture, imaging::ColorImage& int
   };
   solids_.for_triangles(picture.rays, catalog_, list_, list_.clear_groups(), false,
                         [&](const std::array<const SeenCorner*, 3>& corners, const Surface& surface) {
-                          surfaces_.visit(picture.rays, corners, surface, false, lay);
+                          surfaces_.for_not_hidden(picture.rays, corners, surface, false, lay);
                         });
 }
 
@@ -278,7 +275,7 @@ void SoftwareDrawing::measure_clear(const Picture& picture, const sensors::Layer
   };
   solids_.for_triangles(picture.rays, catalog_, list_, list_.clear_groups(), false,
                         [&](const std::array<const SeenCorner*, 3>& corners, const Surface& surface) {
-                          surfaces_.visit(picture.rays, corners, surface, false, measure);
+                          surfaces_.for_not_hidden(picture.rays, corners, surface, false, measure);
                         });
 }
 

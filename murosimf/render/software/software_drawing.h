@@ -7,9 +7,11 @@
 #include "murosimf/render/renderer.h"
 #include "murosimf/render/software/ground_shading.h"
 #include "murosimf/render/software/look_values.h"
+#include "murosimf/render/software/samples.h"
+#include "murosimf/render/software/seen_solids.h"
 #include "murosimf/render/software/shadow_map.h"
 #include "murosimf/render/software/solid_shading.h"
-#include "murosimf/render/software/surfaces.h"
+#include "murosimf/render/software/surface_buffer.h"
 
 namespace murosimf::render::software {
 
@@ -35,7 +37,7 @@ class SoftwareDrawing {
  private:
   struct Picture;
   void draw_part(const Stage& stage, const sensors::Perspective& view, const sensors::Layers& layers, double ahead,
-                 sensors::View& into);
+                 const Samples* samples, sensors::View& into);
   void begin(const Picture& picture, bool strokes, double ahead);
   void draw_solids(const Picture& picture);
   void draw_scenery(const Picture& picture, const LookSurface& surface, Surface::Kind kind);
@@ -59,7 +61,7 @@ class SoftwareDrawing {
   std::vector<float> through_nets_;     // [1] share of light that passes the nets, by pixel
   std::vector<std::uint8_t> has_nets_;  // by row
   std::size_t net_stride_ = 0;
-  sensors::View fine_;  // with several samples to a pixel
+  sensors::View fine_;  // with several samples to a pixel, where edges are
 };
 
 }  // namespace murosimf::render::software

@@ -8,7 +8,7 @@
 #include "murosimf/render/software/look_values.h"
 #include "murosimf/render/software/pixel_rays.h"
 #include "murosimf/render/software/shadow_map.h"
-#include "murosimf/render/software/surfaces.h"
+#include "murosimf/render/software/surface_buffer.h"
 
 namespace murosimf::render::software {
 
