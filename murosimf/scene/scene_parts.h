@@ -24,6 +24,7 @@ class MultirateStepping;
 }  // namespace murosimf::collision
 namespace murosimf::control_software {
 class MessageExchange;
+class PythonAlgorithm;
 class TcpServer;
 }  // namespace murosimf::control_software
 namespace murosimf::dynamics {
@@ -73,16 +74,17 @@ struct SceneParts {
   std::map<std::string, int> times_set;  ///< how often each property was set, by its path
   Entity* field = nullptr;
   Entity* ball = nullptr;
-  std::vector<Entity*> robots;                                 ///< in the order of the spec
-  std::vector<std::vector<const sensors::Sensor*>> sensors;    ///< by robot
-  std::vector<Entity*> bodies;                                 ///< moving ones of [[bodies]]
-  std::vector<Entity*> moving_entities;                        ///< robots, ball and bodies
-  std::vector<collision::GroundContact*> ground_contacts;      ///< by moving entity
-  std::map<const Entity*, dynamics::Push*> pushes;             ///< of entities that can be pushed
-  collision::MultirateStepping* multirate_stepping = nullptr;  ///< null: all use the scene's step
-  sensors::WorldQueries* queries = nullptr;                    ///< null: no sensor uses them
-  control_software::MessageExchange* messages = nullptr;       ///< null: no software uses them
-  const PathRecorder* recorder = nullptr;                      ///< null: paths are not recorded
+  std::vector<Entity*> robots;                                       ///< in the order of the spec
+  std::vector<std::vector<const sensors::Sensor*>> sensors;          ///< by robot
+  std::vector<Entity*> bodies;                                       ///< moving ones of [[bodies]]
+  std::vector<Entity*> moving_entities;                              ///< robots, ball and bodies
+  std::vector<collision::GroundContact*> ground_contacts;            ///< by moving entity
+  std::map<const Entity*, dynamics::Push*> pushes;                   ///< of entities that can be pushed
+  collision::MultirateStepping* multirate_stepping = nullptr;        ///< null: all use the scene's step
+  sensors::WorldQueries* queries = nullptr;                          ///< null: no sensor uses them
+  control_software::MessageExchange* messages = nullptr;             ///< null: no software uses them
+  std::vector<const control_software::PythonAlgorithm*> algorithms;  ///< classes of the scene file
+  const PathRecorder* recorder = nullptr;                            ///< null: paths are not recorded
   std::shared_ptr<control_software::CrashNote> crashes =
       std::make_shared<control_software::CrashNote>();    ///< of control software
   std::shared_ptr<control_software::TcpServer> software;  ///< accepts that of the controller "tcp"; null: none

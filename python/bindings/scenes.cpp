@@ -220,6 +220,11 @@ void bind_scenes(nb::module_& module) {
           },
           nb::arg("a"), nb::arg("b"))
       .def("events", &events)
+      .def("ended",
+           [](const SceneRef& ref) {
+             const Look look(*ref.state);
+             return ref.state->scene.ended();
+           })
       .def("warnings",
            [](SceneRef& ref) {
              const Use use(*ref.state);
