@@ -64,10 +64,11 @@ void attach_contact(SceneParts& parts) {
     attach_air(parts, *body);
   }
   MUROSIMF_ASSERT(parts.ground_contacts.size() == parts.moving_entities.size());
-  parts.simulation->attach<collision::BodyContact>("body_contact", spec.rate, parts.field, parts.moving_entities,
-                                                   spec.materials,
-                                                   catalog::make_body_contact_law(spec.body_contact,
-                                                                                  spec.body_contact_options));
+  parts.body_contact =
+      &parts.simulation->attach<collision::BodyContact>("body_contact", spec.rate, parts.field, parts.moving_entities,
+                                                        spec.materials,
+                                                        catalog::make_body_contact_law(spec.body_contact,
+                                                                                       spec.body_contact_options));
 }
 
 /// The order of attaching is the order within a step: it must not depend on the file's order of sections.
