@@ -14,6 +14,7 @@
 #include "murosimf/league/league.h"
 #include "murosimf/recording/state_file.h"
 #include "murosimf/scene/scene.h"
+#include "murosimf/scene/scene_python.h"
 #include "murosimf/scene/scene_report.h"
 #include "murosimf/session/own_state.h"
 
@@ -53,11 +54,16 @@ int run_scene(const RunOptions& options, Steering& steering) {
   if (steering.goes_on()) return 0;
   scene::RunReport report = make_report(scene, advance.wall(), advance.lateness());
   report.drawings = packets_of(roboviz.get());
-  if (scene.simulation().now() < end) report.stopped = {why_stopped(advance), asked};
+  const std::string ended = scene::end_of_run(scene.parts());
+  if (!ended.empty()) {
+    report.stopped = {ended, asked};
+  } else if (scene.simulation().now() < end) {
+    report.stopped = {why_stopped(advance), asked};
+  }
   const RunOutputs::Written written = outputs.write(report);
   if (advance.crashed()) return unexpected;
   if (!written.recording || !written.files || advance.lacks_pictures()) return user_error;
-  if (report.stopped) return exit_code();
+  if (report.stopped && ended.empty()) return exit_code();
   return written.states ? 0 : user_error;
 }
 

@@ -115,6 +115,9 @@ class MUROSIMF_API Scene {
   /// and options.
   [[nodiscard]] std::vector<std::byte> save();
   void load(std::span<const std::byte> state);
+  /// Why an algorithm of the scene file has ended the run, "NAME: reason" (docs/python.md); empty: none has. run() steps no further then,
+  /// step() does.
+  [[nodiscard]] std::string ended() const;
   /// Equal states have equal hashes.
   [[nodiscard]] std::uint64_t state_hash() const;
 

@@ -77,7 +77,8 @@ class MUROSIMF_API EntityHandle {
 
   /// A property of an object by the names of `murosimf list properties`, variable or of the model; matrices row by row.
   [[nodiscard]] std::vector<double> get(std::string_view object, std::string_view property) const;
-  /// Variable properties only. Throws UnknownName, InputError.
+  /// Also constants of the model, which act from the next step on as if the scene had been built with them: mass, joint_damping,
+  /// and of servos "servo.stall_torque"; a reset takes them back. Throws UnknownName, InputError.
   void set(std::string_view object, std::string_view property, std::span<const double> values);
   /// SI unit; "1" for pure numbers.
   [[nodiscard]] std::string unit(std::string_view object, std::string_view property) const;

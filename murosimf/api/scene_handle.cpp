@@ -8,6 +8,7 @@
 
 #include "murosimf/api/scene_inside.h"
 #include "murosimf/api/told.h"
+#include "murosimf/scene/scene_python.h"
 
 namespace murosimf {
 inline namespace v0 {
@@ -89,7 +90,7 @@ void Scene::step(int steps) {
 void Scene::run(double duration) {
   check_seconds(duration, "a run of");
   const Duration end = inside().simulation().now() + from_seconds(duration);
-  while (inside().simulation().now() < end) inside().step();
+  while (inside().simulation().now() < end && ended().empty()) inside().step();
 }
 
 void Scene::reset() {
@@ -111,6 +112,8 @@ void Scene::load(std::span<const std::byte> state) {
   inside().begin();
   told([&] { inside().scene.load(state); });
 }
+
+std::string Scene::ended() const { return scene::end_of_run(inside().scene.parts()); }
 
 std::uint64_t Scene::state_hash() const {
   inside().begin();

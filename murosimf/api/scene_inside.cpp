@@ -79,7 +79,10 @@ void SceneInside::begin() {
 
 void SceneInside::step() {
   begun = true;
-  told([&] { simulation().step(); });
+  told([&] {
+    simulation().step();
+    scene.parts().crashes->check();
+  });
   check_failure();
 }
 

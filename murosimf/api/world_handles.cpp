@@ -1,9 +1,11 @@
 // include/murosimf/world.h: entities by name.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "murosimf/api/scene_inside.h"
 #include "murosimf/api/told.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/scene/model_constants.h"
 #include "murosimf/world.h"
 #include "murosimf/world/column_view.h"
 
@@ -136,6 +138,12 @@ std::vector<double> EntityHandle::get(std::string_view object, std::string_view 
 
 void EntityHandle::set(std::string_view object, std::string_view property, std::span<const double> values) {
   scene_->begin();
+  if (property.starts_with("servo.") || scene::is_constant({.property = std::string(property)})) {
+    const std::string dot = object.empty() ? "" : ".";
+    return told([&] {
+      scene_->scene.change({fmt::format("{}.{}{}{}=[{}]", name(), object, dot, property, fmt::join(values, ", "))});
+    });
+  }
   told([&] { api::object_of(scene_->entity(number_), object).set(property, values); });
 }
 

@@ -234,7 +234,7 @@ void attach_python(Simulation& simulation, Entity& robot, const ControllerOption
   const control_software::SoftwareMaker make = [&](Setup& setup, control_software::RobotPort& port,
                                                    const control_software::SayLine& say) {
     control_software::python_in_turns(setup, common);
-    return std::make_unique<control_software::PythonSoftware>(setup, port, say, std::move(made),
+    return std::make_unique<control_software::PythonSoftware>(setup, &port, say, std::move(made),
                                                               options.moving_entities);
   };
   attach_software(simulation, robot, rate, make,

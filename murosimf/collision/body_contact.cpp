@@ -78,6 +78,11 @@ void BodyContact::model_exchanged(const Entity& entity) {
   set_.parameters = finder_.parameters();
 }
 
+void BodyContact::exchange_materials(const MaterialTable& materials) {
+  finder_.exchange_materials(materials);
+  set_.parameters = finder_.parameters();
+}
+
 void BodyContact::entity_entered(const Entity& entity) {
   for (MovingEntity& moving_entity : moving_entities_) {
     if (moving_entity.entity == &entity) start(moving_entity);

@@ -33,6 +33,8 @@ class BodyContact final : public Algorithm {
   void entity_taken_back(const Entity& entity) noexcept override;
   void entity_entered(const Entity& entity) override;
   void model_exchanged(const Entity& entity) override;
+  /// From the next step on; points keep their memory. To be called between steps.
+  void exchange_materials(const MaterialTable& materials);
   void step(const Instant& instant) noexcept override;
   void state(StateArchive& archive) override;
 

@@ -83,9 +83,19 @@ void GroundContact::initialize() {
 void GroundContact::model_exchanged(const Entity& entity) {
   if (&entity != &entity_) return;
   finder_ = GroundFinder(entity_, environment_entity_);
-  make_terms();
+  renew_terms();
   set_.environment_objects = environment_objects_;
   set_.points.clear();
+}
+
+void GroundContact::exchange_materials(const MaterialTable& materials) {
+  materials_ = materials;
+  renew_terms();
+}
+
+/// The step stays as long as it is.
+void GroundContact::renew_terms() {
+  make_terms();
   const double dt = interface_.terms.dt;
   interface_.terms = terms_are_stiff_ ? stiff_terms_ : soft_terms_;
   interface_.terms.dt = dt;

@@ -44,11 +44,14 @@ class GroundContact final : public Algorithm {
   /// From the next step on. Points keep their memory if both laws have the same (contact_law.h, island_use), else it
   /// begins anew. To be called between steps.
   void exchange_law(std::shared_ptr<const ContactLaw> law);
+  /// From the next step on; points keep their memory. To be called between steps.
+  void exchange_materials(const MaterialTable& materials);
 
  private:
   friend GroundLanes;
 
   void make_terms();
+  void renew_terms();
   [[nodiscard]] const Model& model() const { return entity_.model(); }
   [[nodiscard]] bool wants_stiff_terms() const noexcept;
   void choose_terms() noexcept;

@@ -29,6 +29,7 @@ class PairFinder {
   /// The last of them.
   void take_back() noexcept;
   /// The model of one of them is another one; of the points in `set`, those of the others go on.
+  void exchange_materials(const MaterialTable& materials) { materials_ = materials; }
   void model_exchanged(const std::vector<MovingEntity>& moving_entities, const Entity& entity, PairSet& set);
   /// Says anew of which constants the points are: kinds have come or gone.
   void number_surfaces(PairSet& set) const noexcept;

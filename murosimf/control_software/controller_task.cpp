@@ -42,7 +42,7 @@ ControllerTask::ControllerTask(Setup& setup, const SoftwareMaker& make, Controll
   report_.software = options_.software;
   report_.rate_hz = 1 / seconds(setup.period());
   report_.budget = options_.budget;
-  software_ = make(setup, port_, [this](const std::string& line) { say(line); });
+  software_ = make(setup, port_, [this](const std::string& line) { report_.say(now_, line); });
   MUROSIMF_ASSERT(software_ != nullptr);
   port_.close();
   report_.keeps_state = software_->keeps_state();
@@ -73,7 +73,7 @@ void ControllerTask::begin() {
   report_ = fresh;
   over_ = false;
   const CallOutcome outcome = noted(ExternalInput::began, [&] { return software_->start(); });
-  note(outcome.changes);
+  report_.note(outcome.changes, now_);
   if (!outcome) refuse(outcome);
   publish_news();
 }
@@ -90,9 +90,9 @@ void ControllerTask::step(const Instant& instant) noexcept {
   port_.refresh(instant.now);
   const WallClock::time_point begin = WallClock::now();
   const CallOutcome outcome = noted(ExternalInput::sent, [&] { return software_->step(now_); });
-  count(WallClock::now() - begin);
+  report_.count(WallClock::now() - begin, now_);
   count_messages();
-  if (!outcome.changes.empty()) note(outcome.changes);
+  report_.note(outcome.changes, now_);
   if (!outcome) return end(outcome);
   take_over_commands();
   publish_news();
@@ -131,21 +131,10 @@ bool ControllerTask::repeat_call(ExternalInput::Kind kind) {
 
 /// Updates the report: software that has disconnected counts as ended until other software connects.
 void ControllerTask::publish_news() {
-  if (const std::string news = software_->news(); !news.empty()) say(news);
+  if (const std::string news = software_->news(); !news.empty()) report_.say(now_, news);
   const std::string absence = software_->absence();
   if (absence.empty()) return report_.ended.clear();
   if (report_.ended.empty()) report_.ended = fmt::format("at {:.3f} s: {}", seconds(now_), absence);
-}
-
-void ControllerTask::count(Duration took) noexcept {
-  MUROSIMF_ASSERT(took >= Duration{});
-  ++report_.calls;
-  report_.spent += took;
-  if (took > report_.worst) {
-    report_.worst = took;
-    report_.worst_at = now_;
-  }
-  if (report_.budget > Duration{} && took > report_.budget) ++report_.over_budget;
 }
 
 void ControllerTask::end(const CallOutcome& outcome) {
@@ -161,20 +150,6 @@ void ControllerTask::refuse(const CallOutcome& outcome) {
   if (outcome.kind != CallOutcome::crashed) throw SetupError(outcome.text);
   end(outcome);
   throw SoftwareCrash(outcome.text);
-}
-
-/// Each kind of change is told once: software that changes something does so in every call.
-void ControllerTask::note(ProcessChanges changes) {
-  for (std::size_t i = 0; i < process_change_names.size(); ++i) {
-    if (!changes.has(static_cast<ProcessChange>(i))) continue;
-    const std::string what(process_change_names[i]);
-    const auto known = std::ranges::find(report_.changed, what, &SoftwareReport::Changed::what);
-    if (known == report_.changed.end()) {
-      report_.changed.push_back({what, 1, now_});
-    } else {
-      ++known->times;
-    }
-  }
 }
 
 /// Refused numbers are counted; the first refusal is kept, since the others mostly repeat it.
@@ -199,15 +174,6 @@ void ControllerTask::count_link() {
   report_.link.emplace();
   if (signals) report_.link->signals = signals->counts();
   if (commands) report_.link->commands = commands->counts();
-}
-
-/// Bounded: software may write a line in every cycle.
-void ControllerTask::say(const std::string& line) {
-  if (report_.said.size() < SoftwareReport::most_messages) {
-    report_.said.push_back({now_, line});
-  } else {
-    ++report_.not_kept;
-  }
 }
 
 void ControllerTask::state(StateArchive& archive) {

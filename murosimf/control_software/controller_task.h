@@ -51,11 +51,8 @@ class ControllerTask final : public Algorithm {
   [[nodiscard]] bool repeat_call(ExternalInput::Kind kind);
   void begin();
   void publish_news();
-  void say(const std::string& line);
-  void count(Duration took) noexcept;
   void end(const CallOutcome& outcome);
   [[noreturn]] void refuse(const CallOutcome& outcome);
-  void note(ProcessChanges changes);
   void take_over_commands();
   void count_messages();
   void count_link();

@@ -23,6 +23,13 @@ class CrashNote {
     if (text_.empty()) text_ = text;
     there_.store(true, std::memory_order_release);
   }
+  /// If it is this: what failed begins anew, and the process is as it was.
+  void take_back(const std::string& text) {
+    const std::lock_guard lock(mutex_);
+    if (text.empty() || text != text_) return;
+    text_.clear();
+    there_.store(false, std::memory_order_release);
+  }
   /// Throws SoftwareCrash if there is one.
   void check() const {
     if (there_.load(std::memory_order_acquire)) throw SoftwareCrash(text());

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "murosimf/control_software/guard/process_change.h"
 #include "murosimf/control_software/link_options.h"
 #include "murosimf/control_software/message_box.h"
 #include "murosimf/model/property.h"
@@ -51,6 +52,13 @@ struct SoftwareReport {
   std::uint64_t not_kept = 0;             ///< messages after these
 
   static constexpr std::size_t most_messages = 100;
+
+  /// A call of its step that took this wall time, at the simulated time `now`.
+  void count(Duration took, Duration now) noexcept;
+  /// Each kind of change is told once: software that changes something does so in every call.
+  void note(ProcessChanges changes, Duration now);
+  /// Bounded: software may write a line in every cycle.
+  void say(Duration now, const std::string& line);
 };
 
 /// Points to the report of an entity's software; null: it has none.

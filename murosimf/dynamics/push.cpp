@@ -21,7 +21,7 @@ bool same_push(const Wrenchd& a, const Wrenchd& b) { return is_zero(Wrenchd{a.n 
 }  // namespace
 
 Push::Push(Setup& setup, std::vector<TimedPush> pushes)
-    : model_(setup.model()),
+    : entity_(setup.entity()),
       pushes_(std::move(pushes)),
       R_(setup.read(properties::orientation)),
       applied_force_(setup.write(properties::applied_force)) {
@@ -29,9 +29,9 @@ Push::Push(Setup& setup, std::vector<TimedPush> pushes)
 }
 
 void Push::take_up(int object) {
-  MUROSIMF_ASSERT(object >= 0 && object < model_.size());
+  MUROSIMF_ASSERT(object >= 0 && object < entity_.model().size());
   if (std::ranges::find(pushed_, object, &Pushed::object) != pushed_.end()) return;
-  const Vec3d* center = model_.find(properties::center_of_mass, object);
+  const Vec3d* center = entity_.model().find(properties::center_of_mass, object);
   pushed_.push_back({object, center ? *center : Vec3d{}, {}, {}});
 }
 
@@ -45,6 +45,14 @@ void Push::add(const TimedPush& push) {
 void Push::initialize() { std::fill(applied_force_.begin(), applied_force_.end(), Wrenchd{}); }
 
 void Push::state(StateArchive& archive) { archive(pushes_, pushed_); }
+
+void Push::model_exchanged(const Entity& entity) {
+  if (&entity != &entity_) return;
+  for (Pushed& pushed : pushed_) {
+    const Vec3d* center = entity.model().find(properties::center_of_mass, pushed.object);
+    pushed.center = center ? *center : Vec3d{};
+  }
+}
 
 Wrenchd Push::sum_for(const Pushed& pushed, const Instant& instant) const noexcept {
   Wrenchd sum;

@@ -32,6 +32,7 @@ class Push final : public Algorithm {
   void initialize() override;
   void step(const Instant& instant) noexcept override;
   void state(StateArchive& archive) override;
+  void model_exchanged(const Entity& entity) override;
 
  private:
   struct Pushed {
@@ -44,7 +45,7 @@ class Push final : public Algorithm {
   void take_up(int object);
   [[nodiscard]] Wrenchd sum_for(const Pushed& pushed, const Instant& instant) const noexcept;
 
-  const Model& model_;
+  const Entity& entity_;
   std::vector<TimedPush> pushes_;  // those that are not over, of added ones
   std::vector<Pushed> pushed_;
   std::span<const Mat3d> R_;

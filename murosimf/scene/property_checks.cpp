@@ -16,6 +16,7 @@
 #include "murosimf/model/fixed_base.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/multibody/spatial_tendon.h"
+#include "murosimf/scene/model_constants.h"
 #include "murosimf/scene_file/setting_targets.h"
 #include "murosimf/scene_file/unused_settings.h"
 
@@ -256,6 +257,7 @@ std::string check_object(Simulation& simulation, const scene_file::SceneSpec& sp
 
 std::string check_setting(Simulation& simulation, const scene_file::SceneSpec& spec,
                           const scene_file::PropertySetting& setting, const std::string& name, double time) {
+  if (is_constant(setting)) return {};  // checked by what changes it (constant_changes.h)
   Entity& entity = simulation.world().entity(name);
   for (const int index : scene_file::objects_meant(entity.model(), setting.object, setting.property)) {
     if (auto why = check_object(simulation, spec, setting, entity, index, time); !why.empty()) return why;

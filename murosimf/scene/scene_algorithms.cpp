@@ -12,6 +12,7 @@
 #include "murosimf/math/assert.h"
 #include "murosimf/robot/motion_file.h"
 #include "murosimf/scene/scene_checks.h"
+#include "murosimf/scene/scene_python.h"
 #include "murosimf/scene_file/field.h"
 #include "murosimf/scene_file/level_options.h"
 
@@ -60,19 +61,14 @@ std::string software_of(const scene_file::RobotSpec& robot) {
   return named == robot.options.end() ? std::string() : value_text(named->second);
 }
 
-/// Reading a file must not run code that it names, unless the command line or a program permits it. Requests over a network
-/// cannot permit it.
 void refuse_software_of_file(const SceneParts& parts, const scene_file::RobotSpec& robot) {
   const std::string software = software_of(robot);
-  if (parts.libraries || software.empty()) return;
+  if (software.empty()) return;
   const bool of_python = robot.controller == "python";
   const auto given = robot.given.find(of_python ? "options.class" : "library");
   if (given == robot.given.end() && !of_python) return;  // a program has named it
   const std::string where = given == robot.given.end() ? robot.where : given->second.where;
-  if (where.starts_with("--set") && !parts.files.only_from) return;
-  throw SetupError(fmt::format(
-      "{}: this file has control software loaded, '{}', which may do what it likes; if you trust it: --libraries",
-      where, software));
+  refuse_software_of_file(parts, where, software);
 }
 
 }  // namespace

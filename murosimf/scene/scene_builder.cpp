@@ -15,6 +15,7 @@
 #include "murosimf/scene/scene_entities.h"
 #include "murosimf/scene/scene_exchange.h"
 #include "murosimf/scene/scene_pushing.h"
+#include "murosimf/scene/scene_python.h"
 #include "murosimf/scene/scene_sensors.h"
 #include "murosimf/scene/scene_start.h"
 #include "murosimf/scene/section_changes.h"
@@ -37,9 +38,12 @@ void attach_control(SceneParts& parts, ModelSource& models) {
   expect_software(parts);
   // all sensors before all controllers: a controller may read sensors of its robot only, but detectors list all entities
   for (std::size_t i = 0; i < parts.robots.size(); ++i) attach_sensors(parts, models, i);
+  LoadedClasses classes = load_classes(parts);
+  attach_classes(parts, classes, true);
   for (std::size_t i = 0; i < parts.robots.size(); ++i) {
     attach_controller(parts, parts.spec.robots[i], *parts.robots[i]);
   }
+  attach_classes(parts, classes, false);
   for (const Entity* robot : parts.robots) attach_messages(parts, *robot);
   MUROSIMF_ASSERT(parts.sensors.size() == parts.robots.size());
 }
@@ -60,10 +64,11 @@ void attach_contact(SceneParts& parts) {
     attach_air(parts, *body);
   }
   MUROSIMF_ASSERT(parts.ground_contacts.size() == parts.moving_entities.size());
-  parts.simulation->attach<collision::BodyContact>("body_contact", spec.rate, parts.field, parts.moving_entities,
-                                                   spec.materials,
-                                                   catalog::make_body_contact_law(spec.body_contact,
-                                                                                  spec.body_contact_options));
+  parts.body_contact =
+      &parts.simulation->attach<collision::BodyContact>("body_contact", spec.rate, parts.field, parts.moving_entities,
+                                                        spec.materials,
+                                                        catalog::make_body_contact_law(spec.body_contact,
+                                                                                       spec.body_contact_options));
 }
 
 /// The order of attaching is the order within a step: it must not depend on the file's order of sections.
@@ -93,10 +98,10 @@ void attach_observers(SceneParts& parts, bool paths) {
 void build(SceneParts& parts, const SceneOptions& options) {
   Simulation& simulation = *parts.simulation;
   simulation.world().gravity = parts.spec.gravity;
-  simulation.stop_if([crashes = parts.crashes, stop = options.stop] {
+  simulation.stop_if([&parts, crashes = parts.crashes, stop = options.stop] {
     crashes->check();
     control_software::crashes_of_plugins().check();
-    return stop && stop();
+    return (stop && stop()) || !end_of_run(parts).empty();
   });
   parts.libraries = options.libraries;
   parts.files.only_from = options.files.only_from;

@@ -13,6 +13,7 @@
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
+#include "murosimf/scene/constant_changes.h"
 #include "murosimf/scene/model_constants.h"
 #include "murosimf/scene/robot_placement.h"
 #include "murosimf/scene/scene_algorithms.h"
@@ -117,6 +118,7 @@ void kick(SceneParts& parts, const std::string& robot, locomotion::KickRequest r
 
 void apply(SceneParts& parts, const scene_file::SceneEvent& event, const std::string& entity) {
   with_context(event.where, [&] {
+    if (event.setting && is_constant(*event.setting)) return change_constant(parts, *event.setting, entity);
     if (event.setting) return apply(parts, *event.setting, entity);
     if (event.push) return push(parts, *event.push, entity);
     if (event.place) return put(parts, *event.place, entity);
@@ -129,12 +131,11 @@ void apply(SceneParts& parts, const scene_file::SceneEvent& event, const std::st
   });
 }
 
-/// Throws SetupError for constants, and for objects that the entity does not have.
-void check_setting_of(const scene_file::SceneEvent& event, const Model& model) {
+/// Throws SetupError for objects that the entity does not have, and for constants that it cannot have.
+void check_setting_of(const SceneParts& parts, const scene_file::SceneEvent& event, const std::string& entity) {
+  const Model& model = parts.simulation->world().entity(entity).model();
   with_context(event.where, [&] {
-    if (is_constant(*event.setting)) {
-      throw SetupError(fmt::format("'{}' is a constant of the model; set it before the run, by --set", event.key));
-    }
+    if (is_constant(*event.setting)) return check_constant(parts, *event.setting, entity);
     (void)scene_file::objects_meant(model, event.setting->object, event.setting->property);
   });
 }
@@ -234,7 +235,7 @@ void check_change(const SceneParts& parts, const scene_file::SceneEvent& change)
   }
   if (!change.setting) return;
   for (const std::string& entity : change.entities) {
-    check_setting_of(change, parts.simulation->world().entity(entity).model());
+    check_setting_of(parts, change, entity);
   }
 }
 

@@ -19,11 +19,13 @@
 #include "murosimf/sensors/sensor.h"
 
 namespace murosimf::collision {
+class BodyContact;
 class GroundContact;
 class MultirateStepping;
 }  // namespace murosimf::collision
 namespace murosimf::control_software {
 class MessageExchange;
+class PythonAlgorithm;
 class TcpServer;
 }  // namespace murosimf::control_software
 namespace murosimf::dynamics {
@@ -53,6 +55,22 @@ struct ChangingSections {
   void state(StateArchive& archive) { archive(light, ball, ball_color); }
 };
 
+/// A constant of an entity's model that was changed while the scene runs.
+struct ConstantChange {
+  std::string entity, object, property;
+  std::vector<double> numbers;
+  friend bool operator==(const ConstantChange&, const ConstantChange&) = default;
+  void state(StateArchive& archive) { archive(entity, object, property, numbers); }
+};
+
+/// Changes in force of what the scene was built with (constant_changes.h).
+struct ChangedConstants {
+  std::vector<ConstantChange> models;
+  std::vector<std::string> surfaces;  ///< "materials.rubber.friction=0.3", "field.friction=0.5"
+  friend bool operator==(const ChangedConstants&, const ChangedConstants&) = default;
+  void state(StateArchive& archive) { archive(models, surfaces); }
+};
+
 /// State restored by a reset.
 struct StartOfScene {
   ChangingSections sections;
@@ -73,16 +91,21 @@ struct SceneParts {
   std::map<std::string, int> times_set;  ///< how often each property was set, by its path
   Entity* field = nullptr;
   Entity* ball = nullptr;
-  std::vector<Entity*> robots;                                 ///< in the order of the spec
-  std::vector<std::vector<const sensors::Sensor*>> sensors;    ///< by robot
-  std::vector<Entity*> bodies;                                 ///< moving ones of [[bodies]]
-  std::vector<Entity*> moving_entities;                        ///< robots, ball and bodies
-  std::vector<collision::GroundContact*> ground_contacts;      ///< by moving entity
-  std::map<const Entity*, dynamics::Push*> pushes;             ///< of entities that can be pushed
-  collision::MultirateStepping* multirate_stepping = nullptr;  ///< null: all use the scene's step
-  sensors::WorldQueries* queries = nullptr;                    ///< null: no sensor uses them
-  control_software::MessageExchange* messages = nullptr;       ///< null: no software uses them
-  const PathRecorder* recorder = nullptr;                      ///< null: paths are not recorded
+  std::vector<Entity*> robots;                               ///< in the order of the spec
+  std::vector<std::vector<const sensors::Sensor*>> sensors;  ///< by robot
+  std::vector<Entity*> bodies;                               ///< moving ones of [[bodies]]
+  std::vector<Entity*> moving_entities;                      ///< robots, ball and bodies
+  std::vector<collision::GroundContact*> ground_contacts;    ///< by moving entity
+  std::map<const Entity*, dynamics::Push*> pushes;           ///< of entities that can be pushed
+  collision::BodyContact* body_contact = nullptr;
+  ChangedConstants constants;
+  std::map<const Entity*, ModelPtr> built_models;                    ///< of entities whose constants were changed
+  std::optional<MaterialTable> built_materials;                      ///< if they were changed
+  collision::MultirateStepping* multirate_stepping = nullptr;        ///< null: all use the scene's step
+  sensors::WorldQueries* queries = nullptr;                          ///< null: no sensor uses them
+  control_software::MessageExchange* messages = nullptr;             ///< null: no software uses them
+  std::vector<const control_software::PythonAlgorithm*> algorithms;  ///< classes of the scene file
+  const PathRecorder* recorder = nullptr;                            ///< null: paths are not recorded
   std::shared_ptr<control_software::CrashNote> crashes =
       std::make_shared<control_software::CrashNote>();    ///< of control software
   std::shared_ptr<control_software::TcpServer> software;  ///< accepts that of the controller "tcp"; null: none

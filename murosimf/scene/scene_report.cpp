@@ -12,6 +12,7 @@
 #include "murosimf/dynamics/servo/torque_watch.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/scene/interpenetration_warnings.h"
+#include "murosimf/scene/scene_python.h"
 #include "murosimf/scene/unsettled_warning.h"
 
 namespace murosimf::scene {
@@ -47,6 +48,13 @@ void add_control_warnings(const Scene& scene, std::vector<std::string>& lines) {
   }
 }
 
+void add_algorithm_warnings(const Scene& scene, std::vector<std::string>& lines) {
+  for (const auto* algorithm : scene.parts().algorithms) {
+    if (algorithm->report().ended.empty() || !algorithm->end_of_run().empty()) continue;
+    lines.push_back(fmt::format("{}: it has ended {}", algorithm->name(), algorithm->report().ended));
+  }
+}
+
 /// Notes of the scene, then those of the run.
 std::vector<std::string> notes_of(const Scene& scene) {
   std::vector<std::string> all = scene.parts().diagnostics.notes();
@@ -68,6 +76,7 @@ std::vector<std::string> warnings_of(const Scene& scene, const Lateness& latenes
   for (auto& line : interpenetration_warnings(scene.simulation().world())) all.push_back(std::move(line));
   if (auto line = unsettled_warning(scene.simulation().world()); !line.empty()) all.push_back(std::move(line));
   add_control_warnings(scene, all);
+  add_algorithm_warnings(scene, all);
   if (lateness.late_steps > 0) all.push_back(to_text(lateness));
   return all;
 }
@@ -97,6 +106,8 @@ RunReport make_report(const Scene& scene, Duration wall, const Lateness& latenes
       report.sensors.push_back({entity->name(), *reading});
     }
   }
+  for (const auto* algorithm : scene.parts().algorithms)
+    report.control.push_back({algorithm->name(), algorithm->report()});
   report.algorithms = simulation.statistics();
   report.events = simulation.events();
   report.notes = notes_of(scene);

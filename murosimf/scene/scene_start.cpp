@@ -6,6 +6,7 @@
 #include "murosimf/math/assert.h"
 #include "murosimf/math/random.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/scene/constant_changes.h"
 #include "murosimf/scene/scene_checks.h"
 #include "murosimf/scene/scene_exchange.h"
 #include "murosimf/scene/scene_settings.h"
@@ -104,6 +105,7 @@ void reset(SceneParts& parts, std::optional<std::uint64_t> seed) {
   for (std::size_t i = 0; i < parts.moving_entities.size(); ++i) {
     put_in_force(parts, *parts.moving_entities[i], parts.at_start.algorithms[i]);
   }
+  put_in_force(parts, ChangedConstants{});
   put_in_force(parts, parts.at_start.sections);
   parts.diagnostics = *parts.at_start.diagnostics;
   parts.times_set.clear();

@@ -1,5 +1,5 @@
-// Bytes of a state: a header line, the number of the bytes that follow, their checksum, and these: exchanged algorithms, and the state of
-// its simulation.
+// Bytes of a state: a header line, the number of the bytes that follow, their checksum, and these: exchanged algorithms, changed
+// constants, and the state of its simulation.
 #include "murosimf/scene/scene_state.h"
 
 #include <algorithm>
@@ -11,13 +11,14 @@
 
 #include "murosimf/math/assert.h"
 #include "murosimf/runtime/bytes_hash.h"
+#include "murosimf/scene/constant_changes.h"
 #include "murosimf/scene/scene_exchange.h"
 #include "murosimf/scene/section_changes.h"
 
 namespace murosimf::scene {
 namespace {
 
-constexpr std::string_view first_line = "MuRoSimF scene state 5\n";  // the number of the format
+constexpr std::string_view first_line = "MuRoSimF scene state 6\n";  // the number of the format
 constexpr std::string_view older_line = "MuRoSimF state ";  // of its simulation, in formats without a header line
 
 /// Follows the header line.
@@ -35,7 +36,7 @@ bool begins_with(std::span<const std::byte> bytes, std::string_view text) {
 /// Throws SetupError if the bytes are no complete and intact state.
 std::span<const std::byte> content_of(std::span<const std::byte> bytes) {
   if (!begins_with(bytes, first_line)) {
-    constexpr std::size_t sign = first_line.find('5');
+    constexpr std::size_t sign = first_line.find('6');
     const bool older =
         begins_with(bytes, first_line.substr(0, sign)) || !std::ranges::search(bytes, bytes_of(older_line)).empty();
     throw SetupError(older ? "this state is of another form than this version of the program has; have it saved again"
@@ -64,6 +65,9 @@ void load(SceneParts& parts, std::span<const std::byte> bytes) {
   MUROSIMF_ASSERT(algorithms.size() == parts.moving_entities.size());
   // levels first: they create the columns that the simulation's state fills
   for (std::size_t i = 0; i < algorithms.size(); ++i) put_in_force(parts, *parts.moving_entities[i], algorithms[i]);
+  ChangedConstants constants;
+  archive(constants);
+  put_in_force(parts, constants);
   ChangingSections sections;
   archive(sections);
   put_in_force(parts, sections);
@@ -81,6 +85,7 @@ std::vector<std::byte> save_state(SceneParts& parts) {
   archive(parts.spec.seed);
   std::vector<Algorithms> algorithms = algorithms_in_force(parts);
   archive(algorithms);
+  archive(parts.constants);
   ChangingSections sections = sections_in_force(parts);
   archive(sections);
   const std::vector<std::byte> simulation = parts.simulation->save();

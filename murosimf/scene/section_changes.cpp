@@ -8,6 +8,7 @@
 #include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/scene/constant_changes.h"
 #include "murosimf/scene/model_constants.h"
 #include "murosimf/scene/model_source.h"
 #include "murosimf/scene/scene_checks.h"
@@ -82,6 +83,7 @@ void change_ball(SceneParts& parts, const scene_file::SceneEvent& event) {
 }  // namespace
 
 void check_section_change(const SceneParts& parts, const scene_file::SceneEvent& event) {
+  if (event.section == "materials" || event.section == "field") return check_surfaces(parts, event);
   if (event.section != "ball") return;
   with_context(event.where, [&] {
     if (event.key != "color") check_constants(parts.spec);
@@ -91,7 +93,13 @@ void check_section_change(const SceneParts& parts, const scene_file::SceneEvent&
 
 void apply_section_change(SceneParts& parts, const scene_file::SceneEvent& event) {
   with_context(event.where, [&] {
-    event.section == "light" ? change_light(parts, event) : change_ball(parts, event);
+    if (event.section == "light") {
+      change_light(parts, event);
+    } else if (event.section == "ball") {
+      change_ball(parts, event);
+    } else {
+      change_surfaces(parts, event);
+    }
     parts.simulation->record(fmt::format("{}: {} {}", event.section, event.key, event.value));
   });
 }

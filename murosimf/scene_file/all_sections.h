@@ -34,5 +34,6 @@ struct EventTable {
 [[nodiscard]] const Section<PairSurface>& material_section();
 [[nodiscard]] const Section<control_software::RadioOptions>& communication_section();
 [[nodiscard]] const Section<LeagueSpec>& league_section();
+[[nodiscard]] const Section<AlgorithmSpec>& algorithm_section();
 
 }  // namespace murosimf::scene_file

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/dynamics/servo/servo_law.h"
@@ -52,6 +53,17 @@ SceneEvent section_event(const Assignment& change, double time) {
   SceneEvent event{time, change.where, {}, change.path[1], change.value, {}, change.path[0]};
   change.path[0] == "light" ? void(changed(LightSpec{}, event)) : void(changed(BallSpec{}, event));
   return event;
+}
+
+/// The friction of the field, or a number of pairs of materials, as for --set (material_section.h).
+bool is_of_surfaces(const Assignment& change) {
+  const auto& path = change.path;
+  return (path[0] == "materials" && path.size() > 1) || (path == std::vector<std::string>{"field", "friction"});
+}
+
+SceneEvent surface_event(const Assignment& change, double time) {
+  const std::string key = fmt::format("{}", fmt::join(change.path.begin() + 1, change.path.end(), "."));
+  return {time, change.where, {}, key, change.value, {}, change.path[0]};
 }
 
 std::vector<std::string> names_of(const std::vector<toml::table*>& robots) {
@@ -114,6 +126,7 @@ SceneEvent read_event(toml::table& scene, double time, const std::string& text, 
   }
   auto [robots, used] = robots_of(scene, change.path);
   std::vector<std::string> entities = names_of(robots);
+  if (entities.empty() && is_of_surfaces(change)) return surface_event(change, time);
   if (entities.empty() && change.path[0] == "ball" && scene.contains("ball")) {
     entities = {"ball"};
     used = 1;

@@ -30,7 +30,7 @@ const std::vector<SectionInfo>& sections() {
       view_section().info(),   viewpoint_section().info(), light_section().info(),    ball_section().info(),
       team_section().info(),   robot_section().info(),     defaults_info(),           body_section().info(),
       push_section().info(),   event_section().info(),     material_section().info(), communication_section().info(),
-      league_section().info(), link_section().info()};
+      league_section().info(), link_section().info(),      algorithm_section().info()};
   return all;
 }
 

@@ -119,6 +119,12 @@ void check_default_options(const RobotOptions& options, const toml::table& node,
   refuse_others(node, fmt::format("the {}s of this scene", options.kind), Names(known.begin(), known.end()));
 }
 
+OptionValues read_any_options(const toml::table& node) {
+  OptionValues values;
+  take(node, options_as_given(node), values);
+  return values;
+}
+
 OptionValues read_own_options(const toml::table& node, const std::string& owner,
                               const std::vector<OptionInfo>& options) {
   OptionValues values;

@@ -42,4 +42,7 @@ void check_default_options(const RobotOptions& options, const toml::table& node,
 [[nodiscard]] OptionValues read_own_options(const toml::table& node, const std::string& owner,
                                             const std::vector<OptionInfo>& options);
 
+/// Options of a class that says itself which it takes: numbers, booleans, texts and vectors.
+[[nodiscard]] OptionValues read_any_options(const toml::table& node);
+
 }  // namespace murosimf::scene_file

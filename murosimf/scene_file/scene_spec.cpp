@@ -69,7 +69,8 @@ const Section<SceneSpec>& scene_section() {
        {"events", {}, "", "see [[events]]"},
        {"pushes", {}, "", "see [[pushes]]"},
        {"communication", {}, "", "see [communication]"},
-       {"league", {}, "", "see [league]"}});
+       {"league", {}, "", "see [league]"},
+       {"algorithms", {}, "", "see [[algorithms]]"}});
   return section;
 }
 
@@ -118,6 +119,7 @@ SceneSpec read_scene(const std::filesystem::path& file, const std::vector<std::s
   read_materials(scene, spec);
   read_communication(scene, spec);
   read_league(scene, spec);
+  read_algorithms(scene, spec);
   apply_material_changes(material_changes, spec);
   spec.events = read_events(document, at_options);
   spec.pushes = read_pushes(document, push_options);

@@ -167,6 +167,17 @@ struct SceneEvent {
   std::optional<locomotion::KickRequest> kick{};  ///< its number is not used
 };
 
+/// A class in Python that acts in the scene (control_software/python/python_algorithm.h).
+struct AlgorithmSpec {
+  std::string name;
+  std::string target;      ///< "module:Class"
+  std::string on;          ///< entity; empty: the whole scene
+  double rate = 0;         ///< [Hz] 0: that of the class
+  double call_budget = 0;  ///< [s] of wall time for each call; 0: any
+  OptionValues options;    ///< of the class
+  std::string where;       ///< place of the class in the file
+};
+
 /// Settings of a game with a referee (league/).
 struct LeagueSpec {
   bool place_penalized = true;       ///< at the side line
@@ -204,6 +215,7 @@ struct SceneSpec {
   std::vector<PushSpec> pushes;
   control_software::RadioOptions communication;
   LeagueSpec league;
+  std::vector<AlgorithmSpec> algorithms;
 };
 
 /// [Hz] Rate of the longest steps that a robot makes.

@@ -27,5 +27,6 @@ void read_bodies(const files::TomlTable& scene, SceneSpec& spec);
 void read_materials(const files::TomlTable& scene, SceneSpec& spec);
 void read_communication(const files::TomlTable& scene, SceneSpec& spec);
 void read_league(const files::TomlTable& scene, SceneSpec& spec);
+void read_algorithms(const files::TomlTable& scene, SceneSpec& spec);
 
 }  // namespace murosimf::scene_file

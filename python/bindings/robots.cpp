@@ -64,6 +64,7 @@ void bind_robots(nb::module_& module) {
           "set_level",
           [](RobotRef& ref, const std::string& level) {
             const Use use(*ref.state);
+            const nb::gil_scoped_release unlocked;
             ref.robot.set_level(level);
           },
           nb::arg("level"))

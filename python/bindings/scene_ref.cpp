@@ -77,7 +77,7 @@ void SceneRef::run(double seconds) {
   constexpr double longest = 3e9;                                               // [s] of Scene::run
   if (!(seconds >= 0 && seconds <= longest)) return state->scene.run(seconds);  // says what is wrong
   const std::int64_t end = state->scene.nanoseconds() + std::llround(seconds * 1e9);
-  step_while(*state, [&] { return state->scene.nanoseconds() < end; });
+  step_while(*state, [&] { return state->scene.nanoseconds() < end && state->scene.ended().empty(); });
 }
 
 }  // namespace murosimf::python

@@ -23,22 +23,29 @@ using Triple = std::array<double, 3>;
 
 nb::bytes save(SceneRef& ref) {
   const Use use(*ref.state);
-  const std::vector<std::byte> state = ref.state->scene.save();
+  const std::vector<std::byte> state = [&] {
+    const nb::gil_scoped_release unlocked;
+    return ref.state->scene.save();
+  }();
   return nb::bytes(state.data(), state.size());
 }
 
 void load(SceneRef& ref, const nb::bytes& state) {
   const Use use(*ref.state, WebPage::Use::jump);
-  ref.state->scene.load({static_cast<const std::byte*>(state.data()), state.size()});
+  const std::span bytes(static_cast<const std::byte*>(state.data()), state.size());
+  const nb::gil_scoped_release unlocked;
+  ref.state->scene.load(bytes);
 }
 
 void reset(SceneRef& ref, std::optional<std::uint64_t> seed) {
   const Use use(*ref.state, WebPage::Use::jump);
+  const nb::gil_scoped_release unlocked;
   seed ? ref.state->scene.reset(*seed) : ref.state->scene.reset();
 }
 
 SceneRef copy(SceneRef& ref) {
   const Use use(*ref.state);
+  const nb::gil_scoped_release unlocked;
   return {ref.state->scene.copy(), ref.state->threads};
 }
 
@@ -57,6 +64,7 @@ std::string show(SceneRef& ref, const std::string& address, std::optional<double
 RobotRef add_robot(SceneRef& ref, NewRobot robot, const Triple& position) {
   const Use use(*ref.state);
   robot.position = vector_of(position);
+  const nb::gil_scoped_release unlocked;
   return {ref.state, ref.state->scene.add(robot)};
 }
 
@@ -159,6 +167,7 @@ void bind_scenes(nb::module_& module) {
           "change",
           [](SceneRef& ref, const std::vector<std::string>& assignments) {
             const Use use(*ref.state);
+            const nb::gil_scoped_release unlocked;
             ref.state->scene.change(assignments);
           },
           nb::arg("assignments"))
@@ -220,6 +229,11 @@ void bind_scenes(nb::module_& module) {
           },
           nb::arg("a"), nb::arg("b"))
       .def("events", &events)
+      .def("ended",
+           [](const SceneRef& ref) {
+             const Look look(*ref.state);
+             return ref.state->scene.ended();
+           })
       .def("warnings",
            [](SceneRef& ref) {
              const Use use(*ref.state);

@@ -113,7 +113,8 @@ class Object:
         return self._core.get(self.name, property)
 
     def __setitem__(self, property: str, values: ArrayLike) -> None:
-        """Variable properties only; those of the model are changed by Scene(set={"walker.torso.mass": 4})."""
+        """Also constants of the model: mass, center_of_mass, inertia, joint_damping, and of servos, "servo.stall_torque".
+        They act from the next step on, as if the scene had been built with them (docs/python.md)."""
         self._core.set(self.name, property, numbers(values).ravel())
 
     def __repr__(self) -> str:

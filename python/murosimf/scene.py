@@ -96,22 +96,27 @@ class Scene:
     def run(self, seconds: float | None = None, *, until: Callable[[Scene], object] | None = None,
             at_most: float | None = None) -> bool:
         """For so many simulated seconds; or until `until(scene)` is true, asked before every step, but at most so many seconds.
-        Whether it came true; True without a condition."""
+        Whether it came true; True without a condition. An algorithm of the scene file may end it earlier (`ended`): False."""
         if until is None:
             if seconds is None or at_most is not None:
                 raise InputError("run(5.0) runs for 5 s, run(until=condition, at_most=20.0) until a condition is true")
             self._core.run(seconds)
-            return True
+            return not self._core.ended()
         if seconds is not None or at_most is None:
             raise InputError("run(until=condition) takes at_most, the seconds after which it ends in any case")
         if not 0 <= at_most <= 3e9:  # NaN would never end
             raise InputError(f"a run of {at_most:g} s: 0 to 3e9 s")
         end = self.nanoseconds + round(at_most * 1e9)
         while not until(self):
-            if self.nanoseconds >= end:
+            if self.nanoseconds >= end or self._core.ended():
                 return False
             self._core.step(1)
         return True
+
+    @property
+    def ended(self) -> str:
+        """Why an algorithm of the scene file has ended the run: "NAME: reason"; empty: none has."""
+        return self._core.ended()
 
     def reset(self, seed: int | None = None) -> None:
         """Back to the start, without building anything; as a new scene with this seed, if given."""

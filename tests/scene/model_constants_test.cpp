@@ -125,15 +125,31 @@ TEST(ModelConstants, TargetsOfAllJointsAreSetAtOnce) {
   EXPECT_EQ(scene.simulation().world().entity("blue2").object("j_l_shin").get(properties::torque_enabled), 0);
 }
 
-TEST(ModelConstants, DoNotChangeWhileAModelRuns) {
-  for (const char* event : {"1:blue1.torso.mass=2", "1:blue1.joint_damping=1", "1:blue1.servo.stall_torque=2"}) {
-    std::string message;
-    try {
-      const Scene scene(constants_scene(), {.events = {event}});
-    } catch (const SetupError& error) {
-      message = error.what();
-    }
-    EXPECT_TRUE(contains_all(message, {event, "is a constant of the model; set it before the run"})) << message;
+/// The same from the start, for another robot of the same model.
+TEST(ModelConstants, ChangeWhileAModelRuns) {
+  const std::string constants[] = {"torso.mass=2", "joint_damping=1", "servo.stall_torque=2"};
+  std::vector<std::string> events, overrides;
+  for (const std::string& constant : constants) {
+    events.push_back("0.01:blue1." + constant);
+    overrides.push_back("blue1." + constant);
+  }
+  Scene changed(constants_scene(), {.events = events}), built(constants_scene(), {.overrides = overrides});
+  changed.simulation().run(std::chrono::milliseconds(20));
+  const Model& model = changed.simulation().world().entity("blue1").model();
+  const Model& expected = built.simulation().world().entity("blue1").model();
+  for (const int object : expected.having(properties::mass)) {
+    EXPECT_EQ(*model.find(properties::mass, object), *expected.find(properties::mass, object));
+  }
+  for (const int joint : expected.joints()) {
+    EXPECT_EQ(*model.find(properties::joint_damping, joint), 1);
+    EXPECT_EQ(model.find(properties::servo, joint)->stall_torque,
+              expected.find(properties::servo, joint)->stall_torque);
+  }
+}
+
+TEST(ModelConstants, ChangesThatCannotBeAreRefusedBeforeTheRun) {
+  for (const char* event : {"1:blue1.torso.mass=-2", "1:blue1.joint_damping=-1", "1:materials.frction=1"}) {
+    EXPECT_THROW(Scene(constants_scene(), {.events = {event}}), SetupError) << event;
   }
 }
 

@@ -61,7 +61,7 @@ TEST(SceneBatch, AWrongOneUndoesThoseBeforeIt) {
       "three.level = full_dynamics",       // no such entity
       "one.level = ful_dynamics",          // no level
       "one.no_such_property = 1",          // nothing
-      "one.torso.mass = 2",                // a constant
+      "one.torso.mass = -2",               // no mass
       "two.torso.push = [20, 0, 0, 0.1]",  // cannot be: it ignores forces, or is not there
       "one.present = true",                // it is
       "one.torso.position = [nan, 0, 0]",  // no number

@@ -112,7 +112,7 @@ TEST(SceneCommands, TellWhatIsWrongInOneLine) {
   EXPECT_TRUE(says(said("one.level = full_dynamic"), {"full_dynamic", "full_dynamics"}));
   EXPECT_TRUE(says(said("one.levels = full_dynamics"), {"levels", "level"}));
   EXPECT_TRUE(says(said("one"), {"PATH=VALUE"}));
-  EXPECT_TRUE(says(said("one.pelvis.mass = 3"), {"constant"}));
+  EXPECT_TRUE(says(said("one.torso.mass = -3"), {"above 0"}));
   EXPECT_TRUE(scene.simulation().commands().empty());
 }
 

@@ -161,7 +161,7 @@ TEST(SceneStates, RefusesWhatIsNoneOfItsOwn) {
   bytes = saved;
   bytes[bytes.size() / 2] ^= std::byte{1};
   refused(bytes, {"damaged"});
-  const std::string older = "1234567 MuRoSimF state 2 and more", newer = "MuRoSimF scene state 5 and more";
+  const std::string older = "1234567 MuRoSimF state 2 and more", newer = "MuRoSimF scene state 4 and more";
   for (const std::string& text : {older, newer}) {
     const auto other = std::as_bytes(std::span(text));
     refused({other.begin(), other.end()}, {"of another form than this version of the program has"});

@@ -24,6 +24,7 @@ struct PythonRequest {
   std::string robot, team, model;
   std::uint64_t seed = 1;
   std::vector<std::string> joints, objects;
+  bool of_scene_file = false;  ///< an algorithm of [[algorithms]], no controller
 };
 
 /// How a call has ended.
@@ -34,11 +35,18 @@ struct PythonOutcome {
     refused,      ///< the class or its module is not as it must be
     late,         ///< it took longer than the limit
     interrupted,  ///< the program has been asked to end
+    ends,         ///< the class ends the run; `text` is its reason
   } kind = good;
   std::string text{};                    ///< one line with file and line
   std::vector<std::string> traceback{};  ///< lines; of `raised` and `late`
 
   [[nodiscard]] explicit operator bool() const { return kind == good; }
+};
+
+/// A quantity of a sensor that is a class.
+struct PythonOutput {
+  std::string name, unit;
+  std::vector<std::string> labels;  ///< empty: a single number
 };
 
 /// What a class declares.
@@ -48,13 +56,14 @@ struct PythonTraits {
   std::string phase;  ///< "control"
   double rate = 0;    ///< [Hz] 0: none
   std::vector<std::string> reads, writes;
-  bool starts = false;  ///< it has a method `start`
-  bool saves = false;   ///< it has methods `save` and `load`
+  std::vector<PythonOutput> gives;  ///< of a sensor
+  bool starts = false;              ///< it has a method `start`
+  bool saves = false;               ///< it has methods `save` and `load`
 };
 
 /// A row of numbers that an object of a class reads or writes: an array of NumPy.
 struct PythonRow {
-  enum Kind { property, signal, command } kind = property;
+  enum Kind { property, signal, command, output } kind = property;
   std::string name;
   std::vector<std::size_t> shape;
   std::vector<std::string> labels;  ///< of its first axis; empty: none

@@ -64,24 +64,43 @@ std::string unknown(const PythonTraits& traits, const std::string& name, bool wr
 
 }  // namespace
 
-PythonRows::PythonRows(Setup& setup, RobotPort& port, const std::vector<Entity*>& others, PythonObject& object)
-    : object_(&object) {
+PythonRows::PythonRows(Setup& setup, RobotPort* port, const std::vector<Entity*>& others, PythonObject& object,
+                       sensors::Reading* reading)
+    : object_(&object), controls_(port != nullptr) {
   const PythonTraits& traits = object.traits();
   for (const std::string& name : traits.writes) add(setup, port, others, name, true);
   for (const std::string& name : traits.reads) {
     // what is written can be read, too
     if (std::ranges::find(traits.writes, name) == traits.writes.end()) add(setup, port, others, name, false);
   }
+  if (reading) add_outputs(*reading);
 }
 
-void PythonRows::add(Setup& setup, RobotPort& port, const std::vector<Entity*>& others, const std::string& name,
+void PythonRows::add_outputs(sensors::Reading& reading) {
+  std::span<double> values(reading.values);
+  for (const sensors::Output& output : reading.info->outputs) {
+    outputs_.emplace_back(values.first(output.size()), new_array({.kind = PythonRow::output,
+                                                                  .name = output.name,
+                                                                  .shape = {output.size()},
+                                                                  .labels = output.labels,
+                                                                  .writable = true}));
+    values = values.subspan(output.size());
+  }
+}
+
+void PythonRows::add(Setup& setup, RobotPort* port, const std::vector<Entity*>& others, const std::string& name,
                      bool written) {
   std::string why;
   try {
     if (name.find('.') == std::string::npos) {
       if (add_of_robot(setup, name, written)) return;
-    } else if (add_of_other(setup, others, name, written) || add_of_port(port, name, written)) {
+    } else if (add_of_other(setup, others, name, written)) {
       return;
+    } else if (port) {
+      if (add_of_port(*port, name, written)) return;
+    } else {
+      if (written) throw SetupError("only properties of entities can be written");
+      return add_of_sensor(setup, name, name);
     }
   } catch (const SetupError& error) {
     why = error.what();
@@ -101,10 +120,20 @@ bool PythonRows::add_of_other(Setup& setup, const std::vector<Entity*>& others, 
   const auto other = std::ranges::find_if(others, [&](const Entity* entity) { return entity->name() == first; });
   if (other == others.end()) return false;
   Setup of_other = setup.of(**other);
+  if (!written && property.find('.') != std::string::npos) {
+    add_of_sensor(of_other, name, property);
+    return true;
+  }
   const NamedColumn column = written ? column_to_write(of_other, property) : column_to_read(of_other, property);
   if (!column.info) throw SetupError(unknown_name("property", property, names_of_columns()));
   add_column(name, column, **other, false, written);
   return true;
+}
+
+/// SENSOR.OUTPUT of an entity, without the delays of a link.
+void PythonRows::add_of_sensor(Setup& of_entity, const std::string& name, const std::string& path) {
+  const std::span<const double> values = sensors::read_output(of_entity, path);
+  readings_.push_back({values, new_array({.kind = PythonRow::signal, .name = name, .shape = {values.size()}})});
 }
 
 void PythonRows::add_column(const std::string& name, const NamedColumn& column, const Entity& entity, bool of_robot,
@@ -157,7 +186,10 @@ double* PythonRows::new_array(const PythonRow& row) {
 void PythonRows::restart() noexcept {
   for (const OfColumn& column : columns_) {
     if (!column.written) continue;
-    for (std::size_t i = 0; i < column.places.size(); ++i) *column.places[i] = column.at_start[i];
+    for (std::size_t i = 0; i < column.places.size(); ++i) {
+      // numbers that are not finite are those that no other algorithm gives
+      if (controls_ || !std::isfinite(*column.places[i])) *column.places[i] = column.at_start[i];
+    }
   }
 }
 
@@ -169,6 +201,7 @@ void PythonRows::show() noexcept {
     if (row.signal) std::copy_n(row.signal->values, row.signal->count, row.array);
     if (row.command) std::copy_n(row.command->values, row.command->count, row.array);
   }
+  for (const OfReading& reading : readings_) std::ranges::copy(reading.values, reading.array);
 }
 
 std::string PythonRows::take() {
@@ -189,6 +222,7 @@ std::string PythonRows::take() {
   for (const OfPort& row : ports_) {
     if (row.command) std::copy_n(row.array, row.command->count, row.command->values);
   }
+  for (const auto& [values, array] : outputs_) std::copy_n(array, values.size(), values.begin());
   return {};
 }
 

@@ -1,12 +1,15 @@
 /// python_rows.h - what an object of a class reads and writes, between the simulation and the arrays that the object sees.
 ///
 /// A name without a dot is a property of its robot: "joint_position"; one with a dot a signal or command of the robot's port (robot_port.h):
-/// "imu.gyroscope", "walk.velocity"; or else a property of another entity: "ball.position". Properties of joints have a number for each joint,
+/// "imu.gyroscope", "walk.velocity"; or else a property of another entity: "ball.position", or a quantity of
+/// a sensor of it: "blue1.imu.gyroscope". Properties of joints have a number for each joint,
 /// those of objects a row for each object.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "murosimf/control_software/python/named_columns.h"
@@ -17,8 +20,10 @@ namespace murosimf::control_software {
 
 class PythonRows {
  public:
-  /// Throws SetupError: a name that there is not, with the nearest.
-  PythonRows(Setup& setup, RobotPort& port, const std::vector<Entity*>& others, PythonObject& object);
+  /// `port`: null for an algorithm that is no controller; what it writes keeps the first values that others give. `reading`: of a sensor;
+  /// null: it is none. Throws SetupError: a name that there is not, with the nearest.
+  PythonRows(Setup& setup, RobotPort* port, const std::vector<Entity*>& others, PythonObject& object,
+             sensors::Reading* reading = nullptr);
 
   /// First values of what is written: joints at rest, all else 0.
   void restart() noexcept;
@@ -45,9 +50,15 @@ class PythonRows {
     murosimf_command* command;
     double* array;
   };
-  void add(Setup& setup, RobotPort& port, const std::vector<Entity*>& others, const std::string& name, bool written);
+  struct OfReading {
+    std::span<const double> values;  // in the simulation
+    double* array;
+  };
+  void add(Setup& setup, RobotPort* port, const std::vector<Entity*>& others, const std::string& name, bool written);
   void add_column(const std::string& name, const NamedColumn& column, const Entity& entity, bool of_robot,
                   bool written);
+  void add_outputs(sensors::Reading& reading);
+  void add_of_sensor(Setup& of_entity, const std::string& name, const std::string& path);
   [[nodiscard]] bool add_of_robot(Setup& setup, const std::string& name, bool written);
   [[nodiscard]] bool add_of_port(RobotPort& port, const std::string& name, bool written);
   [[nodiscard]] bool add_of_other(Setup& setup, const std::vector<Entity*>& others, const std::string& name,
@@ -55,8 +66,11 @@ class PythonRows {
   [[nodiscard]] double* new_array(const PythonRow& row);
 
   PythonObject* object_;
+  bool controls_;
   std::vector<OfColumn> columns_;
   std::vector<OfPort> ports_;
+  std::vector<OfReading> readings_;                             // that are read
+  std::vector<std::pair<std::span<double>, double*>> outputs_;  // that are given, and their arrays
 };
 
 }  // namespace murosimf::control_software

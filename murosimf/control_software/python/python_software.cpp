@@ -69,6 +69,14 @@ void find_file(PythonRequest& request, const std::filesystem::path& folder) {
   if (!request.file.empty()) files::note_file_read(request.file);
 }
 
+void take_robot(const Entity& robot, PythonRequest& request) {
+  request.robot = robot.name();
+  request.team = robot.options().team;
+  request.model = robot.model().name();
+  request.joints = joint_names(robot.model());
+  request.objects = object_names(robot.model());
+}
+
 PythonRequest request_of(const Entity& robot, const PythonOptions& options) {
   const std::size_t colon = options.target.rfind(':');
   if (colon == std::string::npos || colon == 0 || colon + 1 == options.target.size()) refuse_target(options.target);
@@ -76,18 +84,20 @@ PythonRequest request_of(const Entity& robot, const PythonOptions& options) {
                         .name = options.target.substr(colon + 1),
                         .folder = options.folder.empty() ? "." : options.folder.string(),
                         .options = options.options,
-                        .robot = robot.name(),
-                        .team = robot.options().team,
-                        .model = robot.model().name(),
                         .seed = options.seed,
-                        .joints = joint_names(robot.model()),
-                        .objects = object_names(robot.model())};
+                        .of_scene_file = !options.algorithm.empty()};
+  if (options.of_whole_scene) {
+    request.robot = options.algorithm;
+  } else {
+    take_robot(robot, request);
+  }
   find_file(request, options.folder);
   return request;
 }
 
 GuardedCall guard_of(const PythonOptions& options, const Entity& robot, std::shared_ptr<ForeignThreads> threads) {
-  return {fmt::format("class '{}' of {}", options.target, robot.name()),
+  return {fmt::format("class '{}' of {}", options.target,
+                      options.algorithm.empty() ? robot.name() : fmt::format("'{}'", options.algorithm)),
           "its step",
           patience * longest_call(options.budget),
           nullptr,
@@ -149,9 +159,18 @@ std::string PythonClass::name() const {
 
 void python_in_turns(const Setup& setup, Entity& common) { (void)setup.of(common).write(python_turn); }
 
-PythonSoftware::PythonSoftware(Setup& setup, RobotPort& port, SayLine say, PythonClass made,
-                               const std::vector<Entity*>& others)
-    : made_(std::move(made)), say_(std::move(say)), rows_(setup, port, others, *made_.object_) {}
+sensors::Reading* PythonClass::make_reading(Setup& setup, const std::string& name) const {
+  if (traits().gives.empty()) return nullptr;
+  sensors::SensorInfo info{.name = name, .type = "python", .period = setup.period()};
+  for (const PythonOutput& output : traits().gives) {
+    info.outputs.push_back({.name = output.name, .unit = output.unit, .labels = output.labels});
+  }
+  return &sensors::write_reading(setup, std::move(info));
+}
+
+PythonSoftware::PythonSoftware(Setup& setup, RobotPort* port, SayLine say, PythonClass made,
+                               const std::vector<Entity*>& others, sensors::Reading* reading)
+    : made_(std::move(made)), say_(std::move(say)), rows_(setup, port, others, *made_.object_, reading) {}
 
 /// call(): a PythonOutcome.
 template <class Call>
@@ -162,6 +181,10 @@ CallOutcome PythonSoftware::guarded(const char* what, const Call& call) {
   CallOutcome outcome = made_.guard_([&] { python = call(*made_.object_); });
   if (!outcome) return left_by_jump(std::move(outcome));
   if (made_.threads_->ended) return outcome_of(*made_.threads_);
+  if (python.kind == PythonOutcome::ends) {
+    end_of_run_ = python.text;
+    return outcome;
+  }
   interrupted_ = python.kind == PythonOutcome::interrupted;
   if (python || interrupted_) return outcome;
   for (const std::string& line : python.traceback) say_(line);
@@ -184,6 +207,7 @@ CallOutcome PythonSoftware::taken_over(const CallOutcome& outcome) {
 
 CallOutcome PythonSoftware::start() {
   rows_.restart();
+  end_of_run_.clear();
   made_.object_->print_to(say_);
   const PythonTraits& traits = made_.traits();
   if (!traits.starts && !fresh_) {

@@ -216,7 +216,7 @@ def test_wrong_numbers_and_names_end_it(tmp_path: Path) -> None:
     wrong = [
         ("robot.joint_target['j_l_shin'] = float('nan')", "soft.py:1: 'joint_target' of j_l_shin was set to nan"),
         ("robot.joint_target['j_l_chin'] = 0", "KeyError: \"there is no 'j_l_chin' in it; did you mean 'j_l_shin'?\""),
-        ("robot.joint_position[0] = 1", "soft.py:8: ValueError: assignment destination is read-only"),
+        ("robot.joint_position[0] = 1", "soft.py:8: ValueError: 'joint_position' is only read: name it in writes"),
         ("robot.joint_torque", "AttributeError: 'joint_torque' is not among the properties that the class declares"),
         ("robot.joint_target[:] = [1, 2]", "soft.py:12: ValueError: could not broadcast"),
     ]

@@ -7,7 +7,9 @@ import subprocess
 import sys
 import threading
 import time
+from collections.abc import Callable
 
+import numpy as np
 import pytest
 
 import murosimf as ms
@@ -29,6 +31,36 @@ def test_another_thread_is_refused_while_a_scene_runs() -> None:
     thread.join()
     assert refusals > 0
     assert goes_on > 5  # the lock of the interpreter was free
+
+
+def rounds_during(call: Callable[[], object]) -> int:
+    """How often this thread gets the lock while another one makes a call."""
+    thread, loops = threading.Thread(target=call), 0
+    thread.start()
+    while thread.is_alive():
+        loops += 1
+        time.sleep(0)
+    thread.join()
+    return loops
+
+
+def test_the_lock_of_the_interpreter_is_free_in_all_long_calls() -> None:
+    # one call of C++ each, in which a thread that holds the lock would let no other one do a single round
+    kinematics = ms.Scene.of_robot("kid21").robot.kinematics
+    q = np.zeros((30_000, 21))
+    batch = ms.Batch("walk", 64, set={"walker.controller": "none"})
+    calls: dict[str, Callable[[], object]] = {
+        "fk": lambda: kinematics.fk(q, "head"),
+        "center_of_mass": lambda: kinematics.center_of_mass(q),
+        "jacobian": lambda: kinematics.jacobian(q, "head"),
+        "mass_matrix": lambda: kinematics.mass_matrix(q[:5000]),
+        "rnea": lambda: kinematics.rnea(q, q, q),
+        "open": lambda: ms.Scene("eleven_a_side"),
+        "batch.reset": lambda: batch.reset(),
+        "batch.step": lambda: batch.step(20),
+    }
+    for name, call in calls.items():
+        assert rounds_during(call) > 20, name
 
 
 def test_two_scenes_run_in_two_threads() -> None:

@@ -35,6 +35,12 @@ class Interrupted(BaseException):
     """Raised in a call while the program is asked to end."""
 
 
+class RunEnd(BaseException):
+    """Raised by `end` of what a class of a scene file sees."""
+
+    __module__ = "murosimf"
+
+
 try:
     import numpy as np
 except ImportError as error:
@@ -52,7 +58,7 @@ class Row(np.ndarray):
     """An array that takes labels, too: joint_target["j_l_shin"] = 0.4."""
 
     def __array_finalize__(self, other):
-        self._numbers = None
+        self._numbers = self._name = None
 
     def _number(self, label):
         if self._numbers is None:
@@ -65,7 +71,12 @@ class Row(np.ndarray):
         return super().__getitem__(self._number(key) if type(key) is str else key)
 
     def __setitem__(self, key, value):
-        super().__setitem__(self._number(key) if type(key) is str else key, value)
+        try:
+            super().__setitem__(self._number(key) if type(key) is str else key, value)
+        except ValueError:
+            if self._name is None or self.flags.writeable:
+                raise
+            raise ValueError(f"'{self._name}' is only read: name it in writes") from None
 
 
 class Rows(dict):
@@ -100,8 +111,26 @@ class Robot:
             self.__getattr__(name)
         self._rows[name][...] = value
 
+    def __dir__(self):
+        return [*super().__dir__(), *self._rows]
+
     def __repr__(self):
         return f"robot '{self.name}' of the model '{self.model}' with {', '.join(self._rows) or 'no properties'}"
+
+
+class Seen(Robot):
+    """The same for an algorithm of a scene file, of an entity or of the whole scene."""
+
+    def __init__(self, request):
+        super().__init__(request)
+        self.__dict__["outputs"] = Rows()
+
+    def end(self, reason):
+        """Ends the run after this step. Does not return."""
+        raise RunEnd(one_line(reason) or "no reason given")
+
+    def __repr__(self):
+        return f"'{self.name}' with {', '.join([*self._rows, *self.signals, *self.commands, *self.outputs]) or 'no properties'}"
 
 
 def frame_of(error, file):
@@ -134,6 +163,8 @@ def explain(error, file):
     """Kind, one line, and the lines of the traceback."""
     if isinstance(error, Refusal):
         return "refused", one_line(error), []
+    if isinstance(error, RunEnd):
+        return "ends", one_line(error), []
     kind = "raised"
     if isinstance(error, Late):
         kind = "late"
@@ -265,6 +296,23 @@ def names_in(value, cls, what):
     return names
 
 
+def outputs_in(value, cls):
+    """Name, unit and labels of each output of a sensor, as one flat list."""
+    flat = []
+    try:
+        for name, what in dict(value).items():
+            unit, labels = (what, ()) if isinstance(what, str) else what
+            texts = [name, unit, *labels]
+            if not all(isinstance(text, str) and text for text in texts) or any(" " in label for label in labels):
+                raise TypeError
+            flat += [name, unit, " ".join(labels)]
+    except (TypeError, ValueError):
+        raise Refusal(
+            f'{place_of(cls)}: \'gives\' of {cls.__name__} must be a dictionary like {{"range": "m", "force": ("N", ("x", "y"))}}'
+        ) from None
+    return flat
+
+
 class Loaded:
     """An object of a class, and its robot."""
 
@@ -274,7 +322,8 @@ class Loaded:
         self.file = inspect.getsourcefile(self.cls) or getattr(module, "__file__", "")
         self.where = place_of(self.cls)
         self.given = arguments_of(self.cls, request["options"])
-        self.robot = Robot(request)
+        self.of_scene_file = request["of_scene_file"]
+        self.robot = Seen(request) if self.of_scene_file else Robot(request)
         self.arrays = []
         self.renew()
         self.declare()
@@ -290,13 +339,18 @@ class Loaded:
         cls, made = self.cls, self.object
         if not callable(made):
             raise Refusal(f"{self.where}: {cls.__name__} has no __call__(self, robot, time)")
-        usual = not hasattr(made, "reads") and not hasattr(made, "writes")
+        usual = not self.of_scene_file and not hasattr(made, "reads") and not hasattr(made, "writes")
         self.reads = names_in(getattr(made, "reads", USUAL_READS if usual else ()), cls, "reads")
         self.writes = names_in(getattr(made, "writes", USUAL_WRITES if usual else ()), cls, "writes")
         self.rate = self.number(getattr(made, "rate", 0.0))
-        self.phase = getattr(made, "phase", "control")
+        self.gives = outputs_in(getattr(made, "gives", {}), cls)
+        self.phase = getattr(made, "phase", "sense" if self.gives else "control")
         if self.phase not in PHASES:
             raise Refusal(f"{self.where}: '{self.phase}' is no phase of a class; there are: {', '.join(PHASES)}")
+        if self.gives and not self.of_scene_file:
+            raise Refusal(f"{self.where}: {cls.__name__} gives readings, so it is a sensor: name it in [[algorithms]]")
+        if self.gives and self.phase != "sense":
+            raise Refusal(f"{self.where}: {cls.__name__} gives readings, so its phase is 'sense', not '{self.phase}'")
         self.starts = hasattr(made, "start")
         self.saves = hasattr(made, "save") and hasattr(made, "load")
 
@@ -317,13 +371,14 @@ class Loaded:
         seen = memory.view(Row)
         if labels and len(labels) == memory.shape[0]:
             seen._numbers = {label: i for i, label in enumerate(labels)}
+        seen._name = name
         seen.flags.writeable = bool(writable)
         self.arrays.append(memory)
         if kind == "property":
             self.robot.__dict__[name] = seen
             self.robot._rows[name] = seen
         else:
-            dict.__setitem__(self.robot.commands if kind == "command" else self.robot.signals, name, seen)
+            dict.__setitem__(getattr(self.robot, kind + "s"), name, seen)
         return memory.ctypes.data
 
     def save(self):

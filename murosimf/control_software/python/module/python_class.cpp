@@ -2,6 +2,7 @@
 
 #include <array>
 #include <chrono>
+#include <sstream>
 #include <thread>
 #include <variant>
 
@@ -30,7 +31,21 @@ Object request_of(const PythonRequest& given) {
   put(request, "joints", list_of(given.joints));
   put(request, "objects", list_of(given.objects));
   put(request, "options", options);
+  put(request, "of_scene_file", truth(given.of_scene_file));
   return request;
+}
+
+/// Name, unit and labels of each, one after the other.
+std::vector<PythonOutput> outputs_of(const Object& flat) {
+  const std::vector<std::string> texts = texts_of(flat);
+  std::vector<PythonOutput> outputs;
+  for (std::size_t i = 0; i + 2 < texts.size(); i += 3) {
+    PythonOutput output{texts[i], texts[i + 1], {}};
+    std::istringstream labels(texts[i + 2]);
+    for (std::string label; labels >> label;) output.labels.push_back(label);
+    outputs.push_back(std::move(output));
+  }
+  return outputs;
 }
 
 PythonTraits traits_of(const Object& loaded) {
@@ -40,6 +55,7 @@ PythonTraits traits_of(const Object& loaded) {
           .rate = number_of(loaded.attribute("rate")),
           .reads = texts_of(loaded.attribute("reads")),
           .writes = texts_of(loaded.attribute("writes")),
+          .gives = outputs_of(loaded.attribute("gives")),
           .starts = PyObject_IsTrue(loaded.attribute("starts").get()) == 1,
           .saves = PyObject_IsTrue(loaded.attribute("saves").get()) == 1};
 }
@@ -47,6 +63,7 @@ PythonTraits traits_of(const Object& loaded) {
 PythonOutcome::Kind kind_of(const std::string& name) {
   if (name == "refused") return PythonOutcome::refused;
   if (name == "late") return PythonOutcome::late;
+  if (name == "ends") return PythonOutcome::ends;
   return name == "interrupted" ? PythonOutcome::interrupted : PythonOutcome::raised;
 }
 
@@ -119,7 +136,7 @@ PythonOutcome Class::call(Duration limit, const Function& function) noexcept {
 }
 
 double* Class::add(const PythonRow& row, PythonOutcome& outcome) noexcept {
-  static constexpr std::array kinds{"property", "signal", "command"};
+  static constexpr std::array kinds{"property", "signal", "command", "output"};
   double* memory = nullptr;
   outcome = call(std::chrono::seconds(10), [&] {
     Object shape(PyList_New(0));
