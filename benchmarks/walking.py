@@ -161,7 +161,7 @@ class Bench:
 
         def one(level, name, perturbed):
             run = self.run(level, name, seconds, perturbed, [f"robot.command=[{speed}, 0, 0]"], logs=logs)
-            return run.falls, run.distance / (speed * seconds), slips(run, self.feet, self.soles, self.weight)
+            return run.falls, run.moved((speed, 0)) / (speed * seconds), slips(run, self.feet, self.soles, self.weight)
 
         for name in self.arguments.grounds:
             for level in self.arguments.levels:

@@ -118,6 +118,23 @@ Floats ShadowLookup::lit_at(const Floats3& p) const {
   return mixed(mixed(is_lit(0, 0), is_lit(1, 0), share_u), mixed(is_lit(0, 1), is_lit(1, 1), share_u), share_v);
 }
 
+/// A spare one, or a new one, which takes long. The last view of it gives it back.
+std::shared_ptr<ShadowMap> ShadowMaps::take(int side) {
+  std::unique_ptr<ShadowMap> map;
+  {
+    const std::scoped_lock lock(spare_->mutex);
+    if (!spare_->maps.empty()) {
+      map = std::move(spare_->maps.back());
+      spare_->maps.pop_back();
+    }
+  }
+  if (!map || map->side() != side) map = std::make_unique<ShadowMap>(side);
+  return {map.release(), [spare = spare_](ShadowMap* used) {
+            const std::scoped_lock lock(spare->mutex);
+            spare->maps.emplace_back(used);
+          }};
+}
+
 std::shared_ptr<const ShadowMap> ShadowMaps::at(const RenderScene& scene, const MeshCatalog& catalog,
                                                 const Vec3d& toward, int side, double ahead) {
   const LampView lamp = lamp_view(scene, toward, ahead);
@@ -129,8 +146,8 @@ std::shared_ptr<const ShadowMap> ShadowMaps::at(const RenderScene& scene, const 
                      std::memcmp(pieces.data(), drawn_.data(), pieces.size_bytes()) == 0;
   if (known) return latest_;
   drawn_.assign(pieces.begin(), pieces.end());
-  // other threads may still look into the old one
-  if (!latest_ || latest_->side() != side || latest_.use_count() > 1) latest_ = std::make_shared<ShadowMap>(side);
+  latest_ = nullptr;  // other threads may still look into it
+  latest_ = take(side);
   latest_->draw(lamp, catalog, list_);
   return latest_;
 }

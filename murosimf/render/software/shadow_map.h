@@ -78,7 +78,15 @@ class ShadowMaps {
                                                     const Vec3d& toward, int side, double ahead);
 
  private:
-  std::mutex mutex_;
+  /// Maps that no view looks into.
+  struct Spare {
+    std::mutex mutex;
+    std::vector<std::unique_ptr<ShadowMap>> maps;
+  };
+  [[nodiscard]] std::shared_ptr<ShadowMap> take(int side);
+
+  std::shared_ptr<Spare> spare_ = std::make_shared<Spare>();
+  std::mutex mutex_;  // of the others
   InstanceList list_;
   std::vector<Instance> drawn_;
   std::shared_ptr<ShadowMap> latest_;

@@ -37,12 +37,13 @@ void for_lanes_of(unsigned bits, const Visit& visit) {
 
 }  // namespace
 
-Stage::Stage(const RenderScene& scene, const RendererOptions& options)
+Stage::Stage(const RenderScene& scene, const RendererOptions& options, ShadowMaps& maps)
     : look(options.light, scene.markings()),
       light(options.light),
       ground(options.ground),
       shadow_side(options.shadow_side),
-      samples(options.samples) {
+      samples(options.samples),
+      shadows(maps) {
   if (!light.patterns || !ground) return;
   if (light.surroundings.kind == Surroundings::Kind::hall) {
     walls = hall_walls(light.surroundings, scene.markings());

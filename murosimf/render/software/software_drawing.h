@@ -17,13 +17,13 @@ namespace murosimf::render::software {
 
 /// What is equal for all views of a scene in a light.
 struct Stage {
-  Stage(const RenderScene& scene, const RendererOptions& options);
+  Stage(const RenderScene& scene, const RendererOptions& options, ShadowMaps& maps);
   LookValues look;
   Light light;
   bool ground;
   LookSurface walls, ceiling, nets;  ///< empty where there are none
   int shadow_side, samples;
-  mutable ShadowMaps shadows;  ///< as views come
+  ShadowMaps& shadows;  ///< of its lamp and others
 };
 
 class SoftwareDrawing {

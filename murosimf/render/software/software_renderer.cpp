@@ -32,6 +32,7 @@ struct SoftwareRenderer::Drawings {
 
   mutable std::mutex mutex;
   std::vector<std::unique_ptr<SoftwareDrawing>> free;
+  software::ShadowMaps shadows;
   std::unique_ptr<Stage> stage;
   DrawTotals totals;
 };
@@ -47,7 +48,7 @@ SoftwareRenderer::~SoftwareRenderer() = default;
 void SoftwareRenderer::set_light(const Light& light, int samples) {
   options_.light = light;
   options_.samples = samples;
-  drawings_->stage = std::make_unique<Stage>(render_scene_, options_);
+  drawings_->stage = std::make_unique<Stage>(render_scene_, options_, drawings_->shadows);
 }
 
 DrawTotals SoftwareRenderer::totals() const {
