@@ -154,9 +154,9 @@ TEST(RemoteOverride, KeysThatAreClosed) {
     return keys;
   };
   using Keys = std::vector<std::string>;
-  EXPECT_EQ(closed("", ""),
-            (Keys{"name", "body_contact_options", "start", "air", "field", "view", "views", "light", "ball", "teams",
-                  "defaults", "robots", "bodies", "materials", "events", "pushes", "communication", "league"}));
+  EXPECT_EQ(closed("", ""), (Keys{"name", "body_contact_options", "start", "air", "field", "view", "views", "light",
+                                  "ball", "teams", "defaults", "robots", "bodies", "materials", "events", "pushes",
+                                  "communication", "league", "algorithms"}));
   EXPECT_EQ(closed("robots", "robot."), (Keys{"name", "body", "xacro", "options", "level_options", "contact_options",
                                               "library", "call_budget", "reload", "link", "keyframe", "no_contact"}));
   EXPECT_EQ(closed("bodies", "box."), (Keys{"name", "file", "heights"}));
