@@ -435,6 +435,7 @@ class Cameras(unittest.TestCase):
     def test_cameras_need_no_driver(self):
         with Run(PROGRAM, *self.words, **{"__EGL_VENDOR_LIBRARY_FILENAMES": "/dev/null"}) as run:
             client = Client(run.port)
+            client.state(lambda state: state["paused"])
             client.order(do="camera", camera="blue1.camera", id=1)
             note = client.wait_for(lambda m: isinstance(m, dict) and m["is"] == "camera")
             self.assertEqual(note["trouble"], "")
