@@ -10,6 +10,7 @@
 #include "murosimf/scene/scene_viewpoints.h"
 #include "murosimf/sensors/camera_frame.h"
 #include "murosimf/sensors/reading.h"
+#include "tests/fixtures.h"
 #include "tests/law.h"
 #include "tests/written_scene.h"
 
