@@ -14,10 +14,8 @@
 namespace murosimf::render {
 namespace {
 
-constexpr double nearest = 0.01;          // [m]
-constexpr double ground_darkness = 0.45;  // [1] of light from everywhere that is missing just above the ground
-constexpr int fine_samples = 4;           // to a pixel, from which on shadows are soft, and pile is fine: for people
-constexpr double soft_edge = 0.012;       // [m] half of such a shadow's edge
+constexpr int fine_samples = 4;      // to a pixel, from which on shadows are soft, and pile is fine: for people
+constexpr double soft_edge = 0.012;  // [m] half of such a shadow's edge
 constexpr std::size_t most_targets = 8;
 
 }  // namespace
@@ -60,7 +58,8 @@ DrawCount GlDrawing::draw(const Projection& wanted, const sensors::Layers& layer
   MUROSIMF_ASSERT(view.first_row >= 0 && view.rows > 0 && view.first_row + view.rows <= view.height);
   if (light.shadows && layers.color) draw_shadows(view, options, ahead);
   list_.fill(render_scene_, projection, layers.depth, ahead, catalog_);
-  const GlMatrix clip = projection.parallel ? parallel_clip_of(view, render_scene_, ahead) : clip_of(view, nearest);
+  const GlMatrix clip =
+      projection.parallel ? parallel_clip_of(view, render_scene_, ahead) : clip_of(view, nearest_drawn);
   // Several samples to a pixel apply to colors only: a mean of depths or labels is meaningless.
   std::vector<std::pair<sensors::Layers, int>> passes{{layers, 1}};
   if (samples > 1 && layers.color) {

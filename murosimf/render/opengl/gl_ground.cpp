@@ -11,8 +11,7 @@
 namespace murosimf::render {
 namespace {
 
-constexpr double floor_reach = 500;  // [m]
-constexpr double flattest = 0.01;    // [1] sine of the lowest elevation from which parallel rays see the ground
+constexpr double flattest = 0.01;  // [1] sine of the lowest elevation from which parallel rays see the ground
 
 /// A corner of a rectangle: optical frame, and on the ground.
 struct GroundCorner {

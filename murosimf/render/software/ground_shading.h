@@ -70,8 +70,8 @@ class GroundShading {
   /// The pixels that show the ground if nothing is before it; per_z is that of the ground.
   [[nodiscard]] static Ints is_there(const RowRays& rays, const GroundPlaces& places, const Floats& per_z) {
     if (all(per_z > rays.near_ground)) return all_lanes(-1);
-    return (per_z > 0) & (magnitude(places.x - rays.eye_x) <= floor_reach) &
-           (magnitude(places.y - rays.eye_y) <= floor_reach);
+    constexpr auto reach = static_cast<float>(floor_reach);
+    return (per_z > 0) & (magnitude(places.x - rays.eye_x) <= reach) & (magnitude(places.y - rays.eye_y) <= reach);
   }
 
  private:

@@ -8,10 +8,6 @@
 namespace murosimf::render::software {
 namespace {
 
-Float3 floats(const Color& color) {
-  return {static_cast<float>(color.red), static_cast<float>(color.green), static_cast<float>(color.blue)};
-}
-
 GroundColor ground_color(const Color& color, const Light& light) {
   return {floats(shown_in(color, brightness_upwards(light, true))),
           floats(shown_in(color, brightness_upwards(light, false)))};

@@ -9,6 +9,10 @@
 
 namespace murosimf::render::software {
 
+[[nodiscard]] inline Float3 floats(const Color& color) {
+  return {static_cast<float>(color.red), static_cast<float>(color.green), static_cast<float>(color.blue)};
+}
+
 /// A color of the ground as it is shown, sRGB: where the lamp that casts shadows shines, and where it does not.
 struct GroundColor {
   Float3 lit, shaded;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "murosimf/math/assert.h"
+#include "murosimf/render/light.h"
 
 namespace murosimf::render::software {
 
@@ -19,8 +20,8 @@ PixelRays::PixelRays(const sensors::Perspective& view)
       axes_(view.axes),
       eye_(floats(view.eye)),
       near_ground_(static_cast<float>(norm(Vec3d{std::max(std::abs(view.left), std::abs(view.right)),
-                                                 std::max(std::abs(view.top), std::abs(view.bottom)), 1})) /
-                   floor_reach) {
+                                                 std::max(std::abs(view.top), std::abs(view.bottom)), 1}) /
+                                      floor_reach)) {
   MUROSIMF_ASSERT(view.width > 0 && view.height > 0 && view.right > view.left && view.bottom > view.top);
   const double du = (view.right - view.left) / view.width, dv = (view.bottom - view.top) / view.height;
   const Vec3d per_u = du * view.axes.x, per_v = dv * view.axes.y;

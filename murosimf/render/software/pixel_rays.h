@@ -16,8 +16,6 @@ namespace murosimf::render::software {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
-inline constexpr float floor_reach = 500;  ///< [m] along x and y from the eye; the ground ends there
-
 /// A number that is linear in the column of a row.
 struct RowLine {
   float origin = 0, per_u = 0, per_v = 0;  ///< per_v: by which the next row has more

@@ -11,7 +11,7 @@
 
 namespace murosimf::render::software {
 
-inline constexpr float nearest_z = 0.01F;  ///< [m] what is closer is not drawn
+inline constexpr auto nearest_z = static_cast<float>(nearest_drawn);  ///< [m]
 
 /// A corner in the optical frame.
 struct SeenCorner {

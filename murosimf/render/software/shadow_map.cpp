@@ -99,7 +99,7 @@ ShadowLookup::ShadowLookup(std::shared_ptr<const ShadowMap> map, const sensors::
   const double per_x = 0.5 * map_->side() / lamp.half_width, per_y = 0.5 * map_->side() / lamp.half_height;
   u_ = {floats(per_x * Vec3d{turn.x.x, turn.y.x, turn.z.x}), static_cast<float>(middle + per_x * shift.x)};
   v_ = {floats(per_y * Vec3d{turn.x.y, turn.y.y, turn.z.y}), static_cast<float>(middle + per_y * shift.y)};
-  depth_ = {floats({turn.x.z, turn.y.z, turn.z.z}), static_cast<float>(shift.z)};
+  depth_ = {floats(Vec3d{turn.x.z, turn.y.z, turn.z.z}), static_cast<float>(shift.z)};
 }
 
 Floats ShadowLookup::lit_at(const Floats3& p) const {

@@ -23,7 +23,7 @@ struct Stage {
   bool ground;
   LookSurface walls, ceiling, nets;  ///< empty where there are none
   int shadow_side, samples;
-  ShadowMaps& shadows;  ///< of its lamp and others
+  ShadowMaps& shadows;  ///< shared by all views, and kept when the light changes
 };
 
 class SoftwareDrawing {

@@ -10,12 +10,7 @@
 namespace murosimf::render::software {
 namespace {
 
-constexpr float ground_darkness = 0.45F;  // [1] of light from everywhere that is missing just above the ground
 constexpr int srgb_steps = 1 << 13;
-
-Float3 triple(const Color& color) {
-  return {static_cast<float>(color.red), static_cast<float>(color.green), static_cast<float>(color.blue)};
-}
 
 using SrgbTable = std::array<float, srgb_steps + 1>;
 
@@ -90,17 +85,17 @@ SolidShading::SolidShading(const Light& light, const LookValues& look, const sen
                            const ShadowLookup* shadows)
     : look_(look),
       shadows_(shadows),
-      sky_(triple(light.sky)),
-      earth_(triple(light.ground)),
+      sky_(floats(light.sky)),
+      earth_(floats(light.ground)),
       gloss_(static_cast<float>(light.gloss)) {
   const std::array<Lamp, 3> lamps{Lamp{light.toward, light.lamp}, light.others[0], light.others[1]};
   for (std::size_t i = 0; i < lamps.size(); ++i) {
     toward_[i] = floats((1 / norm(lamps[i].toward)) * transposed_times(view.axes, lamps[i].toward));
-    lamp_[i] = triple(lamps[i].lamp);
+    lamp_[i] = floats(lamps[i].lamp);
   }
   up_ = floats(transposed_times(view.axes, Vec3d{0, 0, 1}));
   eye_height_ = static_cast<float>(view.eye.z);
-  grounded_ = grounded && light.patterns ? ground_darkness : 0;
+  grounded_ = grounded && light.patterns ? static_cast<float>(ground_darkness) : 0;
   pool_center_ = floats(transposed_times(view.axes, -1.0 * view.eye));
   pool_size_ = light.pool > 0 ? static_cast<float>(1 / (light.pool * light.pool)) : 0;
 }
