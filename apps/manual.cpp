@@ -44,6 +44,9 @@ A folder with scenes, models, parts, lenses and servos that goes before those of
 \fBMUROSIMF_PACKAGE_PATH\fR
 Folders in which package:// names of URDF files are looked for, separated by colons.
 .TP
+\fBMUROSIMF_RENDERER\fR
+software or opengl: what draws pictures for people. Without it a graphics card does if there is one, else the processor, with the same bits on every machine.
+.TP
 \fBMUROSIMF_SHARE_WAVES\fR
 always: threads share all work from the first step on, also where that takes longer, as on a machine that is busy. Results stay the same.
 .SH EXIT STATUS

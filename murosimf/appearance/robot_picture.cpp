@@ -112,14 +112,14 @@ imaging::ColorImage robot_picture(const robot_formats::RobotDescription& descrip
   }
   // The light comes over the observer's left shoulder.
   const render::Light light{.toward = {-0.5, -0.65, 0.55}, .background = {0.83, 0.86, 0.88}, .shadows = false};
-  render::Renderer renderer(row, {}, [&](const Entity& /*entity*/) { return robot; },
-                            {.light = light, .samples = samples, .ground = false});
-  renderer.locate();
+  const auto renderer = render::make_renderer(row, {}, [&](const Entity& /*entity*/) { return robot; },
+                                              {.light = light, .samples = samples, .ground = false});
+  renderer->locate();
   render::ParallelView view = render::view_of(corners, render::axes_from(-0.5 * pi, 0), columns, rows);
   view.pixel /= room;
   sensors::View drawn;
-  renderer.draw(view, {}, 0, drawn);
-  if (const std::string trouble = renderer.trouble(); !trouble.empty()) throw SetupError(trouble);
+  renderer->draw(view, {}, 0, drawn);
+  if (const std::string trouble = renderer->trouble(); !trouble.empty()) throw SetupError(trouble);
   return std::move(drawn.color);
 }
 

@@ -48,6 +48,12 @@ class Image {
   std::vector<Pixel> pixels_;
 };
 
+/// Makes a new image unless it has this size; its pixels are to be written next.
+template <class Pixel>
+void fit(Image<Pixel>& image, int width, int height) {
+  if (image.width() != width || image.height() != height) image = Image<Pixel>(width, height);
+}
+
 /// sRGB, as files and screens have it.
 struct Rgb {
   std::uint8_t red = 0, green = 0, blue = 0;

@@ -60,6 +60,7 @@ struct Light {
 
 // Of every renderer of pictures:
 inline constexpr double nearest_drawn = 0.01;  ///< [m] along the optical axis; what is closer is not drawn
+inline constexpr double soft_edge = 0.012;     ///< [m] half of the edge of shadows for people
 inline constexpr double floor_reach = 500;     ///< [m] along x and y from the eye; the ground ends there
 inline constexpr double ground_darkness =
     0.45;  ///< [1] of light from everywhere that is missing just above the ground, with patterns

@@ -55,6 +55,7 @@ struct GoalNet {
 
 /// Heights of a square of pile, 0 to 255 with a mean of 128, in rows of `pile_side`; it repeats.
 inline constexpr int pile_side = 128;
+inline constexpr double pile_texel = 0.004;  ///< [m]
 [[nodiscard]] const std::vector<std::uint8_t>& pile();
 
 }  // namespace murosimf::render

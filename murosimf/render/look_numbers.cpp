@@ -7,8 +7,7 @@
 namespace murosimf::render {
 namespace {
 
-constexpr double pile_texel = 0.004;  // [m]
-constexpr double wall_share = 0.9;    // [1] of the light of a level surface that walls get
+constexpr double wall_share = 0.9;  // [1] of the light of a level surface that walls get
 
 std::vector<double> numbers(const Color& color) { return {color.red, color.green, color.blue}; }
 

@@ -23,6 +23,9 @@ struct ParallelView {
 /// The view in which the points [m, world] fill the picture but for a margin of 6 % on each side.
 [[nodiscard]] ParallelView view_of(std::span<const Vec3d> points, const Mat3d& axes, int width, int height);
 
+/// Sine of the lowest elevation from which parallel rays see the ground; from below it, they see it cut open.
+inline constexpr double level_sine = 0.01;
+
 /// Either kind. A point at (x, y, z) in the optical axes of `window` is seen at x / z and y / z, by parallel rays at x and
 /// y; the borders of the window are counted in these.
 struct Projection {

@@ -1,14 +1,17 @@
 #include "murosimf/scene/scene_cameras.h"
 
+#include <algorithm>
+#include <thread>
+
 #include "murosimf/appearance/entity_appearance.h"
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
-#include "murosimf/render/renderer.h"
 #include "murosimf/render/software_renderer.h"
 #include "murosimf/scene/scene_parts.h"
 
 namespace murosimf::scene {
+
 render::Light light_of(const scene_file::LightSpec& spec) {
   MUROSIMF_ASSERT(spec.brightness >= 0);
   render::Light light = find_entry(render::lights(), "light", spec.name).light;
@@ -22,13 +25,14 @@ render::Light light_of(const scene_file::LightSpec& spec) {
 
 namespace {
 
-/// Of one of the two renderers.
-template <class AnyRenderer>
-std::unique_ptr<AnyRenderer> make_renderer_of(SceneParts& parts, const render::RendererOptions& options) {
+constexpr int fine_samples = 4;       // to a pixel, from which on pictures for people are fine
+constexpr unsigned most_threads = 8;  // for pictures for people
+
+/// `make`: from appearances, std::unique_ptr to a renderer.
+template <class Make>
+auto make_renderer_of(SceneParts& parts, const Make& make) {
   appearance::AppearanceLibrary library;
-  auto renderer = std::make_unique<AnyRenderer>(
-      parts.simulation->world(), parts.moving_entities,
-      [&](const Entity& entity) { return library.appearance(entity); }, options);
+  auto renderer = make([&](const Entity& entity) { return library.appearance(entity); });
   for (const std::string& warning : library.warnings()) {  // several renderers report the same
     if (!parts.diagnostics.has_warning(warning)) parts.diagnostics.warn(warning);
   }
@@ -39,11 +43,19 @@ std::unique_ptr<AnyRenderer> make_renderer_of(SceneParts& parts, const render::R
 }  // namespace
 
 std::unique_ptr<render::Renderer> make_renderer(SceneParts& parts, const scene_file::LightSpec& light) {
-  return make_renderer_of<render::Renderer>(parts, {light_of(light), light.samples});
+  render::RendererOptions options{light_of(light), light.samples, light.samples >= fine_samples};
+  options.threads = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, most_threads));
+  return make_renderer_of(parts, [&](const render::AppearanceOf& appearance) {
+    return render::make_renderer(parts.simulation->world(), parts.moving_entities, appearance, options);
+  });
 }
 
 std::unique_ptr<render::SoftwareRenderer> make_camera_renderer(SceneParts& parts, const scene_file::LightSpec& light) {
-  return make_renderer_of<render::SoftwareRenderer>(parts, {light_of(light), light.samples});
+  const render::RendererOptions options{light_of(light), light.samples};
+  return make_renderer_of(parts, [&](const render::AppearanceOf& appearance) {
+    return std::make_unique<render::SoftwareRenderer>(parts.simulation->world(), parts.moving_entities, appearance,
+                                                      options);
+  });
 }
 
 CameraRenderer::CameraRenderer(SceneParts& parts) : parts_(parts) {}

@@ -98,7 +98,7 @@ void CameraModel::take(ViewSource& source, const CameraMotion& motion, std::uint
 /// Images that are swapped out of the frame are empty the first time.
 template <class Pixel>
 void CameraModel::fit(bool wanted, imaging::Image<Pixel>& image) const {
-  if (wanted && image.empty()) image = imaging::Image<Pixel>(spec_.lens.width, spec_.lens.height);
+  if (wanted) imaging::fit(image, spec_.lens.width, spec_.lens.height);
 }
 
 void CameraModel::expose(ViewSource& source, const CameraMotion& motion, View& picture) noexcept {

@@ -7,23 +7,13 @@ from os import PathLike
 
 from ._arguments import checked
 from ._program import program
-from .errors import InputError
-from .picture import Picture
-from .ray_picture import ray_picture
 from .scene import Scene
-
-
-def _picture(scene: Scene) -> Picture:
-    try:
-        return scene.picture(eye=(0, -6, 3.5), width=960, height=540)
-    except InputError:  # nothing here can draw
-        return ray_picture(scene._core, (0, -6, 3.5), (0, 0, 0.3), 1.0, 480, 270)
 
 
 def _save_picture(file: str | PathLike[str], seconds: float) -> None:
     scene = Scene("three_on_three")
     scene.run(seconds)
-    _picture(scene).save(file)
+    scene.picture(eye=(0, -6, 3.5), width=960, height=540).save(file)
     print(f"wrote {os.fspath(file)}: the game after {scene.time:g} s")
 
 

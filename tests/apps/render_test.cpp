@@ -397,21 +397,29 @@ TEST_F(Drawing, RefusesOptionsOfVideosForPictures) {
 
 constexpr const char* no_device = "__EGL_VENDOR_LIBRARY_FILENAMES";
 
-TEST_F(Drawing, WithoutADeviceIsOneLineThatNamesPackages) {
-  const Variable none(no_device, "/nonexistent");
+TEST_F(Drawing, ByOpenGlWithoutADeviceIsOneLineThatNamesPackages) {
+  const Variable none(no_device, "/nonexistent"), opengl("MUROSIMF_RENDERER", "opengl");
   const std::vector<std::string> parts{"no pictures by OpenGL", "Debian and Ubuntu", "libegl"};
   expect_refused(out(), parts);
   if (has_ffmpeg()) expect_refused("--duration 0.1" + video("a.mp4"), parts);
 }
 
-TEST_F(Drawing, CamerasNeedNoDevice) {
-  const std::string seen = draw("--camera one.camera", "with.png");
-  const Variable none(no_device, "/nonexistent");
-  EXPECT_EQ(draw("--camera one.camera", "without.png"), seen);
+TEST_F(Drawing, RefusesARendererThatIsUnknown) {
+  const Variable other("MUROSIMF_RENDERER", "vulkan");
+  expect_refused(out(), {"MUROSIMF_RENDERER=vulkan", "'opengl' or 'software'"});
 }
 
-TEST_F(InFolder, WithoutADeviceTheRestOfRunAndCheckIsThere) {
-  const Variable none(no_device, "/nonexistent");
+TEST_F(Drawing, NeedsNoDevice) {
+  const Variable own("MUROSIMF_RENDERER", "software");
+  const std::string from_outside = draw("--size 160x90", "with.png");
+  const std::string seen = draw("--camera one.camera", "camera_with.png");
+  const Variable none(no_device, "/nonexistent"), any("MUROSIMF_RENDERER", "");
+  EXPECT_EQ(draw("--size 160x90", "without.png"), from_outside);
+  EXPECT_EQ(draw("--camera one.camera", "camera_without.png"), seen);
+}
+
+TEST_F(InFolder, WithoutOpenGlThatIsWantedTheRestOfRunAndCheckIsThere) {
+  const Variable none(no_device, "/nonexistent"), opengl("MUROSIMF_RENDERER", "opengl");
   const std::vector<std::string> parts{"no pictures by OpenGL", "Debian and Ubuntu", "libegl"};
   expect_mistake("run walk --duration 1e9 --pictures " + file("pictures"), parts);
   const Result above = murosimf("run walk --duration 0.1 --picture " + file("above.png"));

@@ -3,13 +3,12 @@
 
 #include <memory>
 #include <string>
-#include <type_traits>
 
 #include <gtest/gtest.h>
 
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/render/renderer.h"
+#include "murosimf/render/opengl_renderer.h"
 #include "murosimf/render/software_renderer.h"
 #include "murosimf/scene_file/field.h"
 #include "tests/fixtures.h"
@@ -24,7 +23,7 @@ inline std::string no_drawing() {
   static const std::string reason = [] {
     try {
       const World empty;
-      const render::Renderer renderer(empty, {}, render::appearance_of_shapes);
+      const render::OpenGlRenderer renderer(empty, {}, render::appearance_of_shapes);
       return std::string();
     } catch (const SetupError& error) {
       return std::string(error.what());
@@ -72,19 +71,18 @@ struct DrawnWorld {
   sensors::View draw(const AnyView& view, const sensors::Layers& layers = {true, true, true},
                      render::RendererOptions options = {.light = {.shadows = false}}, double ahead = 0) {
     sensors::View drawn;
-    if constexpr (std::is_same_v<AnyView, sensors::Perspective>) {
-      if (device == Device::processor) {
-        render::SoftwareRenderer renderer(world, moving_entities, render::appearance_of_shapes, options);
-        renderer.locate();
-        renderer.draw(view, layers, ahead, drawn);
-        return drawn;
-      }
-    }
-    render::Renderer renderer(world, moving_entities, render::appearance_of_shapes, options);
-    renderer.locate();
-    renderer.draw(view, layers, ahead, drawn);
-    EXPECT_EQ(renderer.trouble(), "");
+    const auto renderer = make_renderer(options);
+    renderer->locate();
+    renderer->draw(view, layers, ahead, drawn);
+    EXPECT_EQ(renderer->trouble(), "");
     return drawn;
+  }
+
+  [[nodiscard]] std::unique_ptr<render::Renderer> make_renderer(const render::RendererOptions& options) const {
+    constexpr auto appearance = render::appearance_of_shapes;
+    if (device == Device::processor)
+      return std::make_unique<render::SoftwareRenderer>(world, moving_entities, appearance, options);
+    return std::make_unique<render::OpenGlRenderer>(world, moving_entities, appearance, options);
   }
 
   Device device;

@@ -2,6 +2,7 @@
 #include "murosimf/render/renderer.h"
 
 #include <cmath>
+#include <cstdlib>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,14 +19,6 @@ using sensors::View;
 /// What both renderers draw.
 class Drawn : public DrawnBy {};
 INSTANTIATE_TEST_SUITE_P(Devices, Drawn, all_devices, name_of_device);
-
-/// What OpenGL alone does.
-class Renderer : public testing::Test {
- protected:
-  void SetUp() override {
-    if (!no_drawing().empty()) GTEST_SKIP() << no_drawing();
-  }
-};
 
 /// Depth at which the ray of a pixel meets a sphere; infinite if it does not.
 double depth_of_sphere(const Perspective& view, int u, int v, const Vec3d& center, double radius) {
@@ -263,13 +256,39 @@ TEST_P(Drawn, RowsAloneAreThoseOfTheWholePicture) {
   }
 }
 
-TEST_F(Renderer, SaysWhoDraws) {
-  const World world;
-  const render::Renderer renderer(world, {}, render::appearance_of_shapes);
-  EXPECT_NE(renderer.name(), "");
-  if (renderer.name().find("llvmpipe") != std::string::npos) {
-    EXPECT_NE(renderer.name().find(", software"), std::string::npos);
+TEST_P(Drawn, SaysWhatDraws) {
+  const auto renderer = DrawnWorld(GetParam()).make_renderer({});
+  EXPECT_NE(renderer->name(), "");
+  EXPECT_EQ(renderer->name().ends_with(", software"), renderer->on_processor());
+  EXPECT_TRUE(renderer->on_processor() || GetParam() == Device::opengl);
+}
+
+/// The renderer for people by this value of MUROSIMF_RENDERER.
+std::string renderer_by(const char* value) {
+  setenv("MUROSIMF_RENDERER", value, 1);
+  std::string name;
+  try {
+    const World world;
+    name = render::make_renderer(world, {}, render::appearance_of_shapes, {})->name();
+  } catch (const SetupError& error) {
+    name = error.what();
   }
+  unsetenv("MUROSIMF_RENDERER");
+  return name;
+}
+
+TEST(RendererForPeople, IsOwnWithoutAGraphicsCardAndAsTheEnvironmentSays) {
+  const std::string own = DrawnWorld(Device::processor).make_renderer({})->name();
+  EXPECT_EQ(renderer_by("software"), own);
+  EXPECT_EQ(renderer_by("vulkan"), "MUROSIMF_RENDERER=vulkan: must be 'opengl' or 'software'");
+  if (!no_drawing().empty()) {
+    EXPECT_EQ(renderer_by(""), own);
+    EXPECT_EQ(renderer_by("opengl"), no_drawing());
+    return;
+  }
+  const auto by_opengl = DrawnWorld(Device::opengl).make_renderer({});
+  EXPECT_EQ(renderer_by("opengl"), by_opengl->name());
+  EXPECT_EQ(renderer_by(""), by_opengl->on_processor() ? own : by_opengl->name());
 }
 
 /// A plate across x of 1 m, in `color`.

@@ -2,8 +2,10 @@
 
 #include <dlfcn.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <string_view>
 #include <vector>
 
 #include <epoxy/egl.h>
@@ -32,22 +34,30 @@ void check_libraries() {
   if (!loads("libOpenGL.so.0") && !loads("libGL.so.1")) refuse("neither libOpenGL.so.0 nor libGL.so.1 is installed");
 }
 
-/// Displays to try: graphics cards first, then Mesa's own without a card. Never one of a window system.
-std::vector<EGLDisplay> displays() {
-  std::vector<EGLDisplay> found;
+/// Whether Mesa says that the processor draws, which is quicker to know than by a context.
+bool is_named_software(EGLDeviceEXT device) {
+  const char* const extensions = eglQueryDeviceStringEXT(device, EGL_EXTENSIONS);
+  return extensions && std::string_view(extensions).find("EGL_MESA_device_software") != std::string_view::npos;
+}
+
+/// Graphics cards first; none if EGL does not list them.
+std::vector<EGLDeviceEXT> devices() {
   const bool can_list = epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_enumeration") ||
                         epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_base");
-  if (can_list && epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_device")) {
-    std::array<EGLDeviceEXT, 16> devices{};
-    EGLint count = 0;
-    if (eglQueryDevicesEXT(static_cast<EGLint>(devices.size()), devices.data(), &count)) {
-      MUROSIMF_ASSERT(count >= 0 && static_cast<std::size_t>(count) <= devices.size());
-      for (EGLint i = 0; i < count; ++i) {
-        found.push_back(
-            eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[static_cast<std::size_t>(i)], nullptr));
-      }
-    }
-  }
+  if (!can_list || !epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_device")) return {};
+  std::vector<EGLDeviceEXT> found(16);
+  EGLint count = 0;
+  if (!eglQueryDevicesEXT(static_cast<EGLint>(found.size()), found.data(), &count)) return {};
+  MUROSIMF_ASSERT(count >= 0 && static_cast<std::size_t>(count) <= found.size());
+  found.resize(static_cast<std::size_t>(count));
+  return found;
+}
+
+/// Displays to try: of devices, then Mesa's own without a card. Never one of a window system.
+std::vector<EGLDisplay> displays() {
+  std::vector<EGLDisplay> found;
+  for (EGLDeviceEXT device : devices())
+    found.push_back(eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, device, nullptr));
   if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) {
     found.push_back(eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
   }
@@ -73,6 +83,18 @@ EGLContext make_context(EGLDisplay display) {
 }
 
 }  // namespace
+
+bool finds_graphics_card() {
+  try {
+    check_driver_memory();
+    check_libraries();
+    const std::vector<EGLDeviceEXT> listed = devices();
+    if (!listed.empty() && std::ranges::all_of(listed, is_named_software)) return false;
+    return !GlContext().software();
+  } catch (const SetupError&) {
+    return false;
+  }
+}
 
 struct GlContext::Handles {
   EGLDisplay display = EGL_NO_DISPLAY;

@@ -6,6 +6,9 @@
 
 namespace murosimf::render {
 
+/// Whether a device of EGL is a graphics card that can do OpenGL 3.3.
+[[nodiscard]] bool finds_graphics_card();
+
 /// One context. Only one thread may use it at a time, between `Current`'s constructor and destructor.
 class GlContext {
  public:

@@ -14,8 +14,6 @@
 namespace murosimf::render {
 namespace {
 
-constexpr int fine_samples = 4;      // to a pixel, from which on shadows are soft, and pile is fine: for people
-constexpr double soft_edge = 0.012;  // [m] half of such a shadow's edge
 constexpr std::size_t most_targets = 8;
 
 }  // namespace
@@ -100,6 +98,7 @@ void GlDrawing::set_light(GlProgram& program, const Projection& projection, cons
   set(program, "earth", floats(light.ground));
   set(program, "gloss", light.gloss);
   set(program, "eye_height", view.eye.z);
+  set(program, "eye_behind", projection.parallel ? 1e6 : 0.0);
   set(program, "grounded", options.ground && light.patterns ? ground_darkness : 0);
   set(program, "pool_center", floats(transposed_times(view.axes, -1.0 * view.eye)));
   set(program, "pool_size", light.pool > 0 ? 1 / (light.pool * light.pool) : 0);
@@ -113,7 +112,7 @@ void GlDrawing::set_light(GlProgram& program, const Projection& projection, cons
 /// Chooses the programs of this pass, and sets their numbers.
 void GlDrawing::prepare(const Projection& projection, const GlMatrix& clip, const sensors::Layers& layers,
                         const RendererOptions& options) {
-  const bool shaded = options.light.shadows && layers.color, fine = options.samples >= fine_samples;
+  const bool shaded = options.light.shadows && layers.color, fine = options.fine;
   Objects& objects = *objects_;
   objects.lit = &objects.lit_programs.of(shaded, fine);
   for (GlProgram* program : objects.lit->all()) set_light(*program, projection, clip, options);

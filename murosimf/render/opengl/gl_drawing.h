@@ -14,11 +14,6 @@
 
 namespace murosimf::render {
 
-/// Amount of what was drawn.
-struct DrawCount {
-  std::size_t drawables = 0, triangles = 0;
-};
-
 class GlProgram;
 struct SurfaceBuffers;
 

@@ -11,8 +11,6 @@
 namespace murosimf::render {
 namespace {
 
-constexpr double flattest = 0.01;  // [1] sine of the lowest elevation from which parallel rays see the ground
-
 /// A corner of a rectangle: optical frame, and on the ground.
 struct GroundCorner {
   Float3 place;
@@ -32,7 +30,7 @@ void GlDrawing::draw_ground(const Projection& projection, const sensors::Layers&
                             GlTarget& to) {
   const sensors::Perspective& view = projection.window;
   const double downwards = -view.axes.z.z;
-  const bool is_cut = projection.parallel && std::abs(downwards) <= flattest;
+  const bool is_cut = projection.parallel && std::abs(downwards) <= level_sine;
   if (!is_cut && !(projection.parallel ? downwards > 0 : view.eye.z > 0)) return;
   if (projection.parallel) glEnable(GL_DEPTH_CLAMP);  // the depths are those of the pieces; the ground reaches farther
   glDepthFunc(GL_ALWAYS);

@@ -30,11 +30,6 @@ void check_frame(int width, int height, int samples) {
       fmt::format("the OpenGL driver cannot draw pictures of {}x{} pixels with {} samples", width, height, samples));
 }
 
-template <class Pixel>
-void fit(imaging::Image<Pixel>& image, int width, int height) {
-  if (image.width() != width || image.height() != height) image = imaging::Image<Pixel>(width, height);
-}
-
 }  // namespace
 
 GlTarget::GlTarget(int width, int height, int samples) : width_(width), height_(height), samples_(samples) {
@@ -109,18 +104,18 @@ void GlTarget::read(const sensors::Perspective& view, const sensors::Layers& lay
   MUROSIMF_ASSERT(view.first_row >= 0 && view.first_row + view.rows <= height_);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);  // rows of the pictures are not padded
   if (layers.depth) {
-    fit(into.depth, width_, height_);
+    imaging::fit(into.depth, width_, height_);
     glReadBuffer(GL_COLOR_ATTACHMENT1);
     glReadPixels(0, view.first_row, width_, view.rows, GL_RED, GL_FLOAT, into.depth.row(view.first_row).data());
   }
   if (layers.labels) {
-    fit(into.labels, width_, height_);
+    imaging::fit(into.labels, width_, height_);
     glReadBuffer(GL_COLOR_ATTACHMENT2);
     glReadPixels(0, view.first_row, width_, view.rows, GL_RED_INTEGER, GL_UNSIGNED_SHORT,
                  into.labels.row(view.first_row).data());
   }
   if (layers.color) {
-    fit(into.color, width_, height_);
+    imaging::fit(into.color, width_, height_);
     read_colors(view.first_row, view.rows, into.color);
   }
 }

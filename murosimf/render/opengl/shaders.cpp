@@ -10,6 +10,7 @@ uniform vec3 lamp[3];
 uniform vec3 sky, earth;
 uniform float gloss;
 uniform float eye_height;     // [m] above the ground
+uniform float eye_behind;     // [m] by which the eye lies behind the origin: far, by parallel rays
 uniform float grounded;       // [1] how much the ground darkens what is close to it
 uniform vec3 pool_center;     // [m]
 uniform float pool_size;      // [1/m^2]
@@ -38,7 +39,7 @@ vec3 shown(vec3 base, vec3 p, vec3 n, float lit) {
   light += lamp[0] * (max(0.0, dot(n, toward[0])) * lit);
   light += lamp[1] * max(0.0, dot(n, toward[1])) + lamp[2] * max(0.0, dot(n, toward[2]));
   vec3 sum = base * light;
-  vec3 to_eye = -normalize(p);
+  vec3 to_eye = -normalize(p + vec3(0.0, 0.0, eye_behind));
   sum += gloss * (lamp[0] * (lit * mirrored(n, to_eye, toward[0])) + lamp[1] * mirrored(n, to_eye, toward[1]));
   vec3 off = p - pool_center;
   float pool_light = 1.0 / (1.0 + dot(off, off) * pool_size);

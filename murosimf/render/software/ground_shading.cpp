@@ -6,6 +6,7 @@
 
 #include "murosimf/math/assert.h"
 #include "murosimf/render/software/coverage.h"
+#include "murosimf/render/software/fine_pile.h"
 #include "murosimf/render/software/seen_corner.h"
 
 namespace murosimf::render::software {
@@ -54,11 +55,16 @@ struct OnStroke {
   Footprint footprint_along, footprint_across;
 };
 
+/// Height of the pile where a pixel covers so much [m], and so many cells of the quick one.
+Floats pile_at(const LookValues& look, const Floats2& at, const Footprint& covered, const Footprint& cells) {
+  return look.fine ? FinePile::get().at(at, covered.size) : pile_at(at, cells);
+}
+
 /// How far the paint's edge is worn, by the side of the stroke.
-Floats ragged_edge(const StrokeFrame& frame, const OnStroke& at) {
+Floats ragged_edge(const LookValues& look, const StrokeFrame& frame, const OnStroke& at) {
   const Floats side = 3 * frame.half_width * (at.across > 0 ? all_lanes(1.0F) : all_lanes(-1.0F));
-  const Footprint cells((250 * 0.11F) * (magnitude(at.along_u) + magnitude(at.along_v)));
-  return 0.008F * greatest(Floats{}, pile_at({0.11F * at.along, side}, cells));
+  const Footprint covered(0.11F * (magnitude(at.along_u) + magnitude(at.along_v)));
+  return 0.008F * greatest(Floats{}, pile_at(look, {0.11F * at.along, side}, covered, covered.scaled(250)));
 }
 
 /// The outline in the picture: what is too close to the eye, or behind it, is cut off.
@@ -197,12 +203,13 @@ void GroundShading::paint_area(const PixelRays& rays, const LookValues& look, in
     const bool all_field = all(field >= 1);
     Floats3 color = all_field ? grass : mixed(floor, grass, field);
     if (look.patterns) {
-      const Floats pile = pile_at(at, pile_cells(f)), pool = pool_tone(look, at);
+      const Floats pile = pile_at(look, at, larger(f.x, f.y), pile_cells(f)), pool = pool_tone(look, at);
       store_lanes(pile, colors.pile.data() + u);
       if (any(field > 0)) color = grass * (lawn_tone(look, at, f, pile) * pool);
       if (!all_field) {
-        const Floats x = at.x - rays.eye().x, y = at.y - rays.eye().y;
-        const Floats away = x * x + y * y + rays.eye().z * rays.eye().z;
+        const Float3& around = rays.around();
+        const Floats x = at.x - around.x, y = at.y - around.y;
+        const Floats away = x * x + y * y + around.z * around.z;
         color = mixed(floor_look(look, floor * pool, at, f, pile, away), color, field);
       }
     }
@@ -216,7 +223,7 @@ void GroundShading::paint_strokes(const PixelRays& rays, const LookValues& look,
     const StrokeFrame frame(strokes_[static_cast<std::size_t>(part.number)]);
     for_ground(rays, v, part.first, part.last, numbers, [&](int u, const GroundPlaces& places, const Ints& there) {
       const OnStroke on(frame, places);
-      Floats cover = on.cover(frame, look.patterns ? ragged_edge(frame, on) : Floats{});
+      Floats cover = on.cover(frame, look.patterns ? ragged_edge(look, frame, on) : Floats{});
       Floats3 paint = look.paint.at(load_lanes<Floats>(colors.lit.data() + u), shadows_);
       if (look.patterns) {
         paint = paint * pool_tone(look, at_of(places));

@@ -71,7 +71,8 @@ class GroundShading {
   [[nodiscard]] static Ints is_there(const RowRays& rays, const GroundPlaces& places, const Floats& per_z) {
     if (all(per_z > rays.near_ground)) return all_lanes(-1);
     constexpr auto reach = static_cast<float>(floor_reach);
-    return (per_z > 0) & (magnitude(places.x - rays.eye_x) <= reach) & (magnitude(places.y - rays.eye_y) <= reach);
+    return (per_z > 0) & (magnitude(places.x - rays.around_x) <= reach) &
+           (magnitude(places.y - rays.around_y) <= reach);
   }
 
  private:

@@ -31,8 +31,9 @@ class Numbers {
 
 }  // namespace
 
-LookValues::LookValues(const Light& light, const Markings* markings)
+LookValues::LookValues(const Light& light, const Markings* markings, bool wants_fine)
     : patterns(light.patterns),
+      fine(wants_fine),
       kind(light.surroundings.kind),
       background(floats(light.background)),
       floor(ground_color(light.surroundings.floor, light)),

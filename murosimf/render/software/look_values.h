@@ -24,9 +24,10 @@ struct GroundColor {
 
 /// All of the light that does not depend on the view. Names as in look_patterns.h.
 struct LookValues {
-  LookValues(const Light& light, const Markings* markings);
+  LookValues(const Light& light, const Markings* markings, bool fine);
 
   bool patterns = false;
+  bool fine = false;  ///< pile of short fibers, as render/software/fine_pile.h has them
   Surroundings::Kind kind = Surroundings::Kind::nothing;
   Float3 background;  ///< as shown
   GroundColor floor, grass, paint;

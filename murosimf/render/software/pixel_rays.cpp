@@ -8,8 +8,8 @@
 
 namespace murosimf::render::software {
 
-PixelRays::PixelRays(const sensors::Perspective& view)
-    : width_(view.width),
+PixelRays::PixelRays(const sensors::Perspective& view, const Vec3d& around)
+    : whole_{0, view.width - 1, 0, view.height - 1},
       left_(static_cast<float>(view.left)),
       top_(static_cast<float>(view.top)),
       pixel_x_(static_cast<float>((view.right - view.left) / view.width)),
@@ -19,6 +19,7 @@ PixelRays::PixelRays(const sensors::Perspective& view)
       eye_place_(view.eye),
       axes_(view.axes),
       eye_(floats(view.eye)),
+      around_(floats(around)),
       near_ground_(static_cast<float>(norm(Vec3d{std::max(std::abs(view.left), std::abs(view.right)),
                                                  std::max(std::abs(view.top), std::abs(view.bottom)), 1}) /
                                       floor_reach)) {

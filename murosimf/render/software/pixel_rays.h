@@ -41,7 +41,8 @@ struct GroundPlaces {
 struct RowRays {
   RowLine way_x, way_y, way_z, ground;
   float eye_x = 0, eye_y = 0;
-  float near_ground = 0;  ///< [1/m] 1 / z from which on the ground has not ended
+  float around_x = 0, around_y = 0;  ///< [m] world: where the ground has its middle
+  float near_ground = 0;             ///< [1/m] 1 / z from which on the ground has not ended
 
   /// `per_z` [1/m]: ground.at(u), or any other number more than 0 where the ground is not seen.
   [[nodiscard]] GroundPlaces ground_places(const Floats& u, const Floats& per_z) const {
@@ -62,9 +63,12 @@ struct RowRays {
 
 class PixelRays {
  public:
-  explicit PixelRays(const sensors::Perspective& view);
+  /// `around`: where the ground has its middle [m, world].
+  PixelRays(const sensors::Perspective& view, const Vec3d& around);
+  explicit PixelRays(const sensors::Perspective& view) : PixelRays(view, view.eye) {}
 
-  [[nodiscard]] int width() const { return width_; }
+  [[nodiscard]] int width() const { return whole_.right + 1; }
+  [[nodiscard]] const PixelBox& whole() const { return whole_; }  ///< all of the picture
   /// Tangents x / z and y / z.
   [[nodiscard]] Floats tangent_x(const Floats& u) const { return left_ + (u + 0.5F) * pixel_x_; }
   [[nodiscard]] float tangent_y(int v) const { return top_ + (static_cast<float>(v) + 0.5F) * pixel_y_; }
@@ -74,21 +78,23 @@ class PixelRays {
 
   /// `ground`: [1/m] 1 / z; 0 or less where a ray does not meet it.
   [[nodiscard]] RowRays row(int v) const {
-    return {way_x_.row(v), way_y_.row(v), way_z_.row(v), ground_.row(v), eye_.x, eye_.y, near_ground_};
+    return {way_x_.row(v), way_y_.row(v), way_z_.row(v), ground_.row(v), eye_.x,
+            eye_.y,        around_.x,     around_.y,     near_ground_};
   }
   /// 1 / z of the plane through three places of the optical frame.
   [[nodiscard]] Slope plane(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Anchor& anchor) const;
   [[nodiscard]] const Float3& eye() const { return eye_; }
+  [[nodiscard]] const Float3& around() const { return around_; }
   /// [m] A place of the world in the optical frame.
   [[nodiscard]] Float3 seen(const Vec3d& place) const { return floats(transposed_times(axes_, place - eye_place_)); }
   [[nodiscard]] bool sees_ground_from_above() const { return eye_.z > 0; }
 
  private:
-  int width_;
+  PixelBox whole_;
   float left_, top_, pixel_x_, pixel_y_, per_pixel_x_, per_pixel_y_;
   Vec3d eye_place_;
   Mat3d axes_;
-  Float3 eye_;
+  Float3 eye_, around_;
   float near_ground_;
   PixelPlane way_x_, way_y_, way_z_, ground_;
 };

@@ -9,6 +9,19 @@
 namespace murosimf::render::software {
 namespace {
 
+constexpr double widest_edge = 15;  // [texels] half of it: all of an edge is narrower than a tile
+
+/// Places of the samples of a soft edge, in halves of its width.
+constexpr std::array<std::array<float, 2>, 9> soft_taps{{{0, 0},
+                                                         {0.9F, 0.4F},
+                                                         {-0.9F, -0.4F},
+                                                         {-0.4F, 0.9F},
+                                                         {0.4F, -0.9F},
+                                                         {0.5F, -0.2F},
+                                                         {-0.5F, 0.2F},
+                                                         {0.2F, 0.5F},
+                                                         {-0.2F, -0.5F}}};
+
 bool same(const LampView& a, const LampView& b) {
   return norm(a.eye - b.eye) == 0 && norm(a.axes.z - b.axes.z) == 0 && a.half_width == b.half_width &&
          a.half_height == b.half_height;
@@ -89,7 +102,7 @@ void ShadowMap::draw(const LampView& lamp, const MeshCatalog& catalog, const Ins
   }
 }
 
-ShadowLookup::ShadowLookup(std::shared_ptr<const ShadowMap> map, const sensors::Perspective& view)
+ShadowLookup::ShadowLookup(std::shared_ptr<const ShadowMap> map, const sensors::Perspective& view, double edge)
     : map_(std::move(map)), gap_(static_cast<float>(1.5 * map_->texel())) {
   const LampView& lamp = map_->lamp();
   // from optical axes to those of the lamp, then to texels
@@ -100,20 +113,40 @@ ShadowLookup::ShadowLookup(std::shared_ptr<const ShadowMap> map, const sensors::
   u_ = {floats(per_x * Vec3d{turn.x.x, turn.y.x, turn.z.x}), static_cast<float>(middle + per_x * shift.x)};
   v_ = {floats(per_y * Vec3d{turn.x.y, turn.y.y, turn.z.y}), static_cast<float>(middle + per_y * shift.y)};
   depth_ = {floats(Vec3d{turn.x.z, turn.y.z, turn.z.z}), static_cast<float>(shift.z)};
+  edge_u_ = static_cast<float>(std::min(per_x * edge, widest_edge));
+  edge_v_ = static_cast<float>(std::min(per_y * edge, widest_edge));
 }
 
 Floats ShadowLookup::lit_at(const Floats3& p) const {
+  const Spot spot{dot(p, u_.turn) + u_.shift, dot(p, v_.turn) + v_.shift, dot(p, depth_.turn) + depth_.shift};
+  if (edge_u_ == 0) return lit_at(spot);
+  if (!may_be_shaded(spot)) return all_lanes(1.0F);
+  Floats sum{};
+  for (const auto& [u, v] : soft_taps) sum += lit_at(Spot{spot.u + u * edge_u_, spot.v + v * edge_v_, spot.depth});
+  return sum * (1.0F / static_cast<float>(soft_taps.size()));
+}
+
+/// A soft edge is narrower than a tile: what its corners do not touch, nothing in it does.
+bool ShadowLookup::may_be_shaded(const Spot& spot) const {
   const auto side = static_cast<float>(map_->side());
-  const Floats u = limited(dot(p, u_.turn) + u_.shift, -2, side + 1),
-               v = limited(dot(p, v_.turn) + v_.shift, -2, side + 1);
+  const auto texel = [&](const Floats& x) { return whole_numbers(floor_of(limited(x, -2, side + 1))); };
+  const Ints left = texel(spot.u - edge_u_), right = texel(spot.u + edge_u_), top = texel(spot.v - edge_v_),
+             bottom = texel(spot.v + edge_v_);
+  return map_->has_content(left, top) || map_->has_content(right, top) || map_->has_content(left, bottom) ||
+         map_->has_content(right, bottom);
+}
+
+Floats ShadowLookup::lit_at(const Spot& spot) const {
+  const auto side = static_cast<float>(map_->side());
+  const Floats u = limited(spot.u, -2, side + 1), v = limited(spot.v, -2, side + 1);
   const Floats low_u = floor_of(u), low_v = floor_of(v);
   const Ints first_u = whole_numbers(low_u), first_v = whole_numbers(low_v);
   if (!map_->has_content(first_u, first_v)) return all_lanes(1.0F);
-  const Floats share_u = u - low_u, share_v = v - low_v, depth = dot(p, depth_.turn) + depth_.shift;
+  const Floats share_u = u - low_u, share_v = v - low_v;
   const auto is_lit = [&](int du, int dv) {
     Floats stored;
     for (int i = 0; i < pixel_lanes; ++i) stored[i] = map_->depth(first_u[i] + du, first_v[i] + dv);
-    return choose(depth <= stored, all_lanes(1.0F), Floats{});
+    return choose(spot.depth <= stored, all_lanes(1.0F), Floats{});
   };
   return mixed(mixed(is_lit(0, 0), is_lit(1, 0), share_u), mixed(is_lit(0, 1), is_lit(1, 1), share_u), share_v);
 }

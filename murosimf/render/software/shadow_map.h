@@ -54,7 +54,8 @@ class ShadowMap {
 /// Places in the optical frame of a view, in a shadow map.
 class ShadowLookup {
  public:
-  ShadowLookup(std::shared_ptr<const ShadowMap> map, const sensors::Perspective& view);
+  /// `edge` [m]: half of the width of a shadow's edge; 0: that of a texel.
+  ShadowLookup(std::shared_ptr<const ShadowMap> map, const sensors::Perspective& view, double edge);
 
   /// [1] Share of the lamp's light at places p of the optical frame.
   [[nodiscard]] Floats lit_at(const Floats3& p) const;
@@ -62,13 +63,20 @@ class ShadowLookup {
   [[nodiscard]] Floats lit_at(const Floats3& p, const Floats3& n) const { return lit_at(p + n * all_lanes(gap_)); }
 
  private:
+  /// A place in the map.
+  struct Spot {
+    Floats u, v, depth;
+  };
+  [[nodiscard]] Floats lit_at(const Spot& spot) const;
+  [[nodiscard]] bool may_be_shaded(const Spot& spot) const;
   struct Row {
     Float3 turn;
     float shift = 0;
   };
   std::shared_ptr<const ShadowMap> map_;
   Row u_, v_, depth_;
-  float gap_;  // [m]
+  float gap_;              // [m]
+  float edge_u_, edge_v_;  // [texels]
 };
 
 /// The map of an instant, which all views of it share. Several threads may ask.

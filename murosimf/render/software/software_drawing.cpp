@@ -13,11 +13,6 @@ namespace {
 
 constexpr float thread_cover = 0.85F;  // [1] of a net's thread
 
-template <class Pixel>
-void fit(imaging::Image<Pixel>& image, int width, int height) {
-  if (image.width() != width || image.height() != height) image = imaging::Image<Pixel>(width, height);
-}
-
 std::vector<StrokePiece> pieces_of(const Markings* markings) {
   return markings ? stroke_pieces(*markings) : std::vector<StrokePiece>{};
 }
@@ -38,8 +33,9 @@ void for_lanes_of(unsigned bits, const Visit& visit) {
 }  // namespace
 
 Stage::Stage(const RenderScene& scene, const RendererOptions& options, ShadowMaps& maps)
-    : look(options.light, scene.markings()),
+    : look(options.light, scene.markings(), options.fine),
       light(options.light),
+      fine(options.fine),
       ground(options.ground),
       shadow_side(options.shadow_side),
       samples(options.samples),
@@ -55,58 +51,77 @@ Stage::Stage(const RenderScene& scene, const RendererOptions& options, ShadowMap
 /// One view.
 struct SoftwareDrawing::Picture {
   const Stage& stage;
-  sensors::Perspective view;
+  const FarEye& eye;
+  const sensors::Perspective& view;
   PixelRays rays;
   SolidShading shading;
   const ShadowLookup* shadows;
-  [[nodiscard]] bool has_ground() const { return stage.ground && rays.sees_ground_from_above(); }
+  [[nodiscard]] bool has_ground() const { return stage.ground && !eye.is_level() && rays.sees_ground_from_above(); }
+  /// Ground that is cut open, behind everything.
+  [[nodiscard]] bool has_cut_ground() const { return stage.ground && eye.is_level(); }
+  [[nodiscard]] Ints shows_cut_ground(const RowRays& row, const Floats& column) const {
+    return row.way_z.at(column) * static_cast<float>(eye.distance) + rays.eye().z < 0;
+  }
+  /// Parallel rays come from outside of any hall.
+  [[nodiscard]] bool has_surroundings() const { return stage.look.patterns && stage.ground && !eye.parallel; }
 };
 
 SoftwareDrawing::SoftwareDrawing(const RenderScene& scene)
     : scene_(scene), catalog_(solid_catalog(scene.meshes())), ground_(pieces_of(scene.markings())) {}
 
-std::size_t SoftwareDrawing::draw(const Stage& stage, const sensors::Perspective& wanted, const sensors::Layers& layers,
-                                  double ahead, sensors::View& into) {
-  sensors::Perspective view = wanted;
+DrawCount SoftwareDrawing::draw(const Stage& stage, const Projection& wanted, const sensors::Layers& layers,
+                                double ahead, sensors::View& into) {
+  FarEye eye(wanted);
+  sensors::Perspective& view = eye.view;
   if (view.rows == 0) view.rows = view.height - view.first_row;
-  draw_part(stage, view, layers, ahead, nullptr, into);
+  draw_part(stage, eye, layers, ahead, nullptr, into);
   // Several samples to a pixel apply to colors only: a mean of depths or labels is meaningless.
   if (stage.samples > 1 && layers.color) {
     const Samples samples(stage.samples);
-    draw_part(stage, samples.enlarged(view), {.color = true}, ahead, &samples, fine_);
+    FarEye enlarged = eye;
+    enlarged.view = samples.enlarged(view);
+    draw_part(stage, enlarged, {.color = true}, ahead, &samples, fine_);
     samples.average(surfaces_, fine_.color, view.first_row, view.rows, into.color);
   }
-  std::size_t triangles = 0;
+  DrawCount drawn{list_.instances().size(), 0};
   for (const InstanceGroup& group : list_.groups())
-    triangles += group.count * catalog_.meshes[group.solid].triangle_count();
-  return triangles;
+    drawn.triangles += group.count * catalog_.meshes[group.solid].triangle_count();
+  return drawn;
 }
 
 /// With `samples` only the pixels of the finer view that edges need.
-void SoftwareDrawing::draw_part(const Stage& stage, const sensors::Perspective& view, const sensors::Layers& layers,
-                                double ahead, const Samples* samples, sensors::View& into) {
+void SoftwareDrawing::draw_part(const Stage& stage, const FarEye& eye, const sensors::Layers& layers, double ahead,
+                                const Samples* samples, sensors::View& into) {
+  const sensors::Perspective& view = eye.view;
   std::optional<ShadowLookup> cast;
   if (stage.light.shadows && layers.color)
-    cast.emplace(stage.shadows.at(scene_, catalog_, stage.light.toward, stage.shadow_side, ahead), view);
+    cast.emplace(stage.shadows.at(scene_, catalog_, stage.light.toward, stage.shadow_side, ahead), view,
+                 stage.fine ? soft_edge : 0);
   const ShadowLookup* shadows = cast ? &*cast : nullptr;
-  const Picture picture{stage, view, PixelRays(view),
-                        SolidShading(stage.light, stage.look, view, stage.ground, shadows), shadows};
+  const Picture picture{stage,
+                        eye,
+                        view,
+                        PixelRays(view, eye.around),
+                        SolidShading(stage.light, stage.look, view, stage.ground, shadows),
+                        shadows};
   list_.fill(scene_, view, layers.depth, ahead, catalog_);
   begin(picture, layers.color || layers.labels, ahead);
   draw_solids(picture);
   const int end = view.first_row + view.rows;
   if (layers.color) {
-    draw_scenery(picture, stage.walls, Surface::Kind::wall);
-    draw_scenery(picture, stage.ceiling, Surface::Kind::ceiling);
+    if (picture.has_surroundings()) {
+      draw_scenery(picture, stage.walls, Surface::Kind::wall);
+      draw_scenery(picture, stage.ceiling, Surface::Kind::ceiling);
+    }
     draw_nets(picture);
     if (samples) samples->leave_out_what_is_alike(surfaces_);
-    fit(into.color, view.width, view.height);
+    imaging::fit(into.color, view.width, view.height);
     for (int v = view.first_row; v < end; ++v) paint_row(picture, v, into.color);
     lay_clear(picture, into.color);
   }
   if (layers.depth || layers.labels) {
-    if (layers.depth) fit(into.depth, view.width, view.height);
-    if (layers.labels) fit(into.labels, view.width, view.height);
+    if (layers.depth) imaging::fit(into.depth, view.width, view.height);
+    if (layers.labels) imaging::fit(into.labels, view.width, view.height);
     for (int v = view.first_row; v < end; ++v) measure_row(picture, layers, v, into);
     measure_clear(picture, layers, into);
   }
@@ -149,17 +164,17 @@ void SoftwareDrawing::draw_scenery(const Picture& picture, const LookSurface& su
 void SoftwareDrawing::draw_nets(const Picture& picture) {
   const LookSurface& nets = picture.stage.nets;
   const sensors::Perspective& view = picture.view;
-  has_nets_.assign(static_cast<std::size_t>(view.height), 0);
+  has_nets_.assign(static_cast<std::size_t>(view.rows), 0);
   if (nets.triangles.empty()) return;
   net_stride_ = static_cast<std::size_t>(view.width + 2 * pixel_lanes);
-  through_nets_.resize(net_stride_ * static_cast<std::size_t>(view.height));
+  through_nets_.resize(net_stride_ * static_cast<std::size_t>(view.rows));
   see(nets, picture.rays, corners_);
   Surface as;
   as.kind = Surface::Kind::net;
   for_triangles(corners_, nets, [&](const std::array<const SeenCorner*, 3>& corners) {
     surfaces_.for_not_hidden(picture.rays, corners, as, true,
                              [&](const Surface& surface, int v, int u, const Ints& seen, const Floats& per_z) {
-                               const auto row = static_cast<std::size_t>(v);
+                               const auto row = static_cast<std::size_t>(v - view.first_row);
                                float* first = &through_nets_[row * net_stride_];
                                if (has_nets_[row] == 0) std::fill_n(first, net_stride_, 1.0F);
                                has_nets_[row] = 1;
@@ -174,20 +189,24 @@ void SoftwareDrawing::paint_row(const Picture& picture, int v, imaging::ColorIma
   paint_background(picture, v);
   if (picture.has_ground()) ground_.paint(picture.rays, picture.stage.look, v, surfaces_.numbers(v), colors_);
   paint_solids(picture, v);
-  if (has_nets_[static_cast<std::size_t>(v)] != 0) lay_nets(picture, v);
+  if (has_nets_[static_cast<std::size_t>(v - picture.view.first_row)] != 0) lay_nets(picture, v);
   write_bytes(colors_, surfaces_.numbers(v), into.row(v));
 }
 
 void SoftwareDrawing::paint_background(const Picture& picture, int v) {
   const LookValues& look = picture.stage.look;
-  const bool sky = look.patterns && picture.stage.ground && look.kind == Surroundings::Kind::outdoors;
+  const bool sky = picture.has_surroundings() && look.kind == Surroundings::Kind::outdoors;
   const std::int32_t* numbers = surfaces_.numbers(v);
   const float* per_z = surfaces_.per_z(v);
   const RowRays rays = picture.rays.row(v);
   const Floats lanes = lane_numbers();
   for (int u = 0; u < picture.view.width; u += pixel_lanes) {
     if (!any((load_lanes<Ints>(numbers + u) == 0) & (load_lanes<Floats>(per_z + u) < rays.near_ground))) continue;
-    colors_.store(u, sky ? sky_look(look, rays.directions(lanes + static_cast<float>(u))) : all_lanes(look.background));
+    const Floats column = lanes + static_cast<float>(u);
+    Floats3 color = sky ? sky_look(look, rays.directions(column)) : all_lanes(look.background);
+    if (picture.has_cut_ground())
+      color = choose(picture.shows_cut_ground(rays, column), all_lanes(look.floor.lit), color);
+    colors_.store(u, color);
   }
 }
 
@@ -206,7 +225,7 @@ void SoftwareDrawing::paint_solids(const Picture& picture, int v) {
 }
 
 void SoftwareDrawing::lay_nets(const Picture& picture, int v) {
-  const float* through = &through_nets_[static_cast<std::size_t>(v) * net_stride_];
+  const float* through = &through_nets_[static_cast<std::size_t>(v - picture.view.first_row) * net_stride_];
   const Floats3 net = all_lanes(picture.stage.look.net);
   for (int u = 0; u < picture.view.width; u += pixel_lanes)
     colors_.store(u, mixed(net, colors_.load(u), load_lanes<Floats>(through + u)));
@@ -234,6 +253,7 @@ void SoftwareDrawing::measure_row(const Picture& picture, const sensors::Layers&
   float* per_z = surfaces_.per_z(v);
   const Floats lanes = lane_numbers();
   const RowRays row = picture.rays.row(v);
+  const auto behind = static_cast<float>(picture.eye.distance);
   for (int u = 0; u < width; u += pixel_lanes) {
     const auto number = load_lanes<Ints>(numbers + u);
     Ints solid = number > 0, there = Ints{};
@@ -246,17 +266,19 @@ void SoftwareDrawing::measure_row(const Picture& picture, const sensors::Layers&
     } else {
       at = choose(solid, at, Floats{});
     }
+    if (picture.has_cut_ground()) there = picture.shows_cut_ground(row, lanes + static_cast<float>(u)) & ~solid;
     store_lanes(at, per_z + u);
     const int count = std::min(pixel_lanes, width - u);
     if (layers.depth) {
       const Floats far = all_lanes(std::numeric_limits<float>::infinity());
-      const Floats z = choose(at > 0, 1 / at, far);
+      const Floats z = choose(at > 0, 1 / at - behind, far);
       std::memcpy(&into.depth(u, v), &z, static_cast<std::size_t>(count) * sizeof(float));
     }
     if (!layers.labels) continue;
     for (int i = 0; i < count; ++i) {
-      const std::uint16_t behind = there[i] != 0 ? sensors::label_ground : sensors::label_background;
-      into.labels(u + i, v) = solid[i] != 0 ? surfaces_.surfaces()[static_cast<std::size_t>(number[i])].label : behind;
+      const std::uint16_t backdrop = there[i] != 0 ? sensors::label_ground : sensors::label_background;
+      into.labels(u + i, v) =
+          solid[i] != 0 ? surfaces_.surfaces()[static_cast<std::size_t>(number[i])].label : backdrop;
     }
   }
   if (layers.labels && picture.has_ground())
@@ -266,11 +288,12 @@ void SoftwareDrawing::measure_row(const Picture& picture, const sensors::Layers&
 /// Depths and labels of transparent pieces: those of the nearest one.
 void SoftwareDrawing::measure_clear(const Picture& picture, const sensors::Layers& layers, sensors::View& into) {
   if (list_.clear_groups().empty()) return;
+  const auto behind = static_cast<float>(picture.eye.distance);
   const auto measure = [&](const Surface& surface, int v, int u, const Ints& seen, const Floats& at) {
     float* per_z = surfaces_.per_z(v) + u;
     store_lanes(choose(seen, at, load_lanes<Floats>(per_z)), per_z);
     for_lanes_of(bits_of(seen), [&](int i) {
-      if (layers.depth) into.depth(u + i, v) = 1 / at[i];
+      if (layers.depth) into.depth(u + i, v) = 1 / at[i] - behind;
       if (layers.labels) into.labels(u + i, v) = surface.label;
     });
   };

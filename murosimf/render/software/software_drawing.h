@@ -5,6 +5,7 @@
 
 #include "murosimf/render/instances.h"
 #include "murosimf/render/renderer.h"
+#include "murosimf/render/software/far_eye.h"
 #include "murosimf/render/software/ground_shading.h"
 #include "murosimf/render/software/look_values.h"
 #include "murosimf/render/software/samples.h"
@@ -20,6 +21,7 @@ struct Stage {
   Stage(const RenderScene& scene, const RendererOptions& options, ShadowMaps& maps);
   LookValues look;
   Light light;
+  bool fine;
   bool ground;
   LookSurface walls, ceiling, nets;  ///< empty where there are none
   int shadow_side, samples;
@@ -30,13 +32,13 @@ class SoftwareDrawing {
  public:
   explicit SoftwareDrawing(const RenderScene& scene);
 
-  /// Returns the number of triangles of all pieces that may be visible.
-  std::size_t draw(const Stage& stage, const sensors::Perspective& wanted, const sensors::Layers& layers, double ahead,
-                   sensors::View& into);
+  /// Returns the number of all pieces that may be visible, and of their triangles.
+  DrawCount draw(const Stage& stage, const Projection& wanted, const sensors::Layers& layers, double ahead,
+                 sensors::View& into);
 
  private:
   struct Picture;
-  void draw_part(const Stage& stage, const sensors::Perspective& view, const sensors::Layers& layers, double ahead,
+  void draw_part(const Stage& stage, const FarEye& eye, const sensors::Layers& layers, double ahead,
                  const Samples* samples, sensors::View& into);
   void begin(const Picture& picture, bool strokes, double ahead);
   void draw_solids(const Picture& picture);
@@ -59,7 +61,7 @@ class SoftwareDrawing {
   GroundShading ground_;
   RowColors colors_;
   std::vector<float> through_nets_;     // [1] share of light that passes the nets, by pixel
-  std::vector<std::uint8_t> has_nets_;  // by row
+  std::vector<std::uint8_t> has_nets_;  // by row that is drawn
   std::size_t net_stride_ = 0;
   sensors::View fine_;  // with several samples to a pixel, where edges are
 };

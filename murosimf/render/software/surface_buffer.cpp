@@ -8,20 +8,15 @@ void SurfaceBuffer::begin(int width, int height, int first_row, int rows) {
   MUROSIMF_ASSERT(width > 0 && first_row >= 0 && rows > 0 && first_row + rows <= height);
   box_ = {0, width - 1, first_row, first_row + rows - 1};
   stride_ = static_cast<std::size_t>(width + 2 * pixel_lanes);  // groups may reach beyond the end of a row
-  const std::size_t size = stride_ * static_cast<std::size_t>(height);
-  if (per_z_.size() != size) {
-    per_z_.assign(size, 0);
-    numbers_.assign(size, 0);
-  }
-  const auto first = static_cast<std::ptrdiff_t>(row(first_row)),
-             end = static_cast<std::ptrdiff_t>(row(first_row + rows - 1) + stride_);
-  std::fill(numbers_.begin() + first, numbers_.begin() + end, 0);
+  const std::size_t size = stride_ * static_cast<std::size_t>(rows);
+  if (per_z_.size() < size) per_z_.resize(size);
+  numbers_.assign(size, 0);
   surfaces_.resize(1);
 }
 
 void SurfaceBuffer::draw(const PixelRays& rays, const std::array<const SeenCorner*, 3>& corners, const Surface& as) {
   for_near_parts(rays, corners, [&](const std::array<const SeenCorner*, 3>& part) {
-    const PictureTriangle triangle(rays, box_, part, false);
+    const PictureTriangle triangle(rays, part, false);
     if (!triangle.is_seen()) return;
     const auto count = static_cast<std::int32_t>(surfaces_.size());
     const Ints number = all_lanes(as.is_measured() ? count : -count);

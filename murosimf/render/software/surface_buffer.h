@@ -32,7 +32,7 @@ struct Surface {
 
 /// A triangle in the picture, clockwise.
 struct PictureTriangle {
-  PictureTriangle(const PixelRays& rays, const PixelBox& within, const std::array<const SeenCorner*, 3>& of, bool back)
+  PictureTriangle(const PixelRays& rays, const std::array<const SeenCorner*, 3>& of, bool back)
       : seen(of), corners{of[0]->in_picture, of[1]->in_picture, of[2]->in_picture} {
     turn = turn_of(corners);  // seen from outside they go counterclockwise
     if (turn > 0 && !back) {
@@ -43,7 +43,7 @@ struct PictureTriangle {
       turn = -turn;
     }
     if (turn == 0) return;
-    anchor = Anchor(corners[0], within);
+    anchor = Anchor(corners[0], rays.whole());  // some rows alone have the same bits
     const bool inside = anchor.u == corners[0].u && anchor.v == corners[0].v;
     per_z = inside ? Slopes(corners, turn, anchor).of(corners[0].per_z, corners[1].per_z, corners[2].per_z)
                    : rays.plane(seen[0]->optical(), seen[1]->optical(), seen[2]->optical(), anchor);
@@ -99,7 +99,7 @@ class SurfaceBuffer {
  private:
   [[nodiscard]] std::size_t row(int v) const {
     MUROSIMF_ASSERT(v >= box_.top && v <= box_.bottom);
-    return static_cast<std::size_t>(v) * stride_;
+    return static_cast<std::size_t>(v - box_.top) * stride_;
   }
   PixelBox box_;
   std::size_t stride_ = 0;
@@ -114,7 +114,7 @@ template <class Visit>
 void SurfaceBuffer::for_not_hidden(const PixelRays& rays, const std::array<const SeenCorner*, 3>& corners,
                                    const Surface& as, bool back, const Visit& visit) const {
   for_near_parts(rays, corners, [&](const std::array<const SeenCorner*, 3>& part) {
-    const PictureTriangle triangle(rays, box_, part, back);
+    const PictureTriangle triangle(rays, part, back);
     if (!triangle.is_seen()) return;
     Surface surface = as;
     triangle.complete(surface);

@@ -31,7 +31,7 @@ class ScenePicture {
   [[nodiscard]] std::optional<Hit> pick(const sensors::Perspective& view, const Pixel& pixel);
   [[nodiscard]] std::string drawn_by() const { return renderer_->name(); }
   /// Whether the processor draws, not a graphics card.
-  [[nodiscard]] bool software() const { return renderer_->name().ends_with(", software"); }
+  [[nodiscard]] bool software() const { return renderer_->on_processor(); }
 
  private:
   void renew(const PictureQuality& quality);
