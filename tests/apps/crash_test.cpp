@@ -2,6 +2,7 @@
 #include <sys/stat.h>
 
 #include "tests/apps/program.h"
+#include "tests/environment_variable.h"
 
 namespace murosimf::test {
 namespace {
@@ -81,6 +82,8 @@ TEST(Crash, WhereADriverHasTooLittleMemory) {
   if (!can_limit_memory) GTEST_SKIP() << "sanitizers reserve more memory than a limit leaves";
   const Result run = with_memory(500000, "run six_cameras --duration 0.05");
   EXPECT_EQ(run.exit_code, 0) << "cameras need no driver: " << run.errors;
+  EXPECT_EQ(with_memory(500000, "render walk --size 160x90 --out " + scratch("p.png").string()).exit_code, 0);
+  const EnvironmentVariable opengl("MUROSIMF_RENDERER", "opengl");
   const Result picture = with_memory(500000, "render walk --out " + scratch("p.png").string());
   expect_one_line(picture, 2, "no pictures by OpenGL");
   const Result pictures = with_memory(500000, "run walk --duration 1e9 --pictures " + scratch("p").string());

@@ -5,6 +5,7 @@
 
 #include "tests/apps/folder.h"
 #include "tests/apps/program.h"
+#include "tests/environment_variable.h"
 
 namespace murosimf::test {
 namespace {
@@ -40,27 +41,6 @@ int pictures_in_gif(const std::string& bytes) {
   for (auto at = bytes.find(mark); at != std::string::npos; at = bytes.find(mark, at + 1)) ++count;
   return count;
 }
-
-/// An environment variable for as long as this lives.
-class Variable {
- public:
-  Variable(std::string name, const std::string& value) : name_(std::move(name)) {
-    if (const char* before = std::getenv(name_.c_str())) before_ = before;
-    setenv(name_.c_str(), value.c_str(), 1);
-  }
-  ~Variable() {
-    if (before_.empty()) {
-      unsetenv(name_.c_str());
-    } else {
-      setenv(name_.c_str(), before_.c_str(), 1);
-    }
-  }
-  Variable(const Variable&) = delete;
-  Variable& operator=(const Variable&) = delete;
-
- private:
-  std::string name_, before_;
-};
 
 class Drawing : public InFolder {
  protected:
@@ -326,13 +306,13 @@ TEST_F(Render, AnFfmpegThatDiesIsOneLineAndNoFile) {
         Death{"head -c 1000 >/dev/null; exit 1", "gave up without a word"},
         Death{"cat >/dev/null; exit 1", "gave up without a word"},
         Death{"cat >/dev/null; kill -9 $$", "gave up without a word"}, Death{"cat >/dev/null", "cannot write"}}) {
-    const Variable path("PATH", path_with_ffmpeg(tools, death.script));
+    const EnvironmentVariable path("PATH", path_with_ffmpeg(tools, death.script));
     expect_refused(options, {death.words});
   }
 }
 
 TEST_F(Drawing, RefusesVideosWithoutFfmpegBeforeTheRun) {
-  const Variable path("PATH", "/nowhere");
+  const EnvironmentVariable path("PATH", "/nowhere");
   expect_refused("--time 1e9" + video("a.mp4"), {"'ffmpeg'", "not installed", "--out FILE.png"});
 }
 
@@ -398,28 +378,28 @@ TEST_F(Drawing, RefusesOptionsOfVideosForPictures) {
 constexpr const char* no_device = "__EGL_VENDOR_LIBRARY_FILENAMES";
 
 TEST_F(Drawing, ByOpenGlWithoutADeviceIsOneLineThatNamesPackages) {
-  const Variable none(no_device, "/nonexistent"), opengl("MUROSIMF_RENDERER", "opengl");
+  const EnvironmentVariable none(no_device, "/nonexistent"), opengl("MUROSIMF_RENDERER", "opengl");
   const std::vector<std::string> parts{"no pictures by OpenGL", "Debian and Ubuntu", "libegl"};
   expect_refused(out(), parts);
   if (has_ffmpeg()) expect_refused("--duration 0.1" + video("a.mp4"), parts);
 }
 
 TEST_F(Drawing, RefusesARendererThatIsUnknown) {
-  const Variable other("MUROSIMF_RENDERER", "vulkan");
+  const EnvironmentVariable other("MUROSIMF_RENDERER", "vulkan");
   expect_refused(out(), {"MUROSIMF_RENDERER=vulkan", "'opengl' or 'software'"});
 }
 
 TEST_F(Drawing, NeedsNoDevice) {
-  const Variable own("MUROSIMF_RENDERER", "software");
+  const EnvironmentVariable own("MUROSIMF_RENDERER", "software");
   const std::string from_outside = draw("--size 160x90", "with.png");
   const std::string seen = draw("--camera one.camera", "camera_with.png");
-  const Variable none(no_device, "/nonexistent"), any("MUROSIMF_RENDERER", "");
+  const EnvironmentVariable none(no_device, "/nonexistent"), any("MUROSIMF_RENDERER", "");
   EXPECT_EQ(draw("--size 160x90", "without.png"), from_outside);
   EXPECT_EQ(draw("--camera one.camera", "camera_without.png"), seen);
 }
 
 TEST_F(InFolder, WithoutOpenGlThatIsWantedTheRestOfRunAndCheckIsThere) {
-  const Variable none(no_device, "/nonexistent"), opengl("MUROSIMF_RENDERER", "opengl");
+  const EnvironmentVariable none(no_device, "/nonexistent"), opengl("MUROSIMF_RENDERER", "opengl");
   const std::vector<std::string> parts{"no pictures by OpenGL", "Debian and Ubuntu", "libegl"};
   expect_mistake("run walk --duration 1e9 --pictures " + file("pictures"), parts);
   const Result above = murosimf("run walk --duration 0.1 --picture " + file("above.png"));
@@ -446,7 +426,7 @@ std::string state_hash(const Result& run) { return run.output.substr(run.output.
 
 TEST(RunWithCameras, IsTheSameWithoutADevice) {
   const Result expected = murosimf("run six_cameras --duration 0.1");
-  const Variable none(no_device, "/nonexistent");
+  const EnvironmentVariable none(no_device, "/nonexistent");
   for (const char* cameras : {"", " --no-cameras"}) {
     const Result run = murosimf(std::string("run six_cameras --duration 0.1") + cameras);
     EXPECT_EQ(run.exit_code, 0) << run.errors;

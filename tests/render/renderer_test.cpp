@@ -2,11 +2,11 @@
 #include "murosimf/render/renderer.h"
 
 #include <cmath>
-#include <cstdlib>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "tests/environment_variable.h"
 #include "tests/law.h"
 #include "tests/render/drawn.h"
 
@@ -265,16 +265,13 @@ TEST_P(Drawn, SaysWhatDraws) {
 
 /// The renderer for people by this value of MUROSIMF_RENDERER.
 std::string renderer_by(const char* value) {
-  setenv("MUROSIMF_RENDERER", value, 1);
-  std::string name;
+  const EnvironmentVariable renderer("MUROSIMF_RENDERER", value);
   try {
     const World world;
-    name = render::make_renderer(world, {}, render::appearance_of_shapes, {})->name();
+    return render::make_renderer(world, {}, render::appearance_of_shapes, {})->name();
   } catch (const SetupError& error) {
-    name = error.what();
+    return error.what();
   }
-  unsetenv("MUROSIMF_RENDERER");
-  return name;
 }
 
 TEST(RendererForPeople, IsOwnWithoutAGraphicsCardAndAsTheEnvironmentSays) {

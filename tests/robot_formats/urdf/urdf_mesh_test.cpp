@@ -1,6 +1,5 @@
 /// urdf_mesh_test - meshes of URDF files are found, scaled and placed.
-#include <cstdlib>
-
+#include "tests/environment_variable.h"
 #include "tests/robot_formats/urdf/urdf_files.h"
 
 namespace murosimf::robot_formats::urdf {
@@ -148,23 +147,10 @@ TEST(UrdfMesh, IsFoundOnTheSearchPath) {
 
 TEST(UrdfMesh, IsFoundOnThePathOfTheEnvironment) {
   const auto file = write("store/far/t.obj", tetrahedron());
-  setenv("MUROSIMF_PACKAGE_PATH", ("/nowhere:" + (test_folder() / "store").string()).c_str(), 1);
+  const test::EnvironmentVariable path("MUROSIMF_PACKAGE_PATH", "/nowhere:" + (test_folder() / "store").string());
   const auto description = read_package_robot("package://far/t.obj");
-  unsetenv("MUROSIMF_PACKAGE_PATH");
   EXPECT_EQ(description.meshes.at(0).file, file);
 }
-
-/// Sets a variable of the environment for a while.
-class Variable {
- public:
-  Variable(const char* name, const std::string& value) : name_(name) { setenv(name, value.c_str(), 1); }
-  ~Variable() { unsetenv(name_); }
-  Variable(const Variable&) = delete;
-  Variable& operator=(const Variable&) = delete;
-
- private:
-  const char* name_;
-};
 
 TEST(UrdfMesh, IsFoundWhereOtherProgramsLookForPackages) {
   const std::string folder = test_folder().string();
@@ -176,21 +162,21 @@ TEST(UrdfMesh, IsFoundWhereOtherProgramsLookForPackages) {
   const auto model = write("models/ball/t.obj", tetrahedron());
   EXPECT_TRUE(contains(message(with_link(collision_xml(mesh("package://arm/t.obj")))), "package 'arm'"));
   {
-    const Variable path("AMENT_PREFIX_PATH", "/nowhere:" + folder + "/prefix");
+    const test::EnvironmentVariable path("AMENT_PREFIX_PATH", "/nowhere:" + folder + "/prefix");
     EXPECT_EQ(file_of("package://arm/t.obj"), ament);
     EXPECT_EQ(file_of("$(find arm)/t.obj"), ament);
     EXPECT_EQ(file_of("$(find-pkg-share arm)/t.obj"), ament);
   }
   {
-    const Variable path("COLCON_PREFIX_PATH", folder + "/install");
+    const test::EnvironmentVariable path("COLCON_PREFIX_PATH", folder + "/install");
     EXPECT_EQ(file_of("package://leg/t.obj"), colcon);
   }
   {
-    const Variable path("ROS_PACKAGE_PATH", folder + "/ws/src:/nowhere");
+    const test::EnvironmentVariable path("ROS_PACKAGE_PATH", folder + "/ws/src:/nowhere");
     EXPECT_EQ(file_of("package://head/t.obj"), ros);
   }
   {
-    const Variable path("GZ_SIM_RESOURCE_PATH", folder + "/models");
+    const test::EnvironmentVariable path("GZ_SIM_RESOURCE_PATH", folder + "/models");
     EXPECT_EQ(file_of("model://ball/t.obj"), model);
   }
 }
@@ -216,7 +202,7 @@ TEST(UrdfMesh, ThatIsMissingSaysWhereItWasLookedFor) {
   for (const char* name : {"a", "b", "c", "d", "e"}) std::filesystem::create_directories(test_folder() / name / "pkg");
   std::string path;
   for (const char* name : {"a", "b", "c", "d", "e"}) path += folder + "/" + name + ":";
-  const Variable variable("MUROSIMF_PACKAGE_PATH", path);
+  const test::EnvironmentVariable variable("MUROSIMF_PACKAGE_PATH", path);
   EXPECT_TRUE(contains(what("package://pkg/t.stl"), folder + "/c/pkg/t.stl and 2 more)"))
       << what("package://pkg/t.stl");
 }
