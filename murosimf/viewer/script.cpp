@@ -39,7 +39,7 @@ constexpr std::array grammar{
     Grammar{"twist", Kind::twist, Grammar::Text::name, 3, "twist NAME X Y Z"},
     Grammar{"type", Kind::type, Grammar::Text::rest, 0, "type TEXT"},
     Grammar{"scrub", Kind::scrub, Grammar::Text::none, 1, "scrub SECONDS"},
-    Grammar{"look", Kind::look, Grammar::Text::none, 3, "look AZIMUTH_DEG ELEVATION DISTANCE"},
+    Grammar{"look", Kind::look, Grammar::Text::none, 3, "look AZIMUTH_DEG ELEVATION_DEG DISTANCE"},
     Grammar{"screenshot", Kind::screenshot, Grammar::Text::rest, 0, "screenshot FILE.png"},
     Grammar{"say", Kind::say, Grammar::Text::rest, 0, "say TEXT"},
 };

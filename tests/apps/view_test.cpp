@@ -99,7 +99,7 @@ TEST_F(View, JointsAreMovedBySliders) {
   const fs::path picture = scratch("joints.png");
   const json report = session("nudge",
                               "key 1\nkey Z\nkey J\nkey P\nkey O\nkey O\nkey Space\nuntil 0.3\nkey Space\nsettle\n"
-                              "press Joints\nsettle\npress joint j_l_shin\nsettle\nlook 60 0.2 1.6\nscreenshot " +
+                              "press Joints\nsettle\npress joint j_l_shin\nsettle\nlook 60 11 1.6\nscreenshot " +
                                   picture.string() + "\n",
                               "--paused --roboviz 0");
   ASSERT_TRUE(report.is_object());

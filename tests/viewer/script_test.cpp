@@ -20,7 +20,7 @@ TEST(Script, ReadsEveryWord) {
   const auto steps = parse_script(
       "# a session\n\nwait 0.5\nuntil 2  # simulated\nsettle\nkey Ctrl+P\nclick blue1\nclick 10 20.5\ndouble "
       "blue1.head\n"
-      "press blue1 level\ndrag ball 1 -0.5\npush blue1.torso 0 0.3 0\ntype 0.25\nscrub 1.5\nlook 30 0.3 4\nscreenshot "
+      "press blue1 level\ndrag ball 1 -0.5\npush blue1.torso 0 0.3 0\ntype 0.25\nscrub 1.5\nlook 30 17 4\nscreenshot "
       "a.png\nsay so\n",
       "session");
   ASSERT_EQ(steps.size(), 15U);

@@ -81,7 +81,7 @@ bool ScriptPlayer::begin(const ScriptStep& step, const Stage& stage) {
     case Kind::look:
       viewer.rig.set_mode(CameraRig::Mode::free);
       viewer.rig.orbit.azimuth = step.numbers[0] * pi / 180;
-      viewer.rig.orbit.elevation = step.numbers[1];
+      viewer.rig.orbit.elevation = step.numbers[1] * pi / 180;
       viewer.rig.orbit.distance = step.numbers[2];
       if (viewer.selected()) viewer.rig.orbit.target = viewer.poses().place_of(*viewer.selected()).value_or(Vec3d{});
       frames(2);
