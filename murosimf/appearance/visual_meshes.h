@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "murosimf/appearance/picture_colors.h"
 #include "murosimf/geometry/triangle_mesh.h"
 #include "murosimf/model/model.h"
 #include "murosimf/model/visual_mesh.h"
@@ -19,9 +20,10 @@ struct VisualPart {
   geometry::TriangleMesh mesh;
   Color color;
 };
-/// The same triangles by the colors of the file's materials, where these count; else one part. `notes` gets lines about what is not shown
-/// of them. Throws SetupError as visual_triangles().
-[[nodiscard]] std::vector<VisualPart> visual_parts(const VisualMesh& mesh, std::vector<std::string>& notes);
+/// The same triangles by the colors of the file's materials and of their pictures (picture_colors.h), where these count; else one part.
+/// `notes` gets lines about what is not shown of them. Throws SetupError as visual_triangles().
+[[nodiscard]] std::vector<VisualPart> visual_parts(const VisualMesh& mesh, MeshPictures& pictures,
+                                                   std::vector<std::string>& notes);
 
 /// The files of all visual meshes of a model, one for each use.
 [[nodiscard]] std::vector<std::string> visual_files(const Model& model);

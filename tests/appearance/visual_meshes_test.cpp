@@ -72,13 +72,14 @@ Painted read_painted(const std::string& material = "") {
   const robot::RobotFile robot = robot::read_robot(file);
   const Visuals* visuals = robot.model->find(properties::visuals, robot.model->having(properties::visuals).at(0));
   Painted painted;
-  painted.parts = visual_parts(visuals->at(0), painted.notes);
+  MeshPictures pictures;
+  painted.parts = visual_parts(visuals->at(0), pictures, painted.notes);
   return painted;
 }
 
 TEST(VisualMeshes, OfUrdfHaveTheColorsOfTheirFiles) {
   write("t.obj", painted("mtllib t.mtl\n"));
-  write("t.mtl", "# colors\nnewmtl red\nKd 0.9 0.1 0\nd 0.5\nnewmtl dark\nKd 0.5 0.5 0.5\nmap_Kd skin.png\n");
+  write("t.mtl", "# colors\nnewmtl red\nKd 0.9 0.1 0\nd 0.5\nnewmtl dark\nKd 0.5 0.5 0.5\nmap_Kd skin.jpg\n");
   const Painted found = read_painted();
   ASSERT_EQ(found.parts.size(), 3U);
   EXPECT_EQ(found.parts[0].color, Color{}) << "without a material: as the robot";
@@ -89,7 +90,7 @@ TEST(VisualMeshes, OfUrdfHaveTheColorsOfTheirFiles) {
   EXPECT_NEAR(found.parts[2].color.red, 0.5, 0.002);
   EXPECT_NE(found.parts[2].color, Color{}) << "gray of a material is no robot's own color";
   ASSERT_EQ(found.notes.size(), 1U);
-  EXPECT_TRUE(says(found.notes[0], {"t.mtl", "textures of meshes are not drawn"})) << found.notes[0];
+  EXPECT_TRUE(says(found.notes[0], {"t.obj", "'skin.jpg' is not drawn", ".png"})) << found.notes[0];
 
   const Painted own = read_painted("<material name='blue'><color rgba='0 0 1 1'/></material>");
   ASSERT_EQ(own.parts.size(), 1U) << "what the robot file says counts";
