@@ -62,45 +62,46 @@ geometry::TriangleMesh own_mesh(const geometry::TriangleMesh& file, const std::v
   return mesh;
 }
 
-/// Gray made another gray: the default one means the entity's own color.
-Color as_named(const Color& color) {
-  return color == Color{} ? Color{color.red + 1e-3, color.green, color.blue} : color;
-}
+struct Paint {
+  Color color;
+  bool as_it_is = false;  // VisualPart
+  friend bool operator==(const Paint&, const Paint&) = default;
+};
 
 /// Colors of the materials, the first of which is that of triangles without one.
-std::vector<Color> colors_of(const MeshFile& file, const Color& otherwise) {
-  std::vector<Color> colors{otherwise};
+std::vector<Paint> paints_of(const MeshFile& file, const Color& otherwise) {
+  std::vector<Paint> paints{{otherwise}};
   for (const robot_formats::mesh::MeshMaterial& material : file.materials) {
-    colors.push_back(material.color ? as_named(*material.color) : otherwise);
+    paints.push_back({material.color.value_or(otherwise), material.color.has_value()});
   }
-  return colors;
+  return paints;
 }
 
 /// `of_pictures`: by triangle, where it has a picture; may be empty.
 std::vector<VisualPart> parts_by_color(const MeshFile& file, const std::vector<std::optional<Color>>& of_pictures,
                                        const Color& otherwise) {
-  const std::vector<Color> colors = colors_of(file, otherwise);
-  std::vector<Color> different;
-  const auto part_of = [&](const Color& color) {
-    auto known = std::ranges::find(different, color);
+  std::vector<Paint> different;
+  const auto part_of = [&](const Paint& paint) {
+    auto known = std::ranges::find(different, paint);
     if (known == different.end() && different.size() == most_colors) known = different.begin();
     const auto part = static_cast<std::size_t>(known - different.begin());
-    if (known == different.end()) different.push_back(color);
+    if (known == different.end()) different.push_back(paint);
     return part;
   };
   std::vector<std::size_t> part_of_material;
-  for (const Color& color : colors) part_of_material.push_back(part_of(color));
+  for (const Paint& paint : paints_of(file, otherwise)) part_of_material.push_back(part_of(paint));
   std::vector<std::vector<std::size_t>> triangles(most_colors);
   for (std::size_t i = 0; i < file.mesh.triangles.size(); ++i) {
     const std::uint32_t material = i < file.material_of.size() ? file.material_of[i] : 0;
     MUROSIMF_ASSERT(material < part_of_material.size());
     const bool pictured = i < of_pictures.size() && of_pictures[i];
-    triangles[pictured ? part_of(as_named(*of_pictures[i])) : part_of_material[material]].push_back(i);
+    triangles[pictured ? part_of({*of_pictures[i], true}) : part_of_material[material]].push_back(i);
   }
   std::vector<std::uint32_t> number(file.mesh.vertices.size(), no_vertex);
   std::vector<VisualPart> parts;
   for (std::size_t i = 0; i < different.size(); ++i) {
-    if (!triangles[i].empty()) parts.push_back({own_mesh(file.mesh, triangles[i], number), different[i]});
+    if (!triangles[i].empty())
+      parts.push_back({own_mesh(file.mesh, triangles[i], number), different[i].color, different[i].as_it_is});
   }
   return parts;
 }
@@ -112,7 +113,7 @@ bool add_visuals(const Model& model, int object, MeshPictures& pictures, Appeara
   for (const VisualMesh& visual : visuals ? *visuals : Visuals{}) {
     try {
       for (VisualPart& part : visual_parts(visual, pictures, appearance.warnings)) {
-        appearance.meshes.push_back({object, std::move(part.mesh), part.color});
+        appearance.meshes.push_back({object, std::move(part.mesh), part.color, part.as_it_is});
       }
       any = true;
     } catch (const SetupError& error) {

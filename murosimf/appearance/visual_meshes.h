@@ -19,6 +19,7 @@ namespace murosimf::appearance {
 struct VisualPart {
   geometry::TriangleMesh mesh;
   Color color;
+  bool as_it_is = false;  ///< the color is that of a material or picture: gray does not mean the entity's own color
 };
 /// The same triangles by the colors of the file's materials and of their pictures (picture_colors.h), where these count; else one part.
 /// `notes` gets lines about what is not shown of them. Throws SetupError as visual_triangles().
@@ -33,6 +34,7 @@ struct SeenMesh {
   int object = 0;               ///< of the model
   geometry::TriangleMesh mesh;  ///< object frame
   Color color;
+  bool as_it_is = false;  ///< VisualPart
 };
 
 /// A shape other than a mesh.

@@ -54,6 +54,8 @@ TEST(PictureColors, AreMeansOfLight) {
   expect_color(same, 120 / 255.0, 7 / 255.0, 200 / 255.0);
 }
 
+#ifdef MUROSIMF_HAS_CAIRO  // libpng comes with it
+
 /// A tetrahedron with its faces in the four quarters of the picture, and its colors.
 std::vector<std::optional<Color>> colors_of_obj(const std::string& mtl, std::vector<std::string>& notes) {
   const auto mesh =
@@ -133,6 +135,8 @@ TEST(PictureColors, HaveNotTooManyDifferentColors) {
   EXPECT_NEAR(colors[0]->red, 0, 0.2);
   EXPECT_NEAR(colors[0]->green, 252 / 255.0, 0.2) << "the lowest row of the picture";
 }
+
+#endif
 
 }  // namespace
 }  // namespace murosimf::appearance
