@@ -58,6 +58,12 @@ std::size_t make_coarser(std::vector<std::optional<Color>>& colors, int steps) {
   return different.size();
 }
 
+void limit(std::vector<std::optional<Color>>& colors) {
+  for (const int steps : {255, 64, 32, 16, 8, 4, 3}) {
+    if (make_coarser(colors, steps) <= most_picture_colors) return;
+  }
+}
+
 Color times(const Color& picture, const Color& material) {
   const auto product = [](double a, double b) {
     return imaging::srgb_of_light(imaging::light_of_srgb(a) * imaging::light_of_srgb(b));
@@ -77,13 +83,17 @@ const imaging::ColorImage* MeshPictures::find(const std::filesystem::path& mesh,
                     mesh.string(), files::quoted(name)));
     return nullptr;
   }
-  const auto [known, is_new] = pictures_.try_emplace(*file);
+  return read(*file, notes);
+}
+
+const imaging::ColorImage* MeshPictures::read(const std::filesystem::path& file, std::vector<std::string>& notes) {
+  const auto [known, is_new] = pictures_.try_emplace(file);
   if (is_new) {
     try {
-      known->second = render::picture_of_png(files::read_input_file(*file, most_bytes));
+      known->second = render::picture_of_png(files::read_input_file(file, most_bytes));
     } catch (const SetupError& error) {
       const std::string what = error.what();
-      const std::string where = what.starts_with(file->string()) ? "" : file->string() + ": ";
+      const std::string where = what.starts_with(file.string()) ? "" : file.string() + ": ";
       notes.push_back(fmt::format("{}{}; the mesh is drawn without it", where, what));
     }
   }
@@ -142,9 +152,16 @@ std::vector<std::optional<Color>> picture_colors(const std::filesystem::path& me
     colors[i] =
         times(mean_color(*of_material[material], places), file.materials[material].color.value_or(Color{1, 1, 1}));
   }
-  for (const int steps : {255, 64, 32, 16, 8, 4, 3}) {
-    if (make_coarser(colors, steps) <= most_picture_colors) break;
-  }
+  limit(colors);
+  return colors;
+}
+
+std::vector<std::optional<Color>> picture_colors(const imaging::ColorImage& picture,
+                                                 const robot_formats::mesh::MeshFile& file, const Color& color) {
+  std::vector<std::optional<Color>> colors;
+  for (const PicturePlaces& places : file.picture_places)
+    colors.emplace_back(times(mean_color(picture, places), color));
+  limit(colors);
   return colors;
 }
 

@@ -15,6 +15,8 @@ namespace murosimf::appearance {
 /// Pictures of meshes; each file is read once.
 class MeshPictures {
  public:
+  /// A PNG file; null if it cannot be read, with a line in `notes`.
+  [[nodiscard]] const imaging::ColorImage* read(const std::filesystem::path& file, std::vector<std::string>& notes);
   /// The picture that the file of a mesh names; null if there is none that can be read, with a line in `notes`. Read are PNG files in the
   /// folder of the mesh, in folders below it, and in folders beside it ("../textures/skin.png").
   [[nodiscard]] const imaging::ColorImage* find(const std::filesystem::path& mesh, const std::string& name,
@@ -34,5 +36,10 @@ constexpr std::size_t most_picture_colors = 64;  ///< of the triangles of a mesh
 [[nodiscard]] std::vector<std::optional<Color>> picture_colors(const std::filesystem::path& mesh,
                                                                const robot_formats::mesh::MeshFile& file,
                                                                MeshPictures& pictures, std::vector<std::string>& notes);
+
+/// The same of a picture for the whole mesh, times `color`; nothing at all for a mesh without places in pictures.
+[[nodiscard]] std::vector<std::optional<Color>> picture_colors(const imaging::ColorImage& picture,
+                                                               const robot_formats::mesh::MeshFile& file,
+                                                               const Color& color);
 
 }  // namespace murosimf::appearance

@@ -106,6 +106,20 @@ std::vector<VisualPart> parts_by_color(const MeshFile& file, const std::vector<s
   return parts;
 }
 
+/// Colored by the picture that the robot's file gives the mesh; in the mesh's color where that cannot be.
+std::vector<VisualPart> parts_by_picture(const VisualMesh& mesh, MeshFile file, MeshPictures& pictures,
+                                         std::vector<std::string>& notes) {
+  const imaging::ColorImage* picture = pictures.read(mesh.picture, notes);
+  if (picture && file.picture_places.empty()) {
+    notes.push_back(
+        fmt::format("{}: the texture {} is not drawn: no corner has a place in it", mesh.file, mesh.picture));
+  }
+  if (!picture || file.picture_places.empty()) return {{std::move(file.mesh), mesh.color}};
+  file.materials.clear();
+  file.material_of.clear();
+  return parts_by_color(file, picture_colors(*picture, file, mesh.color), mesh.color);
+}
+
 /// Adds visual meshes. True if one of them is visible.
 bool add_visuals(const Model& model, int object, MeshPictures& pictures, Appearance& appearance) {
   const Visuals* visuals = model.find(properties::visuals, object);
@@ -151,6 +165,7 @@ geometry::TriangleMesh visual_triangles(const VisualMesh& mesh) { return read_pl
 
 std::vector<VisualPart> visual_parts(const VisualMesh& mesh, MeshPictures& pictures, std::vector<std::string>& notes) {
   MeshFile file = read_placed(mesh);
+  if (!mesh.picture.empty()) return parts_by_picture(mesh, std::move(file), pictures, notes);
   if (!mesh.mesh_colors || file.materials.empty()) return {{std::move(file.mesh), mesh.color}};
   std::ranges::move(robot_formats::mesh::add_mtl_colors(mesh.file, file), std::back_inserter(notes));
   const bool pictured =
@@ -164,7 +179,10 @@ std::vector<std::string> visual_files(const Model& model) {
   std::vector<std::string> files;
   for (int object = 0; object < model.size(); ++object) {
     const Visuals* visuals = model.find(properties::visuals, object);
-    for (const VisualMesh& visual : visuals ? *visuals : Visuals{}) files.push_back(visual.file);
+    for (const VisualMesh& visual : visuals ? *visuals : Visuals{}) {
+      files.push_back(visual.file);
+      if (!visual.picture.empty()) files.push_back(visual.picture);
+    }
   }
   return files;
 }

@@ -26,7 +26,7 @@ struct VisualPart {
 [[nodiscard]] std::vector<VisualPart> visual_parts(const VisualMesh& mesh, MeshPictures& pictures,
                                                    std::vector<std::string>& notes);
 
-/// The files of all visual meshes of a model, one for each use.
+/// The files of all visual meshes of a model and of the pictures that its own file gives them, one for each use.
 [[nodiscard]] std::vector<std::string> visual_files(const Model& model);
 
 /// Triangles of one color that move with an object.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/model/properties.h"
+#include "murosimf/render/png_bytes.h"
 #include "murosimf/robot/robot_reader.h"
 #include "tests/fixtures.h"
 #include "tests/robot_data.h"
@@ -111,6 +112,39 @@ TEST(VisualMeshes, ColorsThatCannotBeReadAreNamed) {
   write("t.obj", painted("mtllib t.mtl\n"));
   write("t.mtl", "newmtl red\nKd 0.9 much 0\n");
   EXPECT_TRUE(says(read_painted().notes.at(0), {"t.mtl:2", "Kd"}));
+}
+
+TEST(VisualMeshes, OfMjcfHaveTheTexturesOfTheirMaterials) {
+  write("t.obj",
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt .5 .5\nf 1/1 3/1 2/1\nf 1/1 2/1 4/1\nf 1/1 4/1 3/1\nf 2/1 3/1 4/1\n");
+  const std::string assets =
+      "<mesh name='t' file='t.obj'/><texture name='skin' type='2d' file='skin.png'/><material name='m' texture='skin' "
+      "rgba='1 1 0 1'/>";
+  const auto parts_of = [&](std::vector<std::string>& notes) {
+    const robot::RobotFile robot = read_arm(assets, "<geom mesh='t' material='m'" + silent + "/>");
+    MeshPictures pictures;
+    return visual_parts(robot.model->find(properties::visuals, robot.model->object_index("elbow"))->at(0), pictures,
+                        notes);
+  };
+  std::vector<std::string> notes;
+  write("skin.png", "no picture");
+  auto parts = parts_of(notes);
+  ASSERT_EQ(parts.size(), 1U);
+  EXPECT_EQ(parts[0].color, (Color{1, 1, 0}));
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_TRUE(says(notes[0], {"skin.png", "the mesh is drawn without it"})) << notes[0];
+#ifdef MUROSIMF_HAS_CAIRO
+  notes.clear();
+  write("skin.png", render::png_bytes(imaging::ColorImage(4, 4, {0, 255, 255})));
+  parts = parts_of(notes);
+  EXPECT_TRUE(notes.empty());
+  ASSERT_EQ(parts.size(), 1U);
+  EXPECT_EQ(parts[0].color, (Color{0, 1, 0})) << "cyan times yellow";
+  write("t.obj", robot_formats::urdf::urdf_files::tetrahedron());
+  EXPECT_EQ(parts_of(notes)[0].color, (Color{1, 1, 0}));
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_TRUE(says(notes[0], {"t.obj", "skin.png", "no corner has a place"})) << notes[0];
+#endif
 }
 
 TEST(VisualMeshes, OfWeldedLinksBelongToWhatTheyAreWeldedTo) {
