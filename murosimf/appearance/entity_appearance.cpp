@@ -10,7 +10,8 @@ namespace {
 render::EntityAppearance drawn(const Appearance& appearance) {
   render::EntityAppearance result;
   for (const SeenMesh& seen : appearance.meshes) {
-    result.meshes.push_back({seen.object, render::render_mesh_of(seen.mesh.vertices, seen.mesh.triangles), seen.color});
+    result.meshes.push_back(
+        {seen.object, render::render_mesh_of(seen.mesh.vertices, seen.mesh.triangles), seen.color, seen.as_it_is});
   }
   for (const SeenShape& seen : appearance.shapes) result.shapes.push_back({seen.object, seen.placed});
   return result;

@@ -24,14 +24,15 @@ constexpr double room = 0.9;  // [1] the title needs some
 constexpr int samples = 4;    // to a pixel
 
 /// Adds the readable ones, in the frame of the base. False if there are none: robot_checks reports them.
-bool add_meshes(const std::vector<VisualMesh>& visuals, const Transformd& place, render::EntityAppearance& robot) {
+bool add_meshes(const std::vector<VisualMesh>& visuals, const Transformd& place, MeshPictures& pictures,
+                render::EntityAppearance& robot) {
   bool any = false;
   for (const VisualMesh& visual : visuals) {
     try {
       std::vector<std::string> not_shown;
-      for (auto& [mesh, color] : visual_parts(visual, not_shown)) {
+      for (auto& [mesh, color, as_it_is] : visual_parts(visual, pictures, not_shown)) {
         for (Vec3d& v : mesh.vertices) v = place.position + place.orientation * v;
-        robot.meshes.push_back({0, render::render_mesh_of(mesh.vertices, mesh.triangles), color});
+        robot.meshes.push_back({0, render::render_mesh_of(mesh.vertices, mesh.triangles), color, as_it_is});
       }
       any = true;
     } catch (const SetupError&) {
@@ -44,10 +45,11 @@ bool add_meshes(const std::vector<VisualMesh>& visuals, const Transformd& place,
 /// The appearance of the robot in the frame of the base.
 render::EntityAppearance appearance_of(const robot_formats::RobotDescription& description) {
   render::EntityAppearance robot;
+  MeshPictures pictures;
   const auto places = robot::body_places(description);
   for (std::size_t i = 0; i < description.bodies.size(); ++i) {
     const robot_formats::BodyDescription& body = description.bodies[i];
-    const bool has_meshes = add_meshes(robot_formats::visuals_of(description, body), places[i], robot);
+    const bool has_meshes = add_meshes(robot_formats::visuals_of(description, body), places[i], pictures, robot);
     for (const robot_formats::ShapeDescription& shape : body.shapes) {
       PlacedShape placed = shape.placed;
       // Collision shapes are hidden by visual meshes.

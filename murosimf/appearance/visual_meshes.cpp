@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -61,49 +62,72 @@ geometry::TriangleMesh own_mesh(const geometry::TriangleMesh& file, const std::v
   return mesh;
 }
 
-/// Colors of the materials, the first of which is that of triangles without one. Gray is made another gray: the default one means the entity's
-/// own color.
-std::vector<Color> colors_of(const MeshFile& file, const Color& otherwise) {
-  std::vector<Color> colors{otherwise};
+struct Paint {
+  Color color;
+  bool as_it_is = false;  // VisualPart
+  friend bool operator==(const Paint&, const Paint&) = default;
+};
+
+/// Colors of the materials, the first of which is that of triangles without one.
+std::vector<Paint> paints_of(const MeshFile& file, const Color& otherwise) {
+  std::vector<Paint> paints{{otherwise}};
   for (const robot_formats::mesh::MeshMaterial& material : file.materials) {
-    colors.push_back(material.color.value_or(otherwise));
-    if (material.color == Color{}) colors.back().red += 1e-3;
+    paints.push_back({material.color.value_or(otherwise), material.color.has_value()});
   }
-  return colors;
+  return paints;
 }
 
-std::vector<VisualPart> parts_by_color(const MeshFile& file, const Color& otherwise) {
-  const std::vector<Color> colors = colors_of(file, otherwise);
-  std::vector<std::size_t> part_of;  // by material
-  std::vector<Color> different;
-  for (const Color& color : colors) {
-    auto known = std::ranges::find(different, color);
+/// `of_pictures`: by triangle, where it has a picture; may be empty.
+std::vector<VisualPart> parts_by_color(const MeshFile& file, const std::vector<std::optional<Color>>& of_pictures,
+                                       const Color& otherwise) {
+  std::vector<Paint> different;
+  const auto part_of = [&](const Paint& paint) {
+    auto known = std::ranges::find(different, paint);
     if (known == different.end() && different.size() == most_colors) known = different.begin();
-    part_of.push_back(static_cast<std::size_t>(known - different.begin()));
-    if (known == different.end()) different.push_back(color);
-  }
-  std::vector<std::vector<std::size_t>> triangles(different.size());
+    const auto part = static_cast<std::size_t>(known - different.begin());
+    if (known == different.end()) different.push_back(paint);
+    return part;
+  };
+  std::vector<std::size_t> part_of_material;
+  for (const Paint& paint : paints_of(file, otherwise)) part_of_material.push_back(part_of(paint));
+  std::vector<std::vector<std::size_t>> triangles(most_colors);
   for (std::size_t i = 0; i < file.mesh.triangles.size(); ++i) {
     const std::uint32_t material = i < file.material_of.size() ? file.material_of[i] : 0;
-    MUROSIMF_ASSERT(material < part_of.size());
-    triangles[part_of[material]].push_back(i);
+    MUROSIMF_ASSERT(material < part_of_material.size());
+    const bool pictured = i < of_pictures.size() && of_pictures[i];
+    triangles[pictured ? part_of({*of_pictures[i], true}) : part_of_material[material]].push_back(i);
   }
   std::vector<std::uint32_t> number(file.mesh.vertices.size(), no_vertex);
   std::vector<VisualPart> parts;
   for (std::size_t i = 0; i < different.size(); ++i) {
-    if (!triangles[i].empty()) parts.push_back({own_mesh(file.mesh, triangles[i], number), different[i]});
+    if (!triangles[i].empty())
+      parts.push_back({own_mesh(file.mesh, triangles[i], number), different[i].color, different[i].as_it_is});
   }
   return parts;
 }
 
+/// Colored by the picture that the robot's file gives the mesh; in the mesh's color where that cannot be.
+std::vector<VisualPart> parts_by_picture(const VisualMesh& mesh, MeshFile file, MeshPictures& pictures,
+                                         std::vector<std::string>& notes) {
+  const imaging::ColorImage* picture = pictures.read(mesh.picture, notes);
+  if (picture && file.picture_places.empty()) {
+    notes.push_back(
+        fmt::format("{}: the texture {} is not drawn: no corner has a place in it", mesh.file, mesh.picture));
+  }
+  if (!picture || file.picture_places.empty()) return {{std::move(file.mesh), mesh.color}};
+  file.materials.clear();
+  file.material_of.clear();
+  return parts_by_color(file, picture_colors(*picture, file, mesh.color), mesh.color);
+}
+
 /// Adds visual meshes. True if one of them is visible.
-bool add_visuals(const Model& model, int object, Appearance& appearance) {
+bool add_visuals(const Model& model, int object, MeshPictures& pictures, Appearance& appearance) {
   const Visuals* visuals = model.find(properties::visuals, object);
   bool any = false;
   for (const VisualMesh& visual : visuals ? *visuals : Visuals{}) {
     try {
-      for (VisualPart& part : visual_parts(visual, appearance.warnings)) {
-        appearance.meshes.push_back({object, std::move(part.mesh), part.color});
+      for (VisualPart& part : visual_parts(visual, pictures, appearance.warnings)) {
+        appearance.meshes.push_back({object, std::move(part.mesh), part.color, part.as_it_is});
       }
       any = true;
     } catch (const SetupError& error) {
@@ -139,34 +163,40 @@ void reduce(Appearance& appearance, std::size_t most) {
 
 geometry::TriangleMesh visual_triangles(const VisualMesh& mesh) { return read_placed(mesh).mesh; }
 
-std::vector<VisualPart> visual_parts(const VisualMesh& mesh, std::vector<std::string>& notes) {
+std::vector<VisualPart> visual_parts(const VisualMesh& mesh, MeshPictures& pictures, std::vector<std::string>& notes) {
   MeshFile file = read_placed(mesh);
+  if (!mesh.picture.empty()) return parts_by_picture(mesh, std::move(file), pictures, notes);
   if (!mesh.mesh_colors || file.materials.empty()) return {{std::move(file.mesh), mesh.color}};
   std::ranges::move(robot_formats::mesh::add_mtl_colors(mesh.file, file), std::back_inserter(notes));
-  if (std::ranges::any_of(file.materials, &robot_formats::mesh::MeshMaterial::textured)) {
-    notes.push_back(fmt::format("{}: textures of meshes are not drawn", mesh.file));
-  }
-  return parts_by_color(file, mesh.color);
+  const bool pictured =
+      std::ranges::any_of(file.materials, [](const auto& material) { return !material.picture.empty(); });
+  const auto of_pictures =
+      pictured ? picture_colors(mesh.file, file, pictures, notes) : std::vector<std::optional<Color>>{};
+  return parts_by_color(file, of_pictures, mesh.color);
 }
 
 std::vector<std::string> visual_files(const Model& model) {
   std::vector<std::string> files;
   for (int object = 0; object < model.size(); ++object) {
     const Visuals* visuals = model.find(properties::visuals, object);
-    for (const VisualMesh& visual : visuals ? *visuals : Visuals{}) files.push_back(visual.file);
+    for (const VisualMesh& visual : visuals ? *visuals : Visuals{}) {
+      files.push_back(visual.file);
+      if (!visual.picture.empty()) files.push_back(visual.picture);
+    }
   }
   return files;
 }
 
 Appearance appearance_of(const Model& model, std::size_t most) {
   Appearance appearance;
+  MeshPictures pictures;
   std::vector<SeenMesh> grounds;  // with all of their triangles: bodies stand on these
   for (int object = 0; object < model.size(); ++object) {
     if (const auto* relief = model.find(properties::relief, object)) {
       grounds.push_back({object, (*relief)->mesh(), model.find(properties::shapes, object)->front().color});
       continue;
     }
-    const bool dressed = add_visuals(model, object, appearance);
+    const bool dressed = add_visuals(model, object, pictures, appearance);
     const Shapes* shapes = model.find(properties::shapes, object);
     for (const PlacedShape& placed : shapes ? *shapes : Shapes{}) {
       if (!dressed || !placed.collides) add_shape(placed, object, appearance);

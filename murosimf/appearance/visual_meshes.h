@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "murosimf/appearance/picture_colors.h"
 #include "murosimf/geometry/triangle_mesh.h"
 #include "murosimf/model/model.h"
 #include "murosimf/model/visual_mesh.h"
@@ -18,12 +19,14 @@ namespace murosimf::appearance {
 struct VisualPart {
   geometry::TriangleMesh mesh;
   Color color;
+  bool as_it_is = false;  ///< the color is that of a material or picture: gray does not mean the entity's own color
 };
-/// The same triangles by the colors of the file's materials, where these count; else one part. `notes` gets lines about what is not shown
-/// of them. Throws SetupError as visual_triangles().
-[[nodiscard]] std::vector<VisualPart> visual_parts(const VisualMesh& mesh, std::vector<std::string>& notes);
+/// The same triangles by the colors of the file's materials and of their pictures (picture_colors.h), where these count; else one part.
+/// `notes` gets lines about what is not shown of them. Throws SetupError as visual_triangles().
+[[nodiscard]] std::vector<VisualPart> visual_parts(const VisualMesh& mesh, MeshPictures& pictures,
+                                                   std::vector<std::string>& notes);
 
-/// The files of all visual meshes of a model, one for each use.
+/// The files of all visual meshes of a model and of the pictures that its own file gives them, one for each use.
 [[nodiscard]] std::vector<std::string> visual_files(const Model& model);
 
 /// Triangles of one color that move with an object.
@@ -31,6 +34,7 @@ struct SeenMesh {
   int object = 0;               ///< of the model
   geometry::TriangleMesh mesh;  ///< object frame
   Color color;
+  bool as_it_is = false;  ///< VisualPart
 };
 
 /// A shape other than a mesh.

@@ -27,6 +27,7 @@ struct VisualMesh {
   Mat3d orientation;       ///< mesh axes to the object's axes
   Color color;
   bool mesh_colors = false;  ///< the materials of the file count, where it has some
+  std::string picture{};     ///< path of the picture that colors it, instead of its materials; empty: none
 };
 
 using Visuals = std::vector<VisualMesh>;

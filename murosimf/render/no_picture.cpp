@@ -3,6 +3,7 @@
 #include "murosimf/render/field_picture.h"
 #include "murosimf/render/image_png.h"
 #include "murosimf/render/png_bytes.h"
+#include "murosimf/render/png_reading.h"
 #include "murosimf/render/seen_drawing.h"
 
 namespace murosimf::render {
@@ -28,5 +29,7 @@ std::string image_png(const imaging::ColorImage& /*image*/, const std::string& /
 std::string png_bytes(const imaging::ColorImage& /*image*/) { refuse(); }
 std::string png_bytes(const imaging::GrayImage& /*image*/) { refuse(); }
 std::string png_bytes(const imaging::NumberImage& /*image*/) { refuse(); }
+
+imaging::ColorImage picture_of_png(const std::string& /*bytes*/) { refuse(); }
 
 }  // namespace murosimf::render

@@ -136,8 +136,8 @@ void RenderScene::add_entity(Entity& entity, const std::vector<Entity*>& moving_
     Drawable drawable{.owner = owner,
                       .object = part.object,
                       .form = Form::mesh,
-                      .color = color_on(entity, part.color),
-                      .own_color = is_default(part.color),
+                      .color = part.as_it_is ? part.color : color_on(entity, part.color),
+                      .own_color = !part.as_it_is && is_default(part.color),
                       .label = label};
     drawable.radius = farthest(part.solid);
     drawable.mesh = add_mesh(part.solid);

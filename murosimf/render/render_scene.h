@@ -20,6 +20,7 @@ struct ShownMesh {
   int object = 0;
   RenderMesh solid;  ///< [m] object frame
   Color color;
+  bool as_it_is = false;  ///< the color counts even if it is gray: a material has it
 };
 
 /// A shape on an object of a model.
@@ -28,7 +29,8 @@ struct ShownShape {
   PlacedShape placed;
 };
 
-/// Appearance of an entity. Parts with an alpha of 0 are not drawn. Gray, the default color of shapes, is drawn in the entity's own color.
+/// Appearance of an entity. Parts with an alpha of 0 are not drawn. Gray, the default color of shapes, is drawn in the entity's own
+/// color, except on meshes that have it as it is.
 struct EntityAppearance {
   std::vector<ShownMesh> meshes;
   std::vector<ShownShape> shapes;

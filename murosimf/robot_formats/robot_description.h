@@ -108,6 +108,7 @@ struct VisualDescription {
   Transformd place;  ///< of the mesh frame in the frame of the body
   Color color;
   bool mesh_colors = false;  ///< the mesh's materials count, where it has some
+  std::string picture{};     ///< file of the picture that colors the mesh, instead of its materials; empty: none
 };
 
 /// A named frame on a body.

@@ -14,7 +14,8 @@ Visuals visuals_of(const RobotDescription& description, const BodyDescription& b
     if (mesh == description.meshes.end() || mesh->file.empty()) continue;
     // Vertices in the robot file itself have no file that the drawing could read again.
     visuals.push_back({mesh->file.string(), mesh->scale, mesh->origin.position, mesh->origin.orientation,
-                       visual.place.position, visual.place.orientation, visual.color, visual.mesh_colors});
+                       visual.place.position, visual.place.orientation, visual.color, visual.mesh_colors,
+                       visual.picture});
   }
   return visuals;
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/model/properties.h"
+#include "murosimf/render/png_bytes.h"
 #include "murosimf/robot/robot_reader.h"
 #include "tests/fixtures.h"
 #include "tests/robot_data.h"
@@ -72,13 +73,14 @@ Painted read_painted(const std::string& material = "") {
   const robot::RobotFile robot = robot::read_robot(file);
   const Visuals* visuals = robot.model->find(properties::visuals, robot.model->having(properties::visuals).at(0));
   Painted painted;
-  painted.parts = visual_parts(visuals->at(0), painted.notes);
+  MeshPictures pictures;
+  painted.parts = visual_parts(visuals->at(0), pictures, painted.notes);
   return painted;
 }
 
 TEST(VisualMeshes, OfUrdfHaveTheColorsOfTheirFiles) {
   write("t.obj", painted("mtllib t.mtl\n"));
-  write("t.mtl", "# colors\nnewmtl red\nKd 0.9 0.1 0\nd 0.5\nnewmtl dark\nKd 0.5 0.5 0.5\nmap_Kd skin.png\n");
+  write("t.mtl", "# colors\nnewmtl red\nKd 0.9 0.1 0\nd 0.5\nnewmtl dark\nKd 0.5 0.5 0.5\nmap_Kd skin.jpg\n");
   const Painted found = read_painted();
   ASSERT_EQ(found.parts.size(), 3U);
   EXPECT_EQ(found.parts[0].color, Color{}) << "without a material: as the robot";
@@ -86,10 +88,11 @@ TEST(VisualMeshes, OfUrdfHaveTheColorsOfTheirFiles) {
   EXPECT_EQ(found.parts[1].color, (Color{0.9, 0.1, 0, 0.5}));
   EXPECT_EQ(found.parts[1].mesh.triangles.size(), 2U);
   EXPECT_EQ(found.parts[1].mesh.vertices.size(), 4U);
-  EXPECT_NEAR(found.parts[2].color.red, 0.5, 0.002);
-  EXPECT_NE(found.parts[2].color, Color{}) << "gray of a material is no robot's own color";
+  EXPECT_EQ(found.parts[2].color, Color{});
+  EXPECT_TRUE(found.parts[2].as_it_is) << "gray of a material is no robot's own color";
+  EXPECT_FALSE(found.parts[0].as_it_is);
   ASSERT_EQ(found.notes.size(), 1U);
-  EXPECT_TRUE(says(found.notes[0], {"t.mtl", "textures of meshes are not drawn"})) << found.notes[0];
+  EXPECT_TRUE(says(found.notes[0], {"t.obj", "'skin.jpg' is not drawn", ".png"})) << found.notes[0];
 
   const Painted own = read_painted("<material name='blue'><color rgba='0 0 1 1'/></material>");
   ASSERT_EQ(own.parts.size(), 1U) << "what the robot file says counts";
@@ -109,6 +112,39 @@ TEST(VisualMeshes, ColorsThatCannotBeReadAreNamed) {
   write("t.obj", painted("mtllib t.mtl\n"));
   write("t.mtl", "newmtl red\nKd 0.9 much 0\n");
   EXPECT_TRUE(says(read_painted().notes.at(0), {"t.mtl:2", "Kd"}));
+}
+
+TEST(VisualMeshes, OfMjcfHaveTheTexturesOfTheirMaterials) {
+  write("t.obj",
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt .5 .5\nf 1/1 3/1 2/1\nf 1/1 2/1 4/1\nf 1/1 4/1 3/1\nf 2/1 3/1 4/1\n");
+  const std::string assets =
+      "<mesh name='t' file='t.obj'/><texture name='skin' type='2d' file='skin.png'/><material name='m' texture='skin' "
+      "rgba='1 1 0 1'/>";
+  const auto parts_of = [&](std::vector<std::string>& notes) {
+    const robot::RobotFile robot = read_arm(assets, "<geom mesh='t' material='m'" + silent + "/>");
+    MeshPictures pictures;
+    return visual_parts(robot.model->find(properties::visuals, robot.model->object_index("elbow"))->at(0), pictures,
+                        notes);
+  };
+  std::vector<std::string> notes;
+  write("skin.png", "no picture");
+  auto parts = parts_of(notes);
+  ASSERT_EQ(parts.size(), 1U);
+  EXPECT_EQ(parts[0].color, (Color{1, 1, 0}));
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_TRUE(says(notes[0], {"skin.png", "the mesh is drawn without it"})) << notes[0];
+#ifdef MUROSIMF_HAS_CAIRO
+  notes.clear();
+  write("skin.png", render::png_bytes(imaging::ColorImage(4, 4, {0, 255, 255})));
+  parts = parts_of(notes);
+  EXPECT_TRUE(notes.empty());
+  ASSERT_EQ(parts.size(), 1U);
+  EXPECT_EQ(parts[0].color, (Color{0, 1, 0})) << "cyan times yellow";
+  write("t.obj", robot_formats::urdf::urdf_files::tetrahedron());
+  EXPECT_EQ(parts_of(notes)[0].color, (Color{1, 1, 0}));
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_TRUE(says(notes[0], {"t.obj", "skin.png", "no corner has a place"})) << notes[0];
+#endif
 }
 
 TEST(VisualMeshes, OfWeldedLinksBelongToWhatTheyAreWeldedTo) {

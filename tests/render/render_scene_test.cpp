@@ -55,6 +55,19 @@ TEST(RenderScene, MarksTheStandingFoot) {
   EXPECT_EQ(yellow(render_scene), "") << "forces move it now";
 }
 
+// Rule: gray without a material means the entity's own color; a material may be gray.
+TEST(RenderScene, GrayOfAMaterialStaysGray) {
+  DrawnWorld world;
+  world.add("robot", two_feet(), {0, 0, 0.3});
+  const render::RenderScene render_scene(world.world, world.moving_entities, [](const Entity& /*entity*/) {
+    return render::EntityAppearance{{{0, render::unit_box(), {}}, {0, render::unit_box(), {}, true}}, {}};
+  });
+  ASSERT_EQ(render_scene.drawables().size(), 2U);
+  EXPECT_TRUE(render_scene.drawables()[0].own_color);
+  EXPECT_FALSE(render_scene.drawables()[1].own_color);
+  EXPECT_EQ(render_scene.drawables()[1].color, Color{});
+}
+
 // A displayed moment hides columns that it does not have: nothing of the running world is used.
 TEST(RenderScene, ShowsAMomentInsteadOfColumns) {
   DrawnWorld world;

@@ -117,6 +117,8 @@ class Reader {
       MUROSIMF_ASSERT(a < mesh.vertices.size() && b < mesh.vertices.size() && c < mesh.vertices.size());
       triangles.push_back({base + a, base + (mirrored ? c : b), base + (mirrored ? b : c)});
     }
+    const auto& places = known->second.places;
+    file_.picture_places.insert(file_.picture_places.end(), places.begin(), places.end());
     add_materials(known->second, bound);
     if (mesh.triangles.empty()) file_.part_begin.pop_back();  // every part begins with a triangle
   }

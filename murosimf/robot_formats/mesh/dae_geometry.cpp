@@ -1,17 +1,25 @@
 #include "murosimf/robot_formats/mesh/dae_geometry.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include <fmt/format.h>
 
 #include "murosimf/math/assert.h"
+#include "murosimf/model/error.h"
 #include "murosimf/robot_formats/mesh/mesh_file.h"
 
 namespace murosimf::robot_formats::mesh {
 namespace {
 
-using Corners = std::vector<std::uint32_t>;
+using Place = PicturePlaces::value_type;
+
+struct PlacedCorner {
+  std::uint32_t vertex = 0;
+  Place place{};  // in a picture
+};
+using Corners = std::vector<PlacedCorner>;
 
 std::optional<files::XmlElement> child(const files::XmlElement& parent, const char* tag) {
   const auto found = parent.children(tag);
@@ -41,29 +49,62 @@ files::XmlElement input_of(const files::XmlElement& owner, const std::string& se
   owner.fail(fmt::format("<{}> has no {}; export the mesh again", owner.tag(), semantic));
 }
 
-std::vector<Vec3d> read_positions(const files::XmlElement& mesh, const DaeIds& ids) {
-  const files::XmlElement& source = ids.find(input_of(needed(mesh, "vertices"), "POSITION"), "source");
+/// Calls visit(numbers, index of the first) for each item of a source, of `size` numbers at least.
+template <class Visit>
+void for_items(const files::XmlElement& source, std::size_t size, const Visit& visit) {
   const auto numbers = dae_numbers(needed(source, "float_array"));
-  std::size_t stride = 3, offset = 0;
+  std::size_t stride = size, offset = 0;
   // Other numbers of a vertex (weights) may stand between its coordinates.
   if (const auto technique = child(source, "technique_common")) {
     const files::XmlElement accessor = needed(*technique, "accessor");
-    stride = std::max<std::size_t>(whole(accessor, "stride", 3), 3);
+    stride = std::max(whole(accessor, "stride", size), size);
     offset = whole(accessor, "offset", 0);
   }
+  MUROSIMF_ASSERT(stride >= size);
+  for (std::size_t i = offset; i + size <= numbers.size(); i += stride) visit(numbers, i);
+}
+
+std::vector<Vec3d> read_positions(const files::XmlElement& mesh, const DaeIds& ids) {
   std::vector<Vec3d> positions;
-  MUROSIMF_ASSERT(stride >= 3);
-  for (std::size_t i = offset; i + 3 <= numbers.size(); i += stride) {
-    positions.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
-  }
+  for_items(ids.find(input_of(needed(mesh, "vertices"), "POSITION"), "source"), 3,
+            [&](const std::vector<double>& numbers, std::size_t i) {
+              positions.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
+            });
   return positions;
 }
 
-/// Selects the vertices from the lists of indices of one primitive, which interleave those of normals and textures.
+/// The first places in pictures that a primitive refers to, and where their indices stand in its lists.
+struct Places {
+  std::vector<Place> places;
+  std::size_t offset = 0;
+};
+/// None if they are not understood: they are for the eye only.
+Places read_places(const files::XmlElement& primitive, const DaeIds& ids) {
+  for (const files::XmlElement& input : primitive.children("input")) {
+    if (input.attribute("semantic").value_or("") != "TEXCOORD") continue;
+    try {
+      Places found;
+      found.offset = whole(input, "offset", 0);
+      for_items(ids.find(input, "source"), 2, [&](const std::vector<double>& numbers, std::size_t i) {
+        const auto right = static_cast<float>(numbers[i]), up = static_cast<float>(numbers[i + 1]);
+        const bool finite = std::isfinite(right) && std::isfinite(up);
+        found.places.push_back(finite ? Place{right, up} : Place{});
+      });
+      return found;
+    } catch (const SetupError&) {
+      return {};
+    }
+  }
+  return {};
+}
+
+/// Selects the vertices and places in pictures from the lists of indices of one primitive, which interleave those of normals, too.
 class Indices {
  public:
-  Indices(const files::XmlElement& primitive, std::size_t vertices)
-      : offset_(whole(input_of(primitive, "VERTEX"), "offset", 0)), vertices_(vertices) {
+  Indices(const files::XmlElement& primitive, const DaeIds& ids, std::size_t vertices)
+      : offset_(whole(input_of(primitive, "VERTEX"), "offset", 0)),
+        vertices_(vertices),
+        places_(read_places(primitive, ids)) {
     for (const files::XmlElement& input : primitive.children("input")) {
       stride_ = std::max(stride_, 1 + whole(input, "offset", 0));
     }
@@ -78,65 +119,74 @@ class Indices {
       if (!(number >= 0 && number < static_cast<double>(vertices_))) {
         list.fail(fmt::format("vertex {} is named, there are {}, counted from 0", number, vertices_));
       }
-      corners.push_back(static_cast<std::uint32_t>(number));
+      corners.push_back({static_cast<std::uint32_t>(number), place_at(numbers, i - offset_ + places_.offset)});
     }
     return corners;
   }
 
  private:
+  [[nodiscard]] Place place_at(const std::vector<double>& numbers, std::size_t i) const {
+    if (i >= numbers.size()) return {};
+    const double number = numbers[i];
+    const bool inside = number >= 0 && number < static_cast<double>(places_.places.size());
+    return inside ? places_.places[static_cast<std::size_t>(number)] : Place{};
+  }
+
   std::size_t offset_, stride_ = 1, vertices_;
+  Places places_;
 };
 
-void add_triangle(geometry::TriangleMesh& mesh, const files::XmlElement& at, std::uint32_t a, std::uint32_t b,
-                  std::uint32_t c) {
-  if (mesh.triangles.size() == most_triangles) at.fail(too_many());
-  mesh.triangles.push_back({a, b, c});
+void add_triangle(DaeGeometry& to, const files::XmlElement& at, const PlacedCorner& a, const PlacedCorner& b,
+                  const PlacedCorner& c) {
+  if (to.mesh.triangles.size() == most_triangles) at.fail(too_many());
+  to.mesh.triangles.push_back({a.vertex, b.vertex, c.vertex});
+  to.places.push_back({a.place, b.place, c.place});
 }
 
 /// Adds corners `first` to `first + count - 1` as a fan: exact for convex polygons, which exporters write.
-void add_fan(geometry::TriangleMesh& mesh, const files::XmlElement& at, const Corners& corners, std::size_t first,
+void add_fan(DaeGeometry& to, const files::XmlElement& at, const Corners& corners, std::size_t first,
              std::size_t count) {
   if (first + count > corners.size()) at.fail("there are fewer corners than the polygons have; export the mesh again");
   for (std::size_t i = 2; i < count; ++i) {
     MUROSIMF_ASSERT(first + i < corners.size());
-    add_triangle(mesh, at, corners[first], corners[first + i - 1], corners[first + i]);
+    add_triangle(to, at, corners[first], corners[first + i - 1], corners[first + i]);
   }
 }
 
-void add_strip(geometry::TriangleMesh& mesh, const files::XmlElement& at, const Corners& corners) {
+void add_strip(DaeGeometry& to, const files::XmlElement& at, const Corners& corners) {
   for (std::size_t i = 2; i < corners.size(); ++i) {
     const std::size_t odd = i % 2;  // the order of corners alternates in a strip
-    add_triangle(mesh, at, corners[i - 2 + odd], corners[i - 1 - odd], corners[i]);
+    add_triangle(to, at, corners[i - 2 + odd], corners[i - 1 - odd], corners[i]);
   }
 }
 
-void add_polylist(geometry::TriangleMesh& mesh, const files::XmlElement& primitive, const Corners& corners) {
+void add_polylist(DaeGeometry& to, const files::XmlElement& primitive, const Corners& corners) {
   std::size_t first = 0;
   for (const double number : dae_numbers(needed(primitive, "vcount"))) {
     if (!(number >= 0 && number <= static_cast<double>(corners.size()))) primitive.fail("impossible vcount");
     const auto count = static_cast<std::size_t>(number);
-    add_fan(mesh, primitive, corners, first, count);
+    add_fan(to, primitive, corners, first, count);
     first += count;
   }
 }
 
-void add_primitive(geometry::TriangleMesh& mesh, const files::XmlElement& primitive) {
+void add_primitive(DaeGeometry& to, const files::XmlElement& primitive, const DaeIds& ids) {
   const std::string tag = primitive.tag();
   const bool surface =
       tag == "triangles" || tag == "polylist" || tag == "polygons" || tag == "tristrips" || tag == "trifans";
   if (!surface) return;
-  const Indices indices(primitive, mesh.vertices.size());
+  const Indices indices(primitive, ids, to.mesh.vertices.size());
   if (child(primitive, "ph")) primitive.fail("polygons with holes are not read; export triangles");
   for (const files::XmlElement& list : primitive.children("p")) {
     const Corners corners = indices.read(list);
     if (tag == "triangles") {
-      for (std::size_t i = 0; i < corners.size(); i += 3) add_fan(mesh, list, corners, i, 3);
+      for (std::size_t i = 0; i < corners.size(); i += 3) add_fan(to, list, corners, i, 3);
     } else if (tag == "polylist") {
-      add_polylist(mesh, primitive, corners);
+      add_polylist(to, primitive, corners);
     } else if (tag == "tristrips") {
-      add_strip(mesh, list, corners);
+      add_strip(to, list, corners);
     } else {
-      add_fan(mesh, list, corners, 0, corners.size());
+      add_fan(to, list, corners, 0, corners.size());
     }
   }
 }
@@ -161,6 +211,11 @@ const files::XmlElement& DaeIds::find(const files::XmlElement& user, const char*
   return found->second;
 }
 
+std::optional<files::XmlElement> DaeIds::find(const std::string& id) const {
+  const auto found = elements_.find(id);
+  return found == elements_.end() ? std::nullopt : std::optional(found->second);
+}
+
 std::vector<double> dae_numbers(const files::XmlElement& element, std::size_t count) {
   auto numbers = files::parse_numbers(element.text());
   if (!numbers) element.fail(fmt::format("<{}> holds something that is no finite number", element.tag()));
@@ -176,7 +231,7 @@ DaeGeometry read_dae_geometry(const files::XmlElement& geometry, const DaeIds& i
   if (!mesh) return result;
   result.mesh.vertices = read_positions(*mesh, ids);
   for (const files::XmlElement& primitive : mesh->children()) {
-    add_primitive(result.mesh, primitive);
+    add_primitive(result, primitive, ids);
     const auto symbol = static_cast<std::uint32_t>(result.symbols.size());
     if (result.symbol_of.size() == result.mesh.triangles.size()) continue;
     result.symbols.push_back(primitive.attribute("material").value_or(""));

@@ -3,11 +3,13 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "murosimf/files/xml_element.h"
 #include "murosimf/geometry/triangle_mesh.h"
+#include "murosimf/robot_formats/mesh/mesh_file.h"
 
 namespace murosimf::robot_formats::mesh {
 
@@ -17,6 +19,8 @@ class DaeIds {
   explicit DaeIds(const files::XmlElement& root);
   /// The element that the attribute, "#id", refers to. Throws SetupError if there is no such element in the file.
   [[nodiscard]] const files::XmlElement& find(const files::XmlElement& user, const char* attribute) const;
+  /// The element with this id; nothing: there is none.
+  [[nodiscard]] std::optional<files::XmlElement> find(const std::string& id) const;
 
  private:
   std::map<std::string, files::XmlElement> elements_;
@@ -29,6 +33,7 @@ struct DaeGeometry {
   geometry::TriangleMesh mesh;
   std::vector<std::string> symbols;      ///< of its materials
   std::vector<std::uint32_t> symbol_of;  ///< by triangle, an index
+  std::vector<PicturePlaces> places;     ///< by triangle; (0, 0) where there are none
 };
 
 /// Triangles of triangles, polylist, polygons, tristrips and trifans, polygons as fans, in the file's own unit and the

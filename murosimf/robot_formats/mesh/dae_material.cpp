@@ -19,13 +19,36 @@ std::optional<files::XmlElement> at(files::XmlElement element, std::initializer_
   return element;
 }
 
-void read_diffuse(const files::XmlElement& effect, MeshMaterial& material) {
+/// The text of the first element at the end of a path of tags in the parameter `sid` of an effect; empty: there is none.
+std::string parameter(const files::XmlElement& profile, const std::string& sid,
+                      std::initializer_list<const char*> path) {
+  for (const files::XmlElement& one : profile.children("newparam")) {
+    if (one.attribute("sid").value_or("") != sid) continue;
+    const auto found = at(one, path);
+    return found ? found->text() : "";
+  }
+  return "";
+}
+
+/// The file of a texture: it names a sampler, that a surface, that an image; exporters leave steps out.
+std::string picture_of(const files::XmlElement& texture, const files::XmlElement& profile, const DaeIds& ids) {
+  std::string name = texture.attribute("texture").value_or("");
+  if (const std::string surface = parameter(profile, name, {"sampler2D", "source"}); !surface.empty()) name = surface;
+  if (const std::string image = parameter(profile, name, {"surface", "init_from"}); !image.empty()) name = image;
+  const auto image = ids.find(name);
+  if (!image) return name;  // a name that has no file is a warning when the file is looked for
+  const auto file = at(*image, {"init_from"});
+  return file ? file->text() : name;
+}
+
+void read_diffuse(const files::XmlElement& effect, const DaeIds& ids, MeshMaterial& material) {
+  const auto profile = at(effect, {"profile_COMMON"});
   const auto technique = at(effect, {"profile_COMMON", "technique"});
-  if (!technique) return;
+  if (!profile || !technique) return;
   for (const char* shading : {"phong", "lambert", "blinn"}) {
     const auto diffuse = at(*technique, {shading, "diffuse"});
     if (!diffuse) continue;
-    material.textured = at(*diffuse, {"texture"}).has_value();
+    if (const auto texture = at(*diffuse, {"texture"})) material.picture = picture_of(*texture, *profile, ids);
     const auto color = at(*diffuse, {"color"});
     const auto numbers = color ? files::parse_numbers(color->text()) : std::nullopt;
     if (!numbers || numbers->size() < 3) continue;
@@ -44,7 +67,7 @@ std::map<std::string, MeshMaterial> bound_materials(const files::XmlElement& use
     MeshMaterial material{.name = instance.attribute("target").value_or("")};
     try {
       const files::XmlElement& target = ids.find(instance, "target");
-      if (const auto effect = at(target, {"instance_effect"})) read_diffuse(ids.find(*effect, "url"), material);
+      if (const auto effect = at(target, {"instance_effect"})) read_diffuse(ids.find(*effect, "url"), ids, material);
     } catch (const SetupError&) {
       // a mesh is its surface: a material that is not in the file takes nothing from that
       material.color.reset();

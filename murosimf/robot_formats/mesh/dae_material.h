@@ -1,7 +1,7 @@
-/// dae_material.h - colors of the materials of a COLLADA file.
+/// dae_material.h - colors and pictures of the materials of a COLLADA file.
 ///
-/// Read is the diffuse color of the common profile (phong, lambert, blinn), as sRGB, which exporters write. Textures and transparency
-/// are not read. Source: COLLADA - Digital Asset Schema Release 1.4.1, specification.
+/// Read is the diffuse color or the file of the diffuse texture of the common profile (phong, lambert, blinn), colors as sRGB, which
+/// exporters write. Transparency is not read. Source: COLLADA - Digital Asset Schema Release 1.4.1, specification.
 #pragma once
 
 #include <map>

@@ -3,11 +3,12 @@
 /// Own readers, since users need file and line of errors in a mesh.
 /// STL: binary and ASCII, several solids count as one. Distinguished by size and content, because many binary files begin
 /// with "solid", too. Normals and attribute bytes are ignored.
-/// OBJ: v and f lines, polygons as fans, names of materials (usemtl); normals, textures, lines and curves are ignored.
+/// OBJ: v, vt and f lines, polygons as fans, names of materials (usemtl); normals, lines and curves are ignored.
 /// COLLADA: geometries of the scene (dae_file.h).
 /// MSH: MuJoCo's binary format (msh_file.h).
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -31,14 +32,20 @@ constexpr std::size_t most_triangles = 1'000'000;
 struct MeshMaterial {
   std::string name;
   std::optional<Color> color{};  ///< nothing: unknown; of OBJ files only after add_mtl_colors (mtl_file.h)
-  bool textured = false;         ///< it has a picture, which is not read
+  std::string picture{};         ///< file of the picture that colors it, as the mesh's file spells it; empty: none
 };
+
+/// Places of a triangle's corners in the picture of its material [1]: to the right and up from the lower left corner, which is (0, 0); the
+/// upper right one is (1, 1), and the picture repeats beyond.
+using PicturePlaces = std::array<std::array<float, 2>, 3>;
 
 struct MeshFile {
   geometry::TriangleMesh mesh;          ///< everything; corners at the same place are one vertex
   std::vector<std::size_t> part_begin;  ///< first triangle of each object, group or geometry that has triangles
   std::vector<MeshMaterial> materials{};
   std::vector<std::uint32_t> material_of{};  ///< by triangle, as far as it goes: 0, none, or 1 and more of `materials`
+  std::vector<PicturePlaces>
+      picture_places{};  ///< by triangle, as far as it goes, of files that have some; in any order of corners
 };
 
 /// Reads a file of a kind by its extension, .stl, .obj, .dae or .msh in small or capital letters. Throws SetupError, one line: file, line

@@ -1,8 +1,10 @@
 #include "murosimf/robot_formats/mesh/obj_file.h"
 
 #include <charconv>
+#include <cmath>
 #include <map>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -14,12 +16,15 @@ namespace {
 
 constexpr std::size_t most_vertices = 3 * most_triangles;
 
+using Place = PicturePlaces::value_type;
+
 class ObjReader {
  public:
   explicit ObjReader(const std::filesystem::path& path) : lines_(path, true) {
     while (lines_.next()) {
       const auto word = lines_.word();
       if (word == "v") read_vertex();
+      if (word == "vt") read_place();
       if (word == "f") read_face();
       if (word == "o" || word == "g") begin_part();
       if (word == "usemtl") use_material(lines_.word());
@@ -40,12 +45,30 @@ class ObjReader {
     result.mesh.vertices.push_back(vertex);
   }
 
-  /// Adds a polygon as a fan. Corners like 3, 3/1, 3//2 or -1/-1/-1: the first number is the vertex.
+  /// A line that is none counts as one: places in pictures are for the eye only.
+  void read_place() {
+    if (places_.size() == most_vertices) return;
+    Place place{};
+    for (float& number : place) {
+      const std::string_view text = lines_.word();
+      float value = 0;
+      const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+      if (error == std::errc() && std::isfinite(value)) number = value;
+    }
+    places_.push_back(place);
+  }
+
+  struct Corner {
+    std::uint32_t vertex = 0;
+    Place place{};
+  };
+
+  /// Adds a polygon as a fan. Corners like 3, 3/1, 3//2 or -1/-1/-1: the first number is the vertex, the second one its place in a picture.
   void read_face() {
-    std::uint32_t first = 0, last = 0;
+    Corner first, last;
     std::size_t corners = 0;
     for (auto text = lines_.word(); !text.empty() && text.front() != '#'; text = lines_.word()) {
-      const std::uint32_t corner = vertex_number(text);
+      const Corner corner{vertex_number(text), place_of(text)};
       if (++corners == 1) first = corner;
       if (corners >= 3) add_triangle(first, last, corner);
       last = corner;
@@ -71,10 +94,25 @@ class ObjReader {
     return static_cast<std::uint32_t>(number > 0 ? number - 1 : count + number);
   }
 
-  void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+  /// The one of a corner; where there is none, the lower left corner of the picture.
+  [[nodiscard]] Place place_of(std::string_view text) const {
+    const std::size_t slash = text.find('/');
+    if (slash == std::string_view::npos) return {};
+    const auto count = static_cast<long long>(places_.size());
+    long long number = 0;
+    std::from_chars(text.data() + slash + 1, text.data() + text.size(), number);
+    if (number < 0) number += count + 1;
+    return number >= 1 && number <= count ? places_[static_cast<std::size_t>(number - 1)] : Place{};
+  }
+
+  void add_triangle(const Corner& a, const Corner& b, const Corner& c) {
     auto& triangles = result.mesh.triangles;
     if (triangles.size() == most_triangles) lines_.fail(too_many());
-    triangles.push_back({a, b, c});
+    triangles.push_back({a.vertex, b.vertex, c.vertex});
+    if (!places_.empty()) {
+      result.picture_places.resize(triangles.size() - 1);
+      result.picture_places.push_back({a.place, b.place, c.place});
+    }
     if (material_ == 0) return;
     result.material_of.resize(triangles.size() - 1);
     result.material_of.push_back(material_);
@@ -93,6 +131,7 @@ class ObjReader {
   }
 
   files::TextLines lines_;
+  std::vector<Place> places_;                                    // in pictures
   std::map<std::string, std::uint32_t, std::less<>> materials_;  // their numbers, from 1
   std::uint32_t material_ = 0;                                   // at present; 0: none
 };

@@ -121,22 +121,22 @@ class Attachment {
     return std::nullopt;
   }
 
-  /// Copies of meshes, materials and textures, with absolute paths of mesh files.
+  /// Copies of meshes, materials and textures, with absolute paths of their files.
   [[nodiscard]] std::vector<files::XmlTree> assets_of(const Model& model, MjcfReferences& names) const {
     std::vector<files::XmlTree> sections;
-    const auto folder = std::filesystem::absolute(model.root.file()).parent_path() / model.compiler.mesh_folder;
+    const auto own = std::filesystem::absolute(model.root.file()).parent_path();
+    const auto meshes = own / model.compiler.mesh_folder, pictures = own / model.compiler.picture_folder;
     for (const files::XmlElement& section : model.root.children("asset")) {
       files::XmlTree assets{"asset", {}, section, {}};
       for (const files::XmlElement& element : section.children()) {
         if (element.tag() != "mesh" && element.tag() != "material" && element.tag() != "texture") continue;
         files::XmlTree& tree = assets.children.emplace_back(files::copy_of(element));
-        if (std::string* file = tree.find("file"); file && element.tag() == "texture") {  // it is not read
-          if (!tree.find("name")) tree.set("name", std::filesystem::path(*file).stem().string());
-        } else if (file) {
+        if (const std::string* file = tree.find("file")) {
           const std::filesystem::path path = *file;
-          if (compiler_.strip_path)
+          if (compiler_.strip_path && element.tag() == "mesh")
             element.fail("strippath of the file that attaches this one loses its folder; remove it");
           if (!tree.find("name")) tree.set("name", path.stem().string());
+          const auto& folder = element.tag() == "texture" ? pictures : meshes;
           tree.set("file", (folder / (model.compiler.strip_path ? path.filename() : path)).string());
         }
         names.add(tree);

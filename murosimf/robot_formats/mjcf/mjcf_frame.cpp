@@ -93,6 +93,7 @@ MjcfCompiler read_compiler(const files::XmlElement& root) {
                                                       : InertiaFromGeom::never;
     }
     compiler.mesh_folder = attributes.text("meshdir", attributes.text("assetdir", compiler.mesh_folder));
+    compiler.picture_folder = attributes.text("texturedir", attributes.text("assetdir", compiler.picture_folder));
     if (attributes.has("strippath")) compiler.strip_path = attributes.choice("strippath", {"false", "true"}) == "true";
     read_mass_rules(attributes, compiler);
     if (attributes.text("coordinate", "local") != "local") {

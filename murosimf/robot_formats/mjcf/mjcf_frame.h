@@ -35,7 +35,8 @@ struct MjcfCompiler {
 
   InertiaFromGeom inertia_from_geom = InertiaFromGeom::if_missing;
   std::string mesh_folder;                 ///< folder of mesh files, relative to the MJCF file's folder
-  bool strip_path = false;                 ///< only the last part of a mesh file's path counts
+  std::string picture_folder;              ///< the same of files of textures
+  bool strip_path = false;                 ///< only the last part of the path of a mesh or texture counts
   double first_group = 0, last_group = 5;  ///< inertiagrouprange: geoms of these groups make masses
   double least_mass = 0;                   ///< [kg] boundmass: no body is lighter
   double least_inertia = 0;                ///< [kg m^2] boundinertia: no principal moment is smaller

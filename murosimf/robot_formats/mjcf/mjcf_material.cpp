@@ -23,20 +23,24 @@ Color read_color(const MjcfAttributes& attributes, const Color& otherwise) {
 
 }  // namespace
 
-MjcfMaterials::MjcfMaterials(const files::XmlElement& root, const MjcfDefaults& defaults) {
-  const MjcfTextures textures(root);
+MjcfMaterials::MjcfMaterials(const std::filesystem::path& file, const files::XmlElement& root,
+                             const MjcfDefaults& defaults, const MjcfCompiler& compiler) {
+  const MjcfTextures textures(file, root, compiler);
   for (const files::XmlElement& asset : root.children("asset")) {
     for (const files::XmlElement& element : asset.children("material")) {
       const auto name = element.attribute("name");
       if (!name || name->empty()) element.fail("material without a name; add name=\"...\"");
       const MjcfAttributes attributes = defaults.resolve(element);
       Color color = read_color(attributes, {1, 1, 1, 1});
-      // A picture on a texture is not drawn, but a grid of two colors looks like their mean from afar.
+      std::filesystem::path picture;
+      // A grid of two colors looks like their mean from afar.
       if (attributes.has("texture")) {
-        const auto mean = textures.mean_color(attributes.text("texture"), attributes.source("texture"));
+        const std::string texture = attributes.text("texture");
+        picture = textures.picture(texture, attributes.source("texture"));
+        const auto mean = textures.mean_color(texture, attributes.source("texture"));
         if (mean) color = {color.red * mean->x, color.green * mean->y, color.blue * mean->z, color.alpha};
       }
-      if (!colors_.emplace(*name, color).second) {
+      if (!materials_.emplace(*name, Material{color, picture}).second) {
         element.fail(fmt::format("material '{}' is already there; choose another name", *name));
       }
     }
@@ -45,16 +49,25 @@ MjcfMaterials::MjcfMaterials(const files::XmlElement& root, const MjcfDefaults& 
 
 Color MjcfMaterials::color_of(const MjcfAttributes& geom, const std::string& of_mesh) const {
   const Color own = read_color(geom, {});
-  const std::string material = geom.text("material", of_mesh);
-  if (material.empty()) return own;
-  const auto found = colors_.find(material);
-  if (found == colors_.end()) {
-    std::vector<std::string_view> known;
-    for (const auto& [name, color] : colors_) known.push_back(name);
-    geom.source("material").fail(unknown_name("material", material, known));
-  }
+  const Material* material = find(geom, of_mesh);
   // The format's gray stands for "no color of its own", as in MuJoCo.
-  return own == Color{} ? found->second : own;
+  return material && own == Color{} ? material->color : own;
+}
+
+std::filesystem::path MjcfMaterials::picture_of(const MjcfAttributes& geom, const std::string& of_mesh) const {
+  const Material* material = find(geom, of_mesh);
+  return material ? material->picture : std::filesystem::path();
+}
+
+/// Null: the geom has none.
+const MjcfMaterials::Material* MjcfMaterials::find(const MjcfAttributes& geom, const std::string& of_mesh) const {
+  const std::string name = geom.text("material", of_mesh);
+  if (name.empty()) return nullptr;
+  const auto found = materials_.find(name);
+  if (found != materials_.end()) return &found->second;
+  std::vector<std::string_view> known;
+  for (const auto& [other, material] : materials_) known.push_back(other);
+  geom.source("material").fail(unknown_name("material", name, known));
 }
 
 }  // namespace murosimf::robot_formats::mjcf

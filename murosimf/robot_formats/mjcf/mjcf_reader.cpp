@@ -22,6 +22,7 @@
 #include "murosimf/robot_formats/mjcf/mjcf_schema.h"
 #include "murosimf/robot_formats/mjcf/mjcf_tendon_ties.h"
 #include "murosimf/robot_formats/mjcf/mjcf_tendons.h"
+#include "murosimf/robot_formats/mjcf/mjcf_texture.h"
 #include "murosimf/robot_formats/mjcf/mjcf_trees.h"
 
 namespace murosimf::robot_formats::mjcf {
@@ -84,7 +85,8 @@ robot_formats::RobotDescription read_mjcf(const std::filesystem::path& file,
   }
   const MjcfNames names(root, trees);
   MjcfMeshes meshes(file, root, defaults, compiler, options.part_per_group, description.warnings);
-  const MjcfMaterials materials(root, defaults);
+  const MjcfMaterials materials(file, root, defaults, compiler);
+  name_undrawn_textures(root, description.unused);
   description.meshes = meshes.descriptions();
   auto tendons = find_tendons(root, defaults, compiler, names);
   MjcfActuators actuators = read_actuators(root, defaults, compiler, names, tendons, description);

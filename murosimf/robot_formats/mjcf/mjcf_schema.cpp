@@ -77,9 +77,9 @@ files::XmlVocabulary make_rules() {
                      .unused_children = {"option", "size", "visual", "statistic", "custom", "extension"},
                      .unsupported_children = {"deformable"}};
   rules["compiler"] = {.used = {"angle", "eulerseq", "autolimits", "inertiafromgeom", "coordinate", "meshdir",
-                                "assetdir", "strippath", "inertiagrouprange", "boundmass", "boundinertia",
+                                "texturedir", "assetdir", "strippath", "inertiagrouprange", "boundmass", "boundinertia",
                                 "settotalmass", "balanceinertia"},
-                       .unused = {"texturedir", "alignfree", "discardvisual", "fusestatic", "usethread", "convexhull",
+                       .unused = {"alignfree", "discardvisual", "fusestatic", "usethread", "convexhull",
                                   "exactmeshinertia", "saveinertial", "fitaabb", "savecanonical", "savecompiled",
                                   "conflict", "passthrough"},
                        .unused_children = {"lengthrange"}};
@@ -89,11 +89,10 @@ files::XmlVocabulary make_rules() {
                           actuators,
                       .unused_children = files::XmlWords{"light", "pair", "equality"} + idle_actuators};
   rules["asset"] = {.children = {"mesh", "material", "model", "texture"}, .unused_children = {"hfield", "skin"}};
-  rules["texture"] = {.used = {"name", "builtin", "rgb1", "rgb2"},
-                      .unused = {"type",      "file",     "content_type", "gridsize",   "gridlayout",
-                                 "fileright", "fileleft", "fileup",       "filedown",   "filefront",
-                                 "fileback",  "mark",     "markrgb",      "random",     "width",
-                                 "height",    "hflip",    "vflip",        "colorspace", "nchannel"}};
+  rules["texture"] = {.used = {"name", "type", "file", "builtin", "rgb1", "rgb2"},
+                      .unused = {"content_type", "gridsize", "gridlayout", "fileright", "fileleft", "fileup",
+                                 "filedown", "filefront", "fileback", "mark", "markrgb", "random", "width", "height",
+                                 "hflip", "vflip", "colorspace", "nchannel"}};
   rules["asset/model"] = {.used = {"name", "file"}, .unused = {"content_type"}};
   rules["attach"] = {.used = {"model", "body", "prefix"}};
   rules["material"] = {.used = {"name", "class", "rgba", "texture"},

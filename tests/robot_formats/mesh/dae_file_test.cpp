@@ -88,10 +88,45 @@ TEST(DaeFile, MaterialsHaveTheirDiffuseColors) {
 
 TEST(DaeFile, MaterialsThatAreNotUnderstoodHaveNoColor) {
   const MeshFile textured = read_materials("<texture texture='picture' texcoord='uv'/>");
-  EXPECT_TRUE(textured.materials[1].textured);
+  EXPECT_EQ(textured.materials[1].picture, "picture");
   EXPECT_FALSE(textured.materials[1].color);
   EXPECT_FALSE(read_materials("<color>red</color>").materials[1].color);
   EXPECT_TRUE(read_primitive(triangles).materials.empty());
+}
+
+/// A tetrahedron of one material, whose effect has these parameters and this diffuse texture; the file's image is "img".
+MeshFile read_pictured(const std::string& parameters, const std::string& texture) {
+  const std::string places =
+      "<source id='uv'><float_array id='n' count='8'>0 0  0.5 0.25  1 1  0.25 0.75</float_array><technique_common>"
+      "<accessor source='#n' count='4' stride='2'/></technique_common></source>";
+  const std::string materials =
+      "<library_images><image id='img'><init_from>skin%201.png</init_from></image></library_images><library_effects>"
+      "<effect id='e'><profile_COMMON>" +
+      parameters + "<technique sid='t'><lambert><diffuse><texture texture='" + texture +
+      "' texcoord='UVMap'/></diffuse></lambert></technique></profile_COMMON></effect></library_effects>"
+      "<library_materials><material id='m'><instance_effect url='#e'/></material></library_materials>";
+  const std::string bound =
+      "<node><instance_geometry url='#g'><bind_material><technique_common><instance_material symbol='one' target='#m'/>"
+      "</technique_common></bind_material></instance_geometry></node>";
+  return read(file_of(library(places + "<triangles count='4' material='one'><input semantic='TEXCOORD' source='#uv' "
+                                       "offset='0' set='0'/><input semantic='VERTEX' source='#v' offset='1'/>"
+                                       "<p>3 0 1 2 2 1  0 0 0 1 0 3  1 0 2 3 9 2  0 1 0 2 0 3</p></triangles>") +
+                          materials,
+                      bound));
+}
+
+TEST(DaeFile, TexturesAreFilesAndPlacesOfCorners) {
+  const std::string
+      sampler = "<newparam sid='img-sampler'><sampler2D><source>img-surface</source></sampler2D></newparam>",
+      surface = "<newparam sid='img-surface'><surface type='2D'><init_from>img</init_from></surface></newparam>";
+  const MeshFile file = read_pictured(surface + sampler, "img-sampler");
+  expect_tetrahedron(file);
+  ASSERT_EQ(file.materials.size(), 1U);
+  EXPECT_EQ(file.materials[0].picture, "skin%201.png");
+  ASSERT_EQ(file.picture_places.size(), 4U);
+  EXPECT_EQ(file.picture_places[0], (PicturePlaces{{{0.25F, 0.75F}, {0.5F, 0.25F}, {1, 1}}}));
+  EXPECT_EQ(file.picture_places[2], (PicturePlaces{{{0.5F, 0.25F}, {1, 1}, {0, 0}}})) << "there is no ninth place";
+  EXPECT_EQ(read_pictured("", "img").materials[0].picture, "skin%201.png") << "without sampler and surface";
 }
 
 TEST(DaeFile, ReadsTriangles) { expect_tetrahedron(read_primitive(triangles)); }

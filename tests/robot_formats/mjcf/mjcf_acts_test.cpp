@@ -88,8 +88,8 @@ std::string text_of(const Model& model, int i) {
   }
   if (const Visuals* visuals = model.find(properties::visuals, i)) {
     for (const VisualMesh& v : *visuals) {
-      text += fmt::format("  {} {} {} {} {}\n", v.file, text_of(v.scale), text_of(v.position), text_of(v.orientation),
-                          text_of(v.color));
+      text += fmt::format("  {} {} {} {} {} {}\n", v.file, v.picture, text_of(v.scale), text_of(v.position),
+                          text_of(v.orientation), text_of(v.color));
     }
   }
   if (const Sole* sole = model.find(properties::sole, i)) {
@@ -261,8 +261,11 @@ std::map<std::string, Place> make_places() {
   places["mujoco"] = {parts};
   parts = {};
   parts.compiler = "<compiler %/>";
-  parts.assets = "<asset><mesh name='mesh' file='a.obj'/><mesh name='deep' file='sub/a.obj'/></asset>";
+  parts.assets =
+      "<asset><mesh name='mesh' file='a.obj'/><mesh name='deep' file='sub/a.obj'/>"
+      "<texture name='t' type='2d' file='a.png'/><material name='skin' texture='t'/></asset>";
   parts.link =
+      "<geom type='mesh' mesh='mesh' contype='0' conaffinity='0' mass='0' material='skin'/>"
       "<joint name='j' axis='0 1 0' range='-1 1' limited='auto'/><inertial pos='0 0 0' mass='2' diaginertia='1 2 9'/>"
       "<geom type='mesh' mesh='deep'/><geom type='box' size='.1 .1 .1' mass='1' euler='.1 .2 .3'/>";
   places["compiler"] = {parts, {{"angle", "radian"}}};
@@ -280,6 +283,8 @@ std::map<std::string, Place> make_places() {
   parts.link = "<joint name='j' axis='0 1 0'/><geom size='.1' material='red'/>";
   places["material"] = {parts, {{"name", "red"}}};
   parts.assets = "<asset><material name='red' texture='paint'/><texture %/></asset>";
+  parts.assets += "<asset><mesh name='mesh' file='a.obj'/></asset>";
+  parts.link += "<geom type='mesh' mesh='mesh' contype='0' conaffinity='0' mass='0' material='red'/>";
   places["texture"] = {parts, {{"name", "paint"}, {"builtin", "checker"}}};
   parts = {};
   parts.defaults = "<default><default class='c'><joint axis='1 0 0'/></default></default>";
@@ -408,6 +413,7 @@ std::map<std::string, Probes> make_probes() {
                         {"coordinate", {"local", "global"}},
                         {"meshdir", {".", "sub", {{"strippath", "true"}}}},
                         {"assetdir", {".", "sub", {{"strippath", "true"}}}},
+                        {"texturedir", {".", "sub"}},
                         {"strippath", {"false", "true"}},
                         {"inertiagrouprange", {"0 5", "1 5"}},
                         {"boundmass", {"0", "50"}},
@@ -433,6 +439,8 @@ std::map<std::string, Probes> make_probes() {
                         {"rgba", {"1 0 0 1", "1 0 0 .5"}},
                         {"texture", {"-", "paint"}}};
   probes["texture"] = {{"name", {"paint", "other"}},
+                       {"type", {"2d", "cube", {{"builtin", "-"}, {"file", "a.png"}}}},
+                       {"file", {"a.png", "b.png", {{"builtin", "-"}, {"type", "2d"}}}},
                        {"builtin", {"flat", "gradient"}},
                        {"rgb1", {"1 0 0", "0 1 0"}},
                        {"rgb2", {"1 0 0", "0 1 0"}}};

@@ -11,6 +11,7 @@
 
 #include "murosimf/model/keyframe.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/model/visual_mesh.h"
 #include "murosimf/robot_formats/mjcf/mjcf_writer.h"
 #include "tests/fixtures.h"
 #include "tests/temp_folder.h"
@@ -272,6 +273,32 @@ TEST(MjcfWords, MaterialsHaveTheMeanColorOfBuiltinTextures) {
   EXPECT_EQ(color("builtin='checker' rgb1='1 .5 .25' rgb2='0 .5 .75'", ""), (Color{.5, .5, .5, 1}));
   EXPECT_EQ(color("builtin='gradient' rgb1='1 .5 .25' rgb2='0 .5 .75'", "rgba='1 .5 0 .3'"), (Color{.5, .25, 0, .3}));
   EXPECT_EQ(color("file='wood.png'", "rgba='1 .5 0 1'"), (Color{1, .5, 0, 1})) << "no file is read";
+}
+
+// Rule: MuJoCo's documentation, XML reference, asset/texture and compiler: texturedir, assetdir, strippath.
+TEST(MjcfWords, VisualMeshesHaveTexturesOfTheTypeOfPictures) {
+  const auto read_visual = [](const std::string& compiler, const std::string& texture, const std::string& geom) {
+    const auto robot =
+        read("<mujoco>" + compiler + "<asset><mesh name='m' file='m.obj' material='own'/><texture " + texture +
+             "/><material name='own'/><material name='skin' texture='t' rgba='1 .5 0 1'/>"
+             "</asset><worldbody><body name='b'><freejoint/><geom size='.1'/><geom type='mesh' mesh='m' "
+             "contype='0' conaffinity='0' mass='0' " +
+             geom + "/></body></worldbody></mujoco>");
+    const Visuals* visuals = robot.model->find(properties::visuals, robot.model->having(properties::visuals).at(0));
+    return visuals->at(0);
+  };
+  const auto picture = [&](const std::string& compiler, const std::string& texture, const std::string& geom) {
+    return std::filesystem::path(read_visual(compiler, texture, geom).picture).lexically_relative(folder()).string();
+  };
+  const std::string file = "name='t' type='2d' file='a/skin.png'", skin = "material='skin'";
+  EXPECT_EQ(picture("", file, skin), "a/skin.png");
+  EXPECT_EQ(read_visual("", file, skin).color, (Color{1, .5, 0, 1}));
+  EXPECT_EQ(picture("<compiler assetdir='x' meshdir='y'/>", file, skin), "x/a/skin.png");
+  EXPECT_EQ(picture("<compiler texturedir='z' assetdir='x' strippath='true'/>", file, skin), "z/skin.png");
+  EXPECT_EQ(picture("", file, "material='skin' rgba='1 0 0 1'"), "a/skin.png") << "the color alone is replaced";
+  EXPECT_EQ(read_visual("", file, "").picture, "") << "the mesh's own material";
+  EXPECT_EQ(read_visual("", "name='t' type='cube' file='skin.png'", skin).picture, "");
+  EXPECT_EQ(read_visual("", "name='t' type='2d' builtin='flat' file='skin.png'", skin).picture, "");
 }
 
 TEST(MjcfWords, KeysHavePosturesAndTargets) {
