@@ -16,7 +16,7 @@ struct ContactShadow {
   double darkness = 0;                     ///< [1] 1: black
 };
 
-/// Of all opaque pieces of the scene that are less than `contact_height` above the ground, but of `without` (may be null).
+/// Of all opaque shapes and meshes of the scene that are less than `contact_height` above the ground, but of `without` (may be null).
 [[nodiscard]] std::vector<ContactShadow> contact_shadows(const RenderScene& render_scene, double ahead,
                                                          const Entity* without);
 

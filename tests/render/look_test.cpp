@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "murosimf/render/contact_shadows.h"
 #include "tests/render/drawn.h"
@@ -191,6 +193,29 @@ TEST(ContactShadows, LieBelowWhatIsCloseToTheGround) {
   EXPECT_NEAR(shadows[1].half_length, 0.1, 1e-9);
   EXPECT_NEAR(shadows[1].half_width, 0.04, 1e-9);
   EXPECT_EQ(render::contact_shadows(scene, 0, world.moving_entities[0]).size(), 1U);
+}
+
+// A mesh has a piece for each of its colors, and darkens the ground once.
+TEST(ContactShadows, AreOneForAMeshInSeveralColors) {
+  DrawnWorld world;
+  world.add_ball("two_colors", 0.07, {1, 2, 0.01});
+  const auto triangle = [](double from, double to) {
+    const std::vector<Vec3d> corners{{from, -0.1, 0}, {to, 0, 0}, {from, 0.1, 0.02}};
+    const std::vector<std::array<std::uint32_t, 3>> triangles{{0, 1, 2}};
+    return render::render_mesh_of(corners, triangles);
+  };
+  const auto in_two_colors = [&](const Entity& /*entity*/) {
+    render::EntityAppearance appearance;
+    appearance.meshes.push_back({0, triangle(-0.1, 0), {1, 0, 0}});
+    appearance.meshes.push_back({0, triangle(0, 0.3), {0, 0, 1}});
+    return appearance;
+  };
+  render::RenderScene scene(world.world, world.moving_entities, in_two_colors);
+  scene.locate();
+  const auto shadows = render::contact_shadows(scene, 0, nullptr);
+  ASSERT_EQ(shadows.size(), 1U);
+  EXPECT_NEAR(shadows[0].middle.x, 1.1, 1e-6);
+  EXPECT_NEAR(shadows[0].half_length, 0.2, 1e-6);
 }
 
 }  // namespace
