@@ -117,6 +117,18 @@ def test_writes_properties_as_set_does(tmp_path: Path) -> None:
     assert by_class["r1"].position[0] != by_class["r0"].position[0]
 
 
+def test_the_command_line_reaches_keys_and_options(tmp_path: Path) -> None:
+    scene = scene_of(tmp_path, FORCE, 'class = "soft:Force"\noptions = {x = 3.0}', 'name = "push"\nclass = "soft:Force"')
+    hashes = [report(scene, *options)["state_hash"] for options in (
+        ("--set", "algorithms.push.options.x=3"), ("--set", "algorithms.push.x=3"),
+        ("--set", "algorithms.Force.x=4", "--set", "algorithms.push.x=3"), ())]
+    assert hashes[0] == hashes[1] == hashes[2] != hashes[3]  # the later one writes last
+    assert report(scene, "--set", "algorithms.push.rate=500")["control"][1]["rate_hz"] == 500
+    for wrong, says in (("pull.x=3", "did you mean 'push'?"), ("push.y=3", "'y'"), ("push.x.y.z=3", "write algorithms.NAME.KEY")):
+        assert says in run(scene, "--libraries", "--set", f"algorithms.{wrong}", expect=2).stderr
+    assert "no [[algorithms]]" in run("walk", "--set", "algorithms.push.x=3", expect=2).stderr
+
+
 def test_an_exception_freezes_the_entity_or_ends_the_run(tmp_path: Path) -> None:
     text = "class A:\n    def __call__(self, robot, time):\n        if time > 0.1: raise ValueError('lost')\n"
     on = report(scene_of(tmp_path, text, 'class = "soft:A"\non = "r0"'))
