@@ -279,7 +279,8 @@ def look_by_bounds(call):
         filters = si.Filters(bounds=si.Bounds(kind, [ros.Vector3(*point) for point in points]))
         states = call("get_entities_states", filters)
         answer = call("get_entities", filters)
-        expect("names and states are of the same", states.entities == answer.entities and len(states.states) == len(answer.entities), "")
+        same = states.entities == answer.entities and len(states.states) == len(answer.entities)
+        expect("names and states are of the same", same, "")
         return answer.result.result, list(answer.entities)
 
     at = (ball.x, ball.y, ball.z)
@@ -291,7 +292,8 @@ def look_by_bounds(call):
     expect("that just misses it", inside(3, beside(1e-4), (0.05, 0.0, 0.0)) == (1, []), at)
     upper, lower = [[x + s * 0.05 for x in at] for s in (1, -1)]
     expect("a box at the ball", inside(1, upper, lower) == (1, ["ball"]), at)
-    expect("a hull at the ball", inside(2, at, *[[x + 0.1 * (i == k) for i, x in enumerate(at)] for k in range(3)]) == (1, ["ball"]), at)
+    corners = [[x + 0.1 * (i == k) for i, x in enumerate(at)] for k in range(3)]
+    expect("a hull at the ball", inside(2, at, *corners) == (1, ["ball"]), at)
     expect("everything", set(inside(1, (50, 50, 50), (-50, -50, -50))[1]) == set(call("get_entities", si.Filters()).entities), "")
     expect("a box that is none", inside(1, lower, upper) == (4, []), "")
     expect("a type that is none", inside(9, at) == (0, []), "")

@@ -1,7 +1,9 @@
 """Classes in Python that are no controllers: algorithms, sensors and referees of scene files."""
 
 import json
+import shutil
 import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -57,6 +59,30 @@ def test_the_example_is_the_same_in_every_run() -> None:
     scene.load(saved)
     scene.run(0.3)
     assert scene.state_hash == end
+
+
+def test_examples_play() -> None:
+    scenes = sorted(PRACTICE.parent.glob("*.toml"))
+    assert scenes
+    for scene in scenes:
+        assert {one["ended"] for one in report(scene, "--duration", 0.5)["control"]} == {""}
+
+
+@pytest.mark.parametrize(("kind", "duration", "stopped"), [("sensor", 0.2, None), ("algorithm", 0.2, None),
+                                                           ("referee", 5, "roll_on: the ball has rolled 1 m")])
+def test_a_new_one_is_made_and_plays(tmp_path: Path, kind: str, duration: float, stopped: str | None) -> None:
+    root = Path(__file__).parents[3]
+    shutil.copytree(root / "scripts/templates", tmp_path / "scripts/templates")
+    shutil.copy(root / "scripts/new", tmp_path / "scripts/new")
+    subprocess.run([sys.executable, tmp_path / "scripts/new", f"python-{kind}", "roll_on"], check=True, capture_output=True)
+    found = report(tmp_path / "examples/python/algorithms/roll_on.toml", "--duration", duration)
+    control = [one for one in found["control"] if one["robot"] == "roll_on"][0]
+    assert control["calls"] > 0
+    assert (found.get("stopped") or {}).get("by") == stopped
+    if kind == "referee":
+        assert found["stopped"]["time_s"] < 2
+    else:
+        assert control["ended"] == ""
 
 
 def test_a_sensor_is_read_by_control_software_and_by_others(tmp_path: Path) -> None:
