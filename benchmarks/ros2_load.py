@@ -2,13 +2,14 @@
 """What nodes of ROS 2 cost a run in real time: round trips of services, processor time per robot.
 
     benchmarks/ros2_load.py --program build/release/murosimf
-    benchmarks/ros2_load.py --program build/release/murosimf --robots 11 --seconds 20
+    benchmarks/ros2_load.py --program build/release/murosimf --robots 11 --seconds 20 --out ros2_load.json
 
 The nodes are Cyclone DDS in this Python (package cyclonedds), as in tests/oracle. Robots walk at simplified_dynamics. Processor
 time is that of the simulator's process alone: without --ros2, with it and no reader, with a reader of joint_states and imu of
 each robot, and of pictures of one camera at 10 Hz, too. Runs follow each other, so the machine should be calm.
 """
 import argparse
+import json
 import os
 import statistics
 import subprocess
@@ -104,6 +105,8 @@ def answered(client, number):
 
 
 def round_trips(options, folder):
+    """Rows of a table, which are printed."""
+    rows = []
     with Run(options, folder, True, False) as run:
         node = Node(DOMAIN)
         for name, *values in (("get_simulation_state", 0), ("get_entity_state", "ball")):
@@ -118,10 +121,13 @@ def round_trips(options, folder):
                 times.append(1e3 * (time.perf_counter() - start))
             cut = statistics.quantiles(times, n=100)
             print(f"| /{name} | {cut[49]:.2f} ms | {cut[98]:.2f} ms |")
+            rows.append({"service": "/" + name, "calls": options.calls, "median_ms": cut[49], "percentile_99_ms": cut[98]})
+    return rows
 
 
 def loads(options, folder):
-    base = None
+    """Likewise."""
+    base, rows = None, []
     for what, ros2, reads, pictures in (("without --ros2", False, False, False), ("without readers", True, False, False),
                                         ("joint_states and imu are read", True, True, False),
                                         ("without --ros2, one camera", False, False, True),
@@ -134,6 +140,8 @@ def loads(options, folder):
         base = share if not ros2 else base
         more, of = (share - base, "camera") if pictures else ((share - base) / options.robots, "robot")
         print(f"| {what} | {100 * share:.1f} % | {100 * more:+.2f} % a {of} | {count} |")
+        rows.append({"run": what, "share_of_a_core": share, "more_per_" + of: more, "messages_read": count})
+    return rows
 
 
 def main():
@@ -142,12 +150,16 @@ def main():
     parser.add_argument("--robots", type=int, default=6)
     parser.add_argument("--seconds", type=float, default=10)
     parser.add_argument("--calls", type=int, default=1000)
+    parser.add_argument("--out", help="the tables as JSON")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
         print(f"| service, {options.calls} calls | median | 99 % |\n|---|---|---|")
-        round_trips(options, folder)
+        services = round_trips(options, folder)
         print(f"\n| {options.robots} robots | of a core | more than without --ros2 | messages read |\n|---|---|---|---|")
-        loads(options, folder)
+        runs = loads(options, folder)
+    if options.out:
+        tables = {"robots": options.robots, "seconds": options.seconds, "services": services, "runs": runs}
+        Path(options.out).write_text(json.dumps(tables, indent=1) + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":

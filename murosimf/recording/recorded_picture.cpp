@@ -111,6 +111,14 @@ void want_pictures(World& world) {
   }
 }
 
+void offer_pictures(World& world) {
+  for (const auto& entity : world.entities()) {
+    for (const sensors::CameraFrame* frame : sensors::frames_of(*entity)) {
+      (void)sensors::offer_frames(*entity, frame->info->name);
+    }
+  }
+}
+
 /// Cameras are placed relative to the link that carries them.
 std::vector<RecordedCamera> recorded_cameras(const std::vector<RecordedEntity>& entities) {
   std::vector<RecordedCamera> cameras;

@@ -41,6 +41,8 @@ struct Distortion {
 
 /// Before the scene is initialized: requests pictures of all cameras, which changes no result.
 void want_pictures(World& world);
+/// The same of cameras that draw only while their frames are asked for (camera_frame.h).
+void offer_pictures(World& world);
 [[nodiscard]] std::vector<RecordedCamera> recorded_cameras(const std::vector<RecordedEntity>& entities);
 
 /// Adds the pictures since the last call.

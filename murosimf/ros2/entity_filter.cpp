@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/model/error.h"
+#include "murosimf/ros2/bounds_filter.h"
 
 namespace murosimf::ros2 {
 namespace {
@@ -41,13 +42,15 @@ std::vector<const Entity*> filtered(const scene::Scene& scene, const EntityFilte
                                     const std::function<EntityInfo(const Entity&)>& info) {
   std::optional<Expression> expression;
   if (!filters.names.empty()) expression.emplace(filters.names);
+  std::optional<BoundsFilter> bounds;
+  if (!filters.bounds.is_empty()) bounds.emplace(filters.bounds);
   std::vector<const Entity*> found;
   for (const Entity* entity : scene.moving_entities()) {
     const auto& of = filters.categories;
     if (!entity->present() || (expression && !expression->matches(entity->name()))) continue;
     const EntityInfo known = info(*entity);
     if (!of.empty() && std::ranges::find(of, known.category) == of.end()) continue;
-    if (has_tags(filters, known.tags)) found.push_back(entity);
+    if (has_tags(filters, known.tags) && (!bounds || bounds->meets(*entity))) found.push_back(entity);
   }
   return found;
 }

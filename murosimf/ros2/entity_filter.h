@@ -9,8 +9,8 @@
 
 namespace murosimf::ros2 {
 
-/// Those that are present, by name, category and tags; bounds are not looked at. `info`: category and tags of an entity. Throws SetupError:
-/// the expression for names is none.
+/// Those that are present, by name, category, tags and bounds (bounds_filter.h), of a type that is known. `info`: category and tags of an
+/// entity. Throws SetupError: the expression for names is none, or the bounds are none.
 [[nodiscard]] std::vector<const Entity*> filtered(const scene::Scene& scene, const EntityFilters& filters,
                                                   const std::function<EntityInfo(const Entity&)>& info);
 

@@ -26,20 +26,22 @@ void keep_unset(EntityStateRequest& request, const EntityState& present) {
 
 }  // namespace
 
+Result SimulationServices::find(const EntityFilters& filters,
+                                const std::function<void(const scene::Scene&, const Entity&)>& found) {
+  if (!filters.bounds.is_known()) return {ResultCode::feature_unsupported, "there is no such type of bounds"};
+  return attempt([&] {
+    visit([&](scene::Scene& scene) {
+      const auto info = [&](const Entity& entity) { return info_of(scene, entity); };
+      for (const Entity* entity : filtered(scene, filters, info)) found(scene, *entity);
+    });
+  });
+}
+
 void SimulationServices::get_entities(dds::CdrReader& in, Answer& out) {
   const EntityFilters filters = read_filters(in);
   if (!in.good()) return;
   std::vector<std::string> names;
-  Result result = attempt([&] {
-    visit([&](scene::Scene& scene) {
-      for (const Entity* entity :
-           filtered(scene, filters, [&](const Entity& entity) { return info_of(scene, entity); }))
-        names.push_back(entity->name());
-    });
-  });
-  if (filters.has_bounds) result = {ResultCode::feature_unsupported, "filters by bounds"};
-  if (result.code != ResultCode::ok) names.clear();
-  put(out, result);
+  put(out, find(filters, [&](const scene::Scene&, const Entity& entity) { names.push_back(entity.name()); }));
   out.texts(names);
 }
 
@@ -48,18 +50,10 @@ void SimulationServices::get_entities_states(dds::CdrReader& in, Answer& out) {
   if (!in.good()) return;
   std::vector<std::string> names;
   std::vector<EntityState> states;
-  Result result = attempt([&] {
-    visit([&](scene::Scene& scene) {
-      for (const Entity* entity :
-           filtered(scene, filters, [&](const Entity& entity) { return info_of(scene, entity); })) {
-        names.push_back(entity->name());
-        states.push_back(state_of(scene, *entity));
-      }
-    });
-  });
-  if (filters.has_bounds) result = {ResultCode::feature_unsupported, "filters by bounds"};
-  if (result.code != ResultCode::ok) names.clear(), states.clear();
-  put(out, result);
+  put(out, find(filters, [&](const scene::Scene& scene, const Entity& entity) {
+        names.push_back(entity.name());
+        states.push_back(state_of(scene, entity));
+      }));
   out.texts(names);
   out.u32(static_cast<std::uint32_t>(states.size()));
   for (const EntityState& state : states) put(out, state);

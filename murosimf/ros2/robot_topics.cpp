@@ -58,7 +58,7 @@ void OwnOdometry::follow(Duration now, const Transformd& truth) {
   before_ = place;
 }
 
-RobotTopics::RobotTopics(Topics topics, const Entity& robot, const std::string& description)
+RobotTopics::RobotTopics(Topics topics, Entity& robot, const std::string& description)
     : robot_(robot),
       name_(ros_name(robot.name())),
       odometry_frame_(robot.name() + "/odom"),
@@ -75,7 +75,7 @@ RobotTopics::RobotTopics(Topics topics, const Entity& robot, const std::string& 
     if (!reading->info->outputs.empty()) sensors_.emplace_back(topics, recorded_[0], *reading);
   }
   for (const recording::RecordedCamera& camera : recording::recorded_cameras(recorded_))
-    cameras_.emplace_back(topics, camera);
+    cameras_.emplace_back(topics, robot, camera);
   if (description.empty()) return;
   outlet_.send_always(topics.latched(fmt::format("/{}/robot_description", name_), "std_msgs/String"),
                       [&](RosWriter& out) { write_string(out, description); });

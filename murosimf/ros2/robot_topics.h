@@ -43,7 +43,7 @@ class OwnOdometry {
 class RobotTopics {
  public:
   /// `description`: the robot as URDF; empty: there is none. Throws SetupError.
-  RobotTopics(Topics topics, const Entity& robot, const std::string& description);
+  RobotTopics(Topics topics, Entity& robot, const std::string& description);
 
   /// After each step. Adds its moving frames to `frames` if these are due.
   void publish(Duration now, bool frames_are_due, std::vector<dds::ros2::FramePose>& frames);

@@ -28,7 +28,7 @@ SceneTopics::SceneTopics(scene::Scene& scene, dds::Participant& participant,
       fixed_frames_(topics_.latched("/tf_static", "tf2_msgs/TFMessage")),
       clock_timer_(clock_rate),
       frame_timer_(frame_rate) {
-  recording::want_pictures(scene.simulation().world());
+  recording::offer_pictures(scene.simulation().world());
   // as of a recorder: a state that is loaded knows nothing of it
   scene.simulation().after_start([this] { scene_.simulation().at(Duration{}, [this] { begin(); }); });
 }
@@ -42,7 +42,7 @@ void SceneTopics::begin() {
 void SceneTopics::add_entities() {
   const std::vector<Entity*>& moving = scene_.moving_entities();
   for (; known_ < moving.size(); ++known_) {
-    const Entity& entity = *moving[known_];
+    Entity& entity = *moving[known_];
     const auto& robots = scene_.parts().robots;
     if (std::ranges::find(robots, &entity) != robots.end()) {
       robots_.push_back(std::make_unique<RobotTopics>(topics_, entity, description_of(entity)));

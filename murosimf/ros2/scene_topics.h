@@ -20,7 +20,7 @@ namespace murosimf::ros2 {
 
 class SceneTopics {
  public:
-  /// Before the scene is initialized, which it outlives as the participant does: from its first step on. Requests pictures of all cameras. `say`: of
+  /// Before the scene is initialized, which it outlives as the participant does: from its first step on. Cameras draw while their pictures are read. `say`: of
   /// robots without a description. Throws SetupError.
   SceneTopics(scene::Scene& scene, dds::Participant& participant, std::function<void(const std::string&)> say);
   SceneTopics(const SceneTopics&) = delete;  // the simulation calls back

@@ -123,8 +123,10 @@ FramePose SensorTopic::frame() const {
   return {.parent = link_, .child = frame_, .position = pose_.position, .orientation = from_matrix(pose_.orientation)};
 }
 
-CameraTopic::CameraTopic(Topics topics, const recording::RecordedCamera& camera)
+CameraTopic::CameraTopic(Topics topics, Entity& robot, const recording::RecordedCamera& camera)
     : camera_(camera),
+      frame_(sensors::offer_frames(robot, camera.shown->info->name)),
+      reading_(*sensors::find_reading(robot, camera.shown->info->name)),
       calibration_(recording::distortion_of(camera.shown->info->lens)),
       info_(topics.stream(topic_of(camera, "camera_info"), "sensor_msgs/CameraInfo")),
       picture_(topics.pictures(topic_of(camera, "image_raw"), "sensor_msgs/Image")) {
@@ -132,17 +134,33 @@ CameraTopic::CameraTopic(Topics topics, const recording::RecordedCamera& camera)
 }
 
 void CameraTopic::publish(Outlet& outlet) {
-  const sensors::CameraFrame& shown = *camera_.shown;
-  if (shown.number == camera_.number) return;
-  camera_.number = shown.number;
-  if (shown.number == 0) return;
-  const Stamp stamp{shown.time, camera_.frame};
+  frame_.asked = picture_.has_readers() || (depth_ && depth_->has_readers());
+  publish_info(outlet);
+  if (frame_.number == camera_.number) return;
+  camera_.number = frame_.number;
+  if (frame_.number == 0) return;
+  const Stamp stamp{frame_.time, camera_.frame};
+  if (!frame_.color.empty()) {
+    outlet.send(picture_, [&](RosWriter& out) { write_image(out, stamp, picture_of(frame_.color, "rgb8")); });
+  } else if (!frame_.mosaic.empty()) {
+    const std::string encoding = fmt::format("bayer_{}8", frame_.info->mosaic);
+    outlet.send(picture_, [&](RosWriter& out) { write_image(out, stamp, picture_of(frame_.mosaic, encoding)); });
+  }
+  if (depth_ && !frame_.depth.empty())
+    outlet.send(*depth_, [&](RosWriter& out) { write_image(out, stamp, picture_of(frame_.depth, "32FC1")); });
+}
+
+/// With the stamp of the picture of this sample, if that is drawn.
+void CameraTopic::publish_info(Outlet& outlet) {
+  if (reading_.samples == sent_) return;
+  sent_ = reading_.samples;
+  if (sent_ == 0) return;
   const imaging::LensSpec& lens = calibration_.lens;
   outlet.send(info_, [&](RosWriter& out) {
     const std::array k{lens.fx, lens.skew, lens.cx, 0.0, lens.fy, lens.cy, 0.0, 0.0, 1.0};
     const std::array r{1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
     const std::array p{lens.fx, lens.skew, lens.cx, 0.0, 0.0, lens.fy, lens.cy, 0.0, 0.0, 0.0, 1.0, 0.0};
-    write_camera_info(out, stamp,
+    write_camera_info(out, {reading_.time, camera_.frame},
                       {.width = static_cast<std::uint32_t>(lens.width),
                        .height = static_cast<std::uint32_t>(lens.height),
                        .model = calibration_.model,
@@ -151,14 +169,6 @@ void CameraTopic::publish(Outlet& outlet) {
                        .r = r,
                        .p = p});
   });
-  if (!shown.color.empty()) {
-    outlet.send(picture_, [&](RosWriter& out) { write_image(out, stamp, picture_of(shown.color, "rgb8")); });
-  } else if (!shown.mosaic.empty()) {
-    const std::string encoding = fmt::format("bayer_{}8", shown.info->mosaic);
-    outlet.send(picture_, [&](RosWriter& out) { write_image(out, stamp, picture_of(shown.mosaic, encoding)); });
-  }
-  if (depth_ && !shown.depth.empty())
-    outlet.send(*depth_, [&](RosWriter& out) { write_image(out, stamp, picture_of(shown.depth, "32FC1")); });
 }
 
 FramePose CameraTopic::frame() const {

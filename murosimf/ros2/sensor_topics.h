@@ -1,4 +1,6 @@
 /// sensor_topics.h - topics of a robot's sensors and cameras (robot_topics.h): new samples and pictures are sent once.
+///
+/// A camera draws only while some program reads its pictures; what it is (camera_info) is sent for every sample.
 #pragma once
 
 #include <functional>
@@ -35,12 +37,18 @@ class SensorTopic {
 
 class CameraTopic {
  public:
-  CameraTopic(Topics topics, const recording::RecordedCamera& camera);
+  CameraTopic(Topics topics, Entity& robot, const recording::RecordedCamera& camera);
+  /// It draws from the next step on if its pictures or depths have readers.
   void publish(Outlet& outlet);
   [[nodiscard]] dds::ros2::FramePose frame() const;
 
  private:
+  void publish_info(Outlet& outlet);
+
   recording::RecordedCamera camera_;
+  sensors::CameraFrame& frame_;
+  const sensors::Reading& reading_;
+  std::uint64_t sent_ = 0;  // calibrations, by sample
   recording::Distortion calibration_;
   TopicWriter &info_, &picture_;
   TopicWriter* depth_ = nullptr;  // null: it sees none

@@ -7,7 +7,7 @@
 namespace murosimf::ros2 {
 namespace {
 
-constexpr std::uint32_t most_texts = 1000, most_points = 10'000;
+constexpr std::uint32_t most_texts = 1000, most_points = 1000;
 
 void skip_time(dds::CdrReader& in) {
   (void)in.number<std::int32_t>();
@@ -67,9 +67,8 @@ void put(dds::ros2::RosWriter& out, const EntityInfo& info) {
 }
 
 void put(dds::ros2::RosWriter& out, const Bounds& bounds) {
-  constexpr std::uint8_t type_empty = 0, type_box = 1;
   MUROSIMF_ASSERT(bounds.points.empty() || bounds.points.size() == 2);
-  out.u8(bounds.points.empty() ? type_empty : type_box);
+  out.u8(static_cast<std::uint8_t>(bounds.points.empty() ? BoundsType::empty : BoundsType::box));
   out.u32(static_cast<std::uint32_t>(bounds.points.size()));
   for (const Vec3d& point : bounds.points) out.vector(point);
 }
@@ -81,10 +80,9 @@ EntityFilters read_filters(dds::CdrReader& in) {
   for (std::uint32_t i = 0; i < categories; ++i)
     filters.categories.push_back(static_cast<Category>(in.number<std::uint8_t>()));
   read_tags_into(in, filters);
-  const auto bounds = in.number<std::uint8_t>();
+  filters.bounds.type = static_cast<BoundsType>(in.number<std::uint8_t>());
   const std::uint32_t points = in.count(most_points);
-  for (std::uint32_t i = 0; i < points && in.good(); ++i) (void)read_vector(in);
-  filters.has_bounds = bounds != 0;
+  for (std::uint32_t i = 0; i < points && in.good(); ++i) filters.bounds.points.push_back(read_vector(in));
   return filters;
 }
 

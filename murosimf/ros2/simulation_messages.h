@@ -27,7 +27,10 @@ enum class ResultCode : std::uint8_t {
   no_resource = 104,              ///< SpawnEntity
   namespace_invalid = 105,        ///< SpawnEntity
   resource_parse_error = 106,     ///< SpawnEntity
+  missing_assets = 107,           ///< SpawnEntity
+  unsupported_assets = 108,       ///< SpawnEntity
   invalid_pose = 109,             ///< SpawnEntity
+  entities_spawn_failed = 150,    ///< SpawnEntities
   invalid_state = 101,            ///< SetEntityState: INVALID_POSE
   no_world_resource = 102,        ///< LoadWorld
   world_parse_error = 103,        ///< LoadWorld
@@ -66,6 +69,7 @@ enum class Feature : std::uint16_t {
   world_loading = 40,
   world_info_getting = 44,
   available_worlds = 45,
+  spawning_entities = 50,
 };
 
 /// simulation_interfaces/EntityCategory
@@ -80,13 +84,30 @@ enum class Category : std::uint8_t {
 /// simulation_interfaces/SimulationState
 enum class SimulationState : std::uint8_t { stopped = 0, playing = 1, paused = 2, quitting = 3 };
 
+/// Types of simulation_interfaces/Bounds.
+enum class BoundsType : std::uint8_t {
+  empty = 0,
+  box = 1,          ///< points: upper corner, lower corner
+  convex_hull = 2,  ///< of the points
+  sphere = 3        ///< points: middle; x of the second one is the radius
+};
+
+/// Bounds of a request, in the world.
+struct Region {
+  BoundsType type = BoundsType::empty;
+  std::vector<Vec3d> points;  ///< [m]
+  /// Whether it is everywhere.
+  [[nodiscard]] bool is_empty() const { return type == BoundsType::empty || points.empty(); }
+  [[nodiscard]] bool is_known() const { return type <= BoundsType::sphere; }
+};
+
 /// simulation_interfaces/EntityFilters
 struct EntityFilters {
   std::string names;  ///< POSIX extended regular expression; empty: all
   std::vector<Category> categories;
   std::vector<std::string> tags;
   bool all_tags = false;
-  bool has_bounds = false;
+  Region bounds;
 };
 [[nodiscard]] EntityFilters read_filters(dds::CdrReader& in);
 /// simulation_interfaces/TagsFilter

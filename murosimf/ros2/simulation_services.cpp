@@ -70,6 +70,7 @@ void SimulationServices::offer_all() {
   offer("GetEntityBounds", &Self::get_entity_bounds);
   offer("GetSpawnables", &Self::get_spawnables);
   offer("SpawnEntity", &Self::spawn_entity);
+  offer("SpawnEntities", &Self::spawn_entities);
   offer("DeleteEntity", &Self::delete_entity);
   offer("ResetSimulation", &Self::reset_simulation);
   offer("StepSimulation", &Self::step_simulation);
@@ -206,11 +207,11 @@ void SimulationServices::get_features(dds::CdrReader&, Answer& out) {
                           F::step_simulation_multiple,
                           F::step_simulation_action};
   if (options_.exchange) features.push_back(F::world_loading);
-  features.insert(features.end(), {F::world_info_getting, F::available_worlds});
+  features.insert(features.end(), {F::world_info_getting, F::available_worlds, F::spawning_entities});
   out.u32(static_cast<std::uint32_t>(features.size()));
   for (const F feature : features) out.u16(static_cast<std::uint16_t>(feature));
   out.texts(std::vector<std::string>{"mjcf", "urdf", "sdf"});
-  out.text("MuRoSimF; simulation_interfaces 2.0; docs/ros2.md");
+  out.text("MuRoSimF; simulation_interfaces 2.1; docs/ros2.md");
 }
 
 void SimulationServices::reset_simulation(dds::CdrReader& in, Answer& out) {

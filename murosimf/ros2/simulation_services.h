@@ -1,7 +1,7 @@
 /// simulation_services.h - a run steered by clients of simulation_interfaces, the standard services of ROS 2 for simulators.
 ///
 ///     get_simulator_features, get_entities, get_entities_states, get_entity_state, set_entity_state, get_entity_info, set_entity_info,
-///     get_entity_bounds, get_spawnables, spawn_entity, delete_entity, reset_simulation, step_simulation, get_simulation_state, set_simulation_state,
+///     get_entity_bounds, get_spawnables, spawn_entity, spawn_entities, delete_entity, reset_simulation, step_simulation, get_simulation_state, set_simulation_state,
 ///     get_current_world, get_available_worlds, load_world, unload_world, get_named_poses, get_named_pose_bounds; the action simulate_steps
 ///
 /// Requests are answered one after the other, in a thread of its own, by the session: what they change are commands of the run, as of a supervisor. What
@@ -57,6 +57,9 @@ class SimulationServices {
   void finish_if_wanted();
   void visit(const std::function<void(scene::Scene&)>& look);
   [[nodiscard]] Result attempt(const std::function<void()>& call) const;
+  /// Calls `found` for each entity that the filters choose, between two steps.
+  [[nodiscard]] Result find(const EntityFilters& filters,
+                            const std::function<void(const scene::Scene&, const Entity&)>& found);
   [[nodiscard]] Result change(const std::vector<std::string>& changes);
   [[nodiscard]] Result step(std::uint64_t steps);
   [[nodiscard]] Result spawn(SpawnRequest& wanted, std::string& name);
@@ -75,6 +78,7 @@ class SimulationServices {
   void get_entity_bounds(dds::CdrReader& in, Answer& out);
   void get_spawnables(dds::CdrReader& in, Answer& out);
   void spawn_entity(dds::CdrReader& in, Answer& out);
+  void spawn_entities(dds::CdrReader& in, Answer& out);
   void delete_entity(dds::CdrReader& in, Answer& out);
   void reset_simulation(dds::CdrReader& in, Answer& out);
   void step_simulation(dds::CdrReader& in, Answer& out);

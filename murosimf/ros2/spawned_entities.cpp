@@ -113,6 +113,15 @@ void add_robot(scene::Scene& scene, scene_file::RobotSpec robot) {
   }
 }
 
+/// What is wrong with a model whose reading has ended so: readers of all formats name a mesh that is not there, or that they cannot read.
+ResultCode code_of(const std::string& error) {
+  const auto says = [&](std::string_view words) { return error.find(words) != std::string::npos; };
+  if (says("unknown kind of mesh file")) return ResultCode::unsupported_assets;
+  const bool is_missing = says(": there is no such file") || says("in none of the folders that may be read here");
+  if (says("there is no mesh file '") || (says(": mesh '") && is_missing)) return ResultCode::missing_assets;
+  return ResultCode::resource_parse_error;
+}
+
 std::string without(std::string message, const std::string& part) {
   for (std::size_t at = message.find(part); at != std::string::npos; at = message.find(part))
     message.erase(at, part.size());
@@ -161,14 +170,12 @@ std::filesystem::path SpawnedEntities::written(const std::string& text) {
 /// Files are not quoted over a network (SECURITY.md); a text is known to the client that sent it, and reads nothing else.
 void SpawnedEntities::refuse(const SpawnRequest& wanted, const std::string& whole) const {
   if (wanted.uri.empty()) {
-    throw RefusedSpawn(ResultCode::resource_parse_error,
-                       files::one_line(without(whole, texts_ ? texts_->path().string() + "/" : "/")));
+    throw RefusedSpawn(code_of(whole), files::one_line(without(whole, texts_ ? texts_->path().string() + "/" : "/")));
   }
   if (say_) say_(fmt::format("a spawned entity was refused: {}", files::one_line(whole)));
   const std::string places = scene::places_in(whole);
-  throw RefusedSpawn(ResultCode::resource_parse_error,
-                     fmt::format("{}{}the entity cannot be built; the simulator's own messages say why", places,
-                                 places.empty() ? "" : ": "));
+  throw RefusedSpawn(code_of(whole), fmt::format("{}{}the entity cannot be built; the simulator's own messages say why",
+                                                 places, places.empty() ? "" : ": "));
 }
 
 std::string SpawnedEntities::add(scene::Scene& scene, const SpawnRequest& wanted) {

@@ -9,6 +9,22 @@
 #include "murosimf/ros2/simulation_services.h"
 
 namespace murosimf::ros2 {
+namespace {
+
+constexpr std::uint32_t most_spawned = 100;  // by one request
+
+SpawnRequest read_spawn(dds::CdrReader& in) {
+  SpawnRequest wanted;
+  wanted.name = in.text();
+  wanted.may_rename = in.number<std::uint8_t>() != 0;
+  wanted.uri = in.text();
+  wanted.text = in.text();
+  wanted.entity_namespace = in.text();
+  wanted.pose = read_pose(in);
+  return wanted;
+}
+
+}  // namespace
 
 /// What the scene keeps in reserve, then the models that come with the program.
 void SimulationServices::get_spawnables(dds::CdrReader& in, Answer& out) {
@@ -37,18 +53,35 @@ void SimulationServices::get_spawnables(dds::CdrReader& in, Answer& out) {
 }
 
 void SimulationServices::spawn_entity(dds::CdrReader& in, Answer& out) {
-  SpawnRequest wanted;
-  wanted.name = in.text();
-  wanted.may_rename = in.number<std::uint8_t>() != 0;
-  wanted.uri = in.text();
-  wanted.text = in.text();
-  wanted.entity_namespace = in.text();
-  wanted.pose = read_pose(in);
+  SpawnRequest wanted = read_spawn(in);
   if (!in.good()) return;
   std::string name;
   const Result result = spawn(wanted, name);
   put(out, result);
   out.text(result.code == ResultCode::ok ? name : "");
+}
+
+/// One after the other; those that are refused change nothing for the others.
+void SimulationServices::spawn_entities(dds::CdrReader& in, Answer& out) {
+  std::vector<SpawnRequest> all;
+  const std::uint32_t count = in.count(most_spawned);
+  for (std::uint32_t i = 0; i < count && in.good(); ++i) all.push_back(read_spawn(in));
+  if (!in.good()) return;
+  std::vector<std::pair<Result, std::string>> results;
+  for (SpawnRequest& wanted : all) {
+    std::string name;
+    const Result result = spawn(wanted, name);
+    results.emplace_back(result, result.code == ResultCode::ok ? name : "");
+  }
+  const auto failed = std::ranges::count_if(results, [](const auto& one) { return one.first.code != ResultCode::ok; });
+  put(out, failed == 0 ? Result{}
+                       : Result{ResultCode::entities_spawn_failed,
+                                fmt::format("{} of {} were refused: see results", failed, results.size())});
+  out.u32(static_cast<std::uint32_t>(results.size()));
+  for (const auto& [result, name] : results) {
+    put(out, result);
+    out.text(name);
+  }
 }
 
 /// The name it has then.

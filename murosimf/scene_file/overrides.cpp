@@ -92,6 +92,36 @@ std::vector<std::string> moving_names(const std::vector<toml::table*>& bodies, c
   return names;
 }
 
+/// As it is called in reports: without a name by its class.
+std::string algorithm_name(const toml::table& algorithm) {
+  const std::string name = text_of(algorithm, "name"), target = text_of(algorithm, "class");
+  return name.empty() ? target.substr(target.rfind(':') + 1) : name;
+}
+
+toml::table& algorithm_called(toml::table& scene, const Assignment& o) {
+  std::vector<std::string> names;
+  if (toml::array* all = scene["algorithms"].as_array()) {
+    for (toml::node& node : *all) {
+      toml::table* const algorithm = node.as_table();
+      if (!algorithm) continue;
+      names.push_back(algorithm_name(*algorithm));
+      if (names.back() == o.path[1]) return *algorithm;
+    }
+  }
+  if (names.empty()) throw SetupError(fmt::format("{}: the scene has no [[algorithms]]", o.where));
+  throw SetupError(fmt::format("{}: {}", o.where, unknown_name("algorithm", o.path[1], {names.begin(), names.end()})));
+}
+
+/// algorithms.NAME.KEY and algorithms.NAME.options.KEY; a key that is none of all algorithms is an option of the class, which checks it.
+void assign_algorithm(toml::table& scene, const Assignment& o) {
+  toml::table& algorithm = algorithm_called(scene, o);
+  const auto keys = keys_of("algorithms");
+  if (o.path.size() == 4) return assign_option(algorithm, o, 2);
+  if (o.path.size() != 3) throw SetupError(fmt::format("{}: write algorithms.NAME.KEY", o.where));
+  const bool is_own = std::ranges::find(keys, o.path[2]) != keys.end();
+  assign(is_own ? algorithm : table_in(algorithm, "options", o), o.path[2], o);
+}
+
 /// The nearest known name is part of the error, at the level of the path at which it is unknown.
 [[noreturn]] void refuse_unknown(const toml::table& scene, const Assignment& o) {
   const std::vector<std::string> names = entity_names(scene);
@@ -142,6 +172,8 @@ void apply_override(toml::table& scene, const std::string& override_text, std::v
     assign_sensor(table_in(scene, "defaults", o), o, 1);
   } else if (o.path.size() >= 3 && o.path[0] == "defaults" && is_table_key(o.path[1])) {
     assign_option(table_in(scene, "defaults", o), o, 1);
+  } else if (o.path.size() >= 3 && o.path[0] == "algorithms") {
+    assign_algorithm(scene, o);
   } else if (o.path.size() == 2 && o.path[0] == "body_contact_options") {
     assign_option(scene, o, 0);
   } else if (o.path.size() >= 3 && o.path[0] == "ball" && scene.contains("ball")) {

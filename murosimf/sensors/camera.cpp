@@ -35,6 +35,13 @@ CameraInfo info_of(const SensorSpec& spec, const CameraSpec& camera, const Mount
   return info;
 }
 
+bool is_asked(const CameraFrame& frame) { return frame.wanted || (frame.offered && frame.asked); }
+
+bool is_empty(const CameraPicture& picture) {
+  const View& view = picture.view;
+  return view.color.empty() && view.depth.empty() && view.labels.empty() && picture.mosaic.empty();
+}
+
 }  // namespace
 
 Camera::Camera(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings)
@@ -72,8 +79,8 @@ std::string Camera::diagnostic(const LevelTraits&) const { return *fold_warning_
 void Camera::start() {
   frame_.time = Duration{};
   frame_.number = 0;
-  source_ = frame_.wanted && find_source_ ? find_source_() : nullptr;
-  frame_.draws = source_ != nullptr;
+  source_ = (frame_.wanted || frame_.offered) && find_source_ ? find_source_() : nullptr;
+  frame_.draws = source_ && is_asked(frame_);
   if (source_) eye_.open();
 }
 
@@ -92,9 +99,15 @@ void Camera::measure(std::span<double> values) noexcept {
 void Camera::taken(std::uint64_t sample) noexcept {
   if (!source_) return;  // no source of pictures: the other outputs are valid nevertheless
   MUROSIMF_ASSERT(!on_the_way_.empty());
+  CameraPicture& picture = on_the_way_[sample % on_the_way_.size()];
+  frame_.draws = is_asked(frame_);
+  if (!frame_.draws) {
+    picture = {};  // not one of before
+    return;
+  }
   const CameraMotion motion{mounting_.position(), mounting_.orientation(), mounting_.velocity(),
                             mounting_.angular_velocity()};
-  eye_.take(*source_, motion, sample, on_the_way_[sample % on_the_way_.size()]);
+  eye_.take(*source_, motion, sample, picture);
 }
 
 /// Saves the pictures under way; all else is computed for each of them.
@@ -108,6 +121,7 @@ void Camera::arrived(std::uint64_t sample) noexcept {
   if (!source_) return;
   // swapped, not copied: memory of frame and picture is used in turns
   CameraPicture& picture = on_the_way_[sample % on_the_way_.size()];
+  if (is_empty(picture)) return;  // it was not asked for
   std::swap(eye_.has_mosaic() ? colors_behind_ : frame_.color, picture.view.color);
   std::swap(frame_.mosaic, picture.mosaic);
   std::swap(frame_.depth, picture.view.depth);

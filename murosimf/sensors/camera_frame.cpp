@@ -31,6 +31,12 @@ void check_known(const Entity& entity, std::string_view camera) {
   throw SetupError(fmt::format("'{}': {}", entity.name(), unknown_name("camera", camera, names)));
 }
 
+CameraFrame& frame_of(Entity& entity, std::string_view camera) {
+  check_known(entity, camera);
+  const std::string name = column_name(camera);
+  return entity.column(property_of(name)).values[0];
+}
+
 }  // namespace
 
 void append_hash(Hasher& hasher, const CameraFrame& frame) {
@@ -76,11 +82,15 @@ const CameraFrame& read_frame(Setup& setup, std::string_view camera) {
 }
 
 const CameraFrame& want_frames(Entity& entity, std::string_view camera) {
-  check_known(entity, camera);
-  const std::string name = column_name(camera);
-  CameraFrame& frame = entity.column(property_of(name)).values[0];
+  CameraFrame& frame = frame_of(entity, camera);
   // cameras draw only on request: pictures cost more than all else
   frame.wanted = true;
+  return frame;
+}
+
+CameraFrame& offer_frames(Entity& entity, std::string_view camera) {
+  CameraFrame& frame = frame_of(entity, camera);
+  frame.offered = true;
   return frame;
 }
 

@@ -4,7 +4,8 @@
 ///     if (frame.number != last_) look_at(frame.color, frame.info->lens);    // in its step
 ///
 /// A camera draws only if its frames are requested: an algorithm that reads them, want_frames, or `always_on` in the
-/// robot's or scene's file. Frames are no part of the state hash: looking changes nothing.
+/// robot's or scene's file; or while they are asked for (offer_frames). Frames are no part of the state hash: looking
+/// changes nothing.
 #pragma once
 
 #include <memory>
@@ -38,14 +39,16 @@ struct CameraInfo {
 /// Layers that the camera does not have are empty.
 struct CameraFrame {
   Duration time{};           ///< simulated, at which the exposure of its first row began; it may have come later
-  std::uint64_t number = 0;  ///< of frames that have come so far; 0: none yet
+  std::uint64_t number = 0;  ///< of its sample, from 1, also if samples before were not drawn; 0: none has come
   imaging::ColorImage color{};
   imaging::GrayImage mosaic{};  ///< behind a Bayer filter; then there are no colors
   imaging::DepthImage depth{};  ///< [m] along the optical axis, infinite where nothing is
   imaging::LabelImage labels{};
   std::shared_ptr<const CameraInfo> info{};
-  bool wanted = false;  ///< its frames are requested
-  bool draws = false;   ///< frames come, since the start
+  bool wanted = false;   ///< its frames are requested
+  bool offered = false;  ///< they may be asked for
+  bool asked = false;    ///< they are drawn at present, if offered; may change between two steps
+  bool draws = false;    ///< of its last sample, or as it starts: a frame comes of it
 };
 
 void append_hash(Hasher& hasher, const CameraFrame& frame);
@@ -62,6 +65,10 @@ void state(StateArchive& archive, CameraFrame& frame);
 
 /// From outside, before the simulation is initialized: the camera draws. Throws SetupError with the nearest name.
 const CameraFrame& want_frames(Entity& entity, std::string_view camera);
+
+/// From outside, before the simulation is initialized: the camera draws while `asked` is set, for observers that come and go.
+/// Pictures are those of a camera that draws all the time. Throws SetupError with the nearest name.
+CameraFrame& offer_frames(Entity& entity, std::string_view camera);
 
 /// Those of all cameras of an entity, in the order of their names.
 [[nodiscard]] std::vector<const CameraFrame*> frames_of(const Entity& entity);

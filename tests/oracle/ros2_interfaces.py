@@ -172,6 +172,16 @@ class Spawn(IdlStruct):
 
 
 @dataclass
+class SpawnRequest(Spawn, **of_simulation("SpawnEntity")):
+    pass
+
+
+@dataclass
+class SpawnAll(IdlStruct):
+    spawn_requests: sequence[SpawnRequest]
+
+
+@dataclass
 class Load(IdlStruct):
     world_resource: Resource
     fail_on_unsupported_element: bool = False
@@ -247,6 +257,17 @@ class Spawned(IdlStruct):
 
 
 @dataclass
+class SpawnResult(Spawned, **of_simulation("SpawnResult")):
+    pass
+
+
+@dataclass
+class AllSpawned(IdlStruct):
+    result: Result
+    results: sequence[SpawnResult]
+
+
+@dataclass
 class RunState(IdlStruct):
     state: uint8
     result: Result
@@ -278,6 +299,7 @@ SERVICES = {
     "/get_named_pose_bounds": ("GetNamedPoseBounds", Name, BoundsAnswer),
     "/get_spawnables": ("GetSpawnables", Sources, Spawnables),
     "/spawn_entity": ("SpawnEntity", Spawn, Spawned),
+    "/spawn_entities": ("SpawnEntities", SpawnAll, AllSpawned),
     "/delete_entity": ("DeleteEntity", Name, ResultAnswer),
     "/reset_simulation": ("ResetSimulation", Scope, ResultAnswer),
     "/step_simulation": ("StepSimulation", Steps, ResultAnswer),

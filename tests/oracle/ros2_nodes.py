@@ -270,6 +270,35 @@ def steer(node, call, clock):
     expect("the clock goes on", wait_for(lambda: clock.take(N=10)), "")
 
 
+def look_by_bounds(call):
+    """Filters that choose by place: types of bounds are 1 box, 2 convex hull, 3 sphere."""
+    ball = call("get_entity_state", "ball").state.pose.position
+    radius = call("get_entity_bounds", "ball").bounds.points[0].x
+
+    def inside(kind, *points):
+        filters = si.Filters(bounds=si.Bounds(kind, [ros.Vector3(*point) for point in points]))
+        states = call("get_entities_states", filters)
+        answer = call("get_entities", filters)
+        same = states.entities == answer.entities and len(states.states) == len(answer.entities)
+        expect("names and states are of the same", same, "")
+        return answer.result.result, list(answer.entities)
+
+    at = (ball.x, ball.y, ball.z)
+
+    def beside(gap):
+        return (ball.x + radius + 0.05 + gap, ball.y, ball.z)
+    expect("a sphere at the ball", inside(3, at, (0.05, 0.0, 0.0)) == (1, ["ball"]), at)
+    expect("that just touches it", inside(3, beside(-1e-4), (0.05, 0.0, 0.0)) == (1, ["ball"]), at)
+    expect("that just misses it", inside(3, beside(1e-4), (0.05, 0.0, 0.0)) == (1, []), at)
+    upper, lower = [[x + s * 0.05 for x in at] for s in (1, -1)]
+    expect("a box at the ball", inside(1, upper, lower) == (1, ["ball"]), at)
+    corners = [[x + 0.1 * (i == k) for i, x in enumerate(at)] for k in range(3)]
+    expect("a hull at the ball", inside(2, at, *corners) == (1, ["ball"]), at)
+    expect("everything", set(inside(1, (50, 50, 50), (-50, -50, -50))[1]) == set(call("get_entities", si.Filters()).entities), "")
+    expect("a box that is none", inside(1, lower, upper) == (4, []), "")
+    expect("a type that is none", inside(9, at) == (0, []), "")
+
+
 def look_at_bounds_and_poses(call):
     bounds = call("get_entity_bounds", "ball").bounds
     expect("a box", bounds.type == 1, bounds)
@@ -278,6 +307,7 @@ def look_at_bounds_and_poses(call):
            0.03 < upper.x < 0.15, (upper, lower))
     upper, lower = call("get_entity_bounds", NAME).bounds.points
     expect("bounds of a robot", lower.z < -0.1 and upper.z > 0.05 and upper.z - lower.z < 0.8, (upper, lower))
+    look_by_bounds(call)
     expect("bounds of nobody", call("get_entity_bounds", "nobody").result.result == 2, "")
     poses = {pose.name: pose.pose.position for pose in call("get_named_poses", si.TagsFilter(["start"])).poses}
     expect("named poses", set(poses) == {NAME, "ball"} and abs(poses["ball"].x - 1.5) < 1e-9, poses)
@@ -304,6 +334,7 @@ BOX = """<mujoco model="crate"><worldbody><body name="crate"><freejoint/>
   <geom type="box" size="0.1 0.1 0.1" mass="1"/></body></worldbody></mujoco>"""
 MESH = BOX.replace('type="box" size="0.1 0.1 0.1"', 'type="mesh" mesh="m"').replace(
     "<worldbody>", "<asset><mesh name='m' file='/etc/hostname'/></asset><worldbody>")
+MESH_URDF = PENDULUM.replace('<box size="0.3 0.3 0.1"/>', '<mesh filename="gone.stl"/>')
 STONE = """<sdf version="1.9"><model name="stone"><link name="stone"><inertial><mass>1</mass></inertial>
   <collision name="c"><geometry><sphere><radius>0.1</radius></sphere></geometry></collision></link></model></sdf>"""
 
@@ -357,7 +388,10 @@ def spawn_models(node, call):
             ("a broken text", 106, {"text": "<robot name='x'><link"}),
             ("no robot", 106, {"text": "hello"}),
             ("a text that includes a file", 106, {"text": "<mujoco><include file='/etc/hostname'/></mujoco>"}),
-            ("a mesh elsewhere", 106, {"text": MESH}),
+            ("a mesh of no kind", 108, {"text": MESH}),
+            ("a mesh that is not there", 107, {"text": MESH.replace("/etc/hostname", "gone.stl")}),
+            ("a mesh elsewhere", 107, {"text": MESH.replace("/etc/hostname", "/etc/gone.stl")}),
+            ("a mesh of a URDF that is not there", 107, {"text": MESH_URDF}),
             ("a joint without an end", 106, {"text": PENDULUM.replace('<child link="rod"/>', '<child link="none"/>')}),
             ("a place that is no number", 109, {"uri": "kid21", "at": (math.nan, 0.0, 0.0)}),
             ("no orientation", 109, {"uri": "kid21", "turn": (0.0, 0.0, 0.0, 0.0)}),
@@ -366,6 +400,12 @@ def spawn_models(node, call):
         expect(f"refused: {what}", done[:2] == (code, "") and "\n" not in done[2], done)
     expect("nothing has come", set(call("get_entities", si.Filters()).entities) == names, "")
     expect("renamed", spawn("guest", True, uri="kid21", at=(-2.0, 2.0, 0.5))[:2] == (1, "guest_2"), "")
+
+    pose = ros.PoseStamped(header=ros.Header(frame_id="world"), pose=ros.Pose(ros.Point(-3.5, 1.0, 0.3), ros.Quaternion(w=1.0)))
+    several = call("spawn_entities", [si.SpawnRequest(name, False, si.Resource(uri, text), "", pose)
+                                      for name, uri, text in (("cube", "", BOX), ("none", "kid22", ""))])
+    expect("several at once, one of them refused", several.result.result == 150 and
+           [(one.result.result, one.entity_name) for one in several.results] == [(1, "cube"), (2, "")], several)
 
     expect("delete a spawned one", call("delete_entity", "crate").result.result == 1, "")
     expect("it is no spawnable", "crate" not in [one.entity_resource.uri for one in call("get_spawnables", []).spawnables], "")

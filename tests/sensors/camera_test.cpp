@@ -2,6 +2,7 @@
 #include "murosimf/sensors/camera.h"
 
 #include <cmath>
+#include <map>
 
 #include <gtest/gtest.h>
 
@@ -96,6 +97,34 @@ TEST(Camera, DrawsOnlyForSomebody) {
     EXPECT_EQ(rig.painter.looks.empty(), !wanted);
     EXPECT_EQ(frame.number, wanted ? 5u : 0u);
   }
+}
+
+/// Pictures of the samples that were drawn; 50 a second for 0.2 s, asked for between two instants.
+std::map<std::uint64_t, std::uint64_t> asked_for(Duration from, Duration until) {
+  CameraRig rig;
+  Entity& box = rig.add_box("box");
+  SensorSpec spec = camera({{"always_on", 0}, {"read_noise", 0.05}});
+  spec.delay = 0.033;
+  rig.attach_camera(box, spec);
+  CameraFrame& frame = offer_frames(box, "eye");
+  rig.begin();
+  RangeRig::put(box, {0, 0, 1});
+  std::map<std::uint64_t, std::uint64_t> pictures;
+  for (Duration now{}; now < 200ms; now += 1ms) {
+    frame.asked = now >= from && now < until;
+    rig.simulation.run(1ms);
+    if (frame.number > 0) pictures[frame.number] = hash_of(frame);
+  }
+  EXPECT_EQ(rig.painter.looks.size(), static_cast<std::size_t>((until - from) / 20ms));
+  return pictures;
+}
+
+TEST(Camera, DrawsWhileItIsAskedTo) {
+  const auto always = asked_for(0ms, 200ms), once = asked_for(60ms, 120ms), never = asked_for(0ms, 0ms);
+  EXPECT_EQ(always.size(), 9u) << "the last one is on the way";
+  EXPECT_TRUE(never.empty());
+  ASSERT_EQ(once.size(), 3u);
+  for (const std::uint64_t number : {4u, 5u, 6u}) EXPECT_EQ(once.at(number), always.at(number)) << number;
 }
 
 TEST(Camera, WithoutAnybodyWhoDrawsThereAreNoFrames) {

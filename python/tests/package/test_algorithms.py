@@ -1,7 +1,9 @@
 """Classes in Python that are no controllers: algorithms, sensors and referees of scene files."""
 
 import json
+import shutil
 import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -57,6 +59,30 @@ def test_the_example_is_the_same_in_every_run() -> None:
     scene.load(saved)
     scene.run(0.3)
     assert scene.state_hash == end
+
+
+def test_examples_play() -> None:
+    scenes = sorted(PRACTICE.parent.glob("*.toml"))
+    assert scenes
+    for scene in scenes:
+        assert {one["ended"] for one in report(scene, "--duration", 0.5)["control"]} == {""}
+
+
+@pytest.mark.parametrize(("kind", "duration", "stopped"), [("sensor", 0.2, None), ("algorithm", 0.2, None),
+                                                           ("referee", 5, "roll_on: the ball has rolled 1 m")])
+def test_a_new_one_is_made_and_plays(tmp_path: Path, kind: str, duration: float, stopped: str | None) -> None:
+    root = Path(__file__).parents[3]
+    shutil.copytree(root / "scripts/templates", tmp_path / "scripts/templates")
+    shutil.copy(root / "scripts/new", tmp_path / "scripts/new")
+    subprocess.run([sys.executable, tmp_path / "scripts/new", f"python-{kind}", "roll_on"], check=True, capture_output=True)
+    found = report(tmp_path / "examples/python/algorithms/roll_on.toml", "--duration", duration)
+    control = [one for one in found["control"] if one["robot"] == "roll_on"][0]
+    assert control["calls"] > 0
+    assert (found.get("stopped") or {}).get("by") == stopped
+    if kind == "referee":
+        assert found["stopped"]["time_s"] < 2
+    else:
+        assert control["ended"] == ""
 
 
 def test_a_sensor_is_read_by_control_software_and_by_others(tmp_path: Path) -> None:
@@ -115,6 +141,18 @@ def test_writes_properties_as_set_does(tmp_path: Path) -> None:
         one.run(0.2)
     np.testing.assert_array_equal(by_class["r1"].position, plain["r1"].position)
     assert by_class["r1"].position[0] != by_class["r0"].position[0]
+
+
+def test_the_command_line_reaches_keys_and_options(tmp_path: Path) -> None:
+    scene = scene_of(tmp_path, FORCE, 'class = "soft:Force"\noptions = {x = 3.0}', 'name = "push"\nclass = "soft:Force"')
+    hashes = [report(scene, *options)["state_hash"] for options in (
+        ("--set", "algorithms.push.options.x=3"), ("--set", "algorithms.push.x=3"),
+        ("--set", "algorithms.Force.x=4", "--set", "algorithms.push.x=3"), ())]
+    assert hashes[0] == hashes[1] == hashes[2] != hashes[3]  # the later one writes last
+    assert report(scene, "--set", "algorithms.push.rate=500")["control"][1]["rate_hz"] == 500
+    for wrong, says in (("pull.x=3", "did you mean 'push'?"), ("push.y=3", "'y'"), ("push.x.y.z=3", "write algorithms.NAME.KEY")):
+        assert says in run(scene, "--libraries", "--set", f"algorithms.{wrong}", expect=2).stderr
+    assert "no [[algorithms]]" in run("walk", "--set", "algorithms.push.x=3", expect=2).stderr
 
 
 def test_an_exception_freezes_the_entity_or_ends_the_run(tmp_path: Path) -> None:
