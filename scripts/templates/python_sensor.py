@@ -3,7 +3,7 @@
 
 class NewName:
     rate = 50.0  # [Hz] samples in a simulated second
-    reads = ("position",)  # properties of the robot; with a dot those of others: "ball.position" is robot.signals["ball.position"]
+    reads = ("position",)  # of the robot; with a dot those of others: "ball.position" is robot.signals["ball.position"]
     gives = {"height": "m"}  # outputs with their units; {"force": ("N", ("x", "y", "z"))} has three numbers
 
     def __init__(self, offset=0.0):  # options of the scene
