@@ -150,7 +150,7 @@ class MUROSIMF_API Scene {
 
   [[nodiscard]] std::vector<RunEvent> events() const;
   [[nodiscard]] std::vector<std::string> warnings() const;
-  /// The scene as seen from a viewpoint. Throws InputError where this machine or build cannot draw.
+  /// The scene as seen from a viewpoint. Throws InputError where MUROSIMF_RENDERER asks for OpenGL and there is none.
   [[nodiscard]] Image picture(const Viewpoint& from = {}) const;
 
  private:

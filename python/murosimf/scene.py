@@ -230,7 +230,7 @@ class Scene:
     def picture(self, *, eye: ArrayLike = (0, -4, 2), look_at: ArrayLike = (0, 0, 0.3), field_of_view: float = 1.0,
                 width: int = 640, height: int = 480) -> Picture:
         """What people would see from `eye` [m]; `field_of_view` [rad] from the left to the right border. Raises InputError
-        where this machine or build cannot draw."""
+        where the variable MUROSIMF_RENDERER asks for OpenGL and there is none."""
         return Picture(*self._core.picture(triple(eye, "an eye"), triple(look_at, "look_at"), field_of_view, width, height))
 
     def show(self, *, web: bool = False, speed: float | None = 1.0, port: int = 0) -> Page:

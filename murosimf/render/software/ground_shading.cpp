@@ -207,9 +207,9 @@ void GroundShading::paint_area(const PixelRays& rays, const LookValues& look, in
       store_lanes(pile, colors.pile.data() + u);
       if (any(field > 0)) color = grass * (lawn_tone(look, at, f, pile) * pool);
       if (!all_field) {
-        const Float3& around = rays.around();
-        const Floats x = at.x - around.x, y = at.y - around.y;
-        const Floats away = x * x + y * y + around.z * around.z;
+        const Float3& middle = rays.around();
+        const Floats x = at.x - middle.x, y = at.y - middle.y;
+        const Floats away = x * x + y * y + middle.z * middle.z;
         color = mixed(floor_look(look, floor * pool, at, f, pile, away), color, field);
       }
     }
