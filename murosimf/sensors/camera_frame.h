@@ -53,7 +53,7 @@ struct CameraFrame {
 
 void append_hash(Hasher& hasher, const CameraFrame& frame);
 void state(StateArchive& archive, CameraFrame& frame);
-/// Of its instant and all pixels. Equal on one machine for any number of threads; other drivers draw other pixels.
+/// Of its instant and all pixels. The same for any number of threads.
 [[nodiscard]] std::uint64_t hash_of(const CameraFrame& frame);
 
 /// For the camera itself: creates its frame. Throws SetupError if the robot has a camera of that name.

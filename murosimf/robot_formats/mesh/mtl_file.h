@@ -11,8 +11,8 @@
 
 namespace murosimf::robot_formats::mesh {
 
-/// Gives the materials of an OBJ file their colors and pictures; other files are left alone. Only files named *.mtl beside the OBJ file are read. Returns
-/// lines about what is not shown: files that are missing or elsewhere, options of pictures. Throws nothing.
+/// Gives the materials of an OBJ file their colors and pictures; other files are left alone. Only files named *.mtl beside the OBJ file
+/// are read. Returns lines about what is not shown: files that are missing or elsewhere, options of pictures. Throws nothing.
 [[nodiscard]] std::vector<std::string> add_mtl_colors(const std::filesystem::path& file, MeshFile& mesh);
 
 }  // namespace murosimf::robot_formats::mesh
