@@ -1,6 +1,7 @@
 #include "apps/command.h"
 
 #include <charconv>
+#include <system_error>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

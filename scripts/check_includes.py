@@ -6,8 +6,8 @@ those use, nothing else; a folder may use only what stands above it there. Progr
 include everything. The public headers, include/murosimf/, include each other and the standard library alone (those of
 plug-ins, in its folder plugin, also those of the library); of the library only the folder `api`, which implements them,
 includes them, as "murosimf/scene.h". No two headers of the library have one name. Every header begins with `/// name.h -
-what it is for` and has `#pragma once`. A file that names a property includes, directly or not, the header that has it: a
-precompiled header hides that some do not.
+what it is for` and has `#pragma once`. A file that names a property, or what the standard library declares
+(scripts/standard_headers.py), includes, directly or not, the header that has it: precompiled headers hide that some do not.
 Prints each violation as file:line: message and exits with 1 if there is one.
 
     scripts/check_includes.py [root of the source tree]
@@ -16,6 +16,8 @@ Prints each violation as file:line: message and exits with 1 if there is one.
 import re
 import sys
 from pathlib import Path
+
+import standard_headers
 
 folder_line = re.compile(r"^\s*murosimf_folder\(([\w/]+)((?:\s+[^\s()]+)*)\s*\)", re.MULTILINE)
 outside = ["apps", "python", "tests", "examples", "benchmarks"]
@@ -99,7 +101,7 @@ def check_header(file, lines):
 
 
 class Includes:
-    """What files include of the project, directly or not."""
+    """What files include, directly or not: of the project by path, of the standard library as "vector"."""
 
     def __init__(self, root):
         self.root, self.known = root, {}
@@ -119,6 +121,8 @@ class Includes:
             for _, included, quoted in includes(lines):
                 if quoted or included.startswith("murosimf/"):
                     found |= self.of(included)
+                elif "." not in included:
+                    found.add(included)
         return self.known[path]
 
     def missing(self, relative, lines):
@@ -129,6 +133,7 @@ class Includes:
                 headers = self.headers_of.get(name, set())
                 if headers and not headers & reached:
                     yield number, f"properties::{name} is named, {' or '.join(sorted(headers))} not included"
+        yield from standard_headers.missing(reached, lines)
 
 
 def violations(root):
@@ -151,8 +156,7 @@ def violations(root):
             message = check_include(root, file, folder, path, quoted, allowed)
             if message:
                 yield relative, number, message
-        if file.suffix == ".cpp":
-            yield from ((relative, number, message) for number, message in reached.missing(relative, lines))
+        yield from ((relative, number, message) for number, message in reached.missing(relative, lines))
         if file.suffix == ".h":
             yield from ((relative, number, message) for number, message in check_header(file, lines))
             other = headers.setdefault(file.name, relative) if folder else relative

@@ -1,6 +1,7 @@
 #include "benchmarks/peers/many_worlds.h"
 
 #include <cstdio>
+#include <exception>
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,7 @@
 // Control software in C++: the behavior of course.h as a shared library.
 //   c++ -std=c++17 -shared -fPIC -o course.so examples/controllers/course.cpp -I include
 //   murosimf run examples/controllers/course.toml --set runner.controller=library --set runner.library=./course.so
+#include <array>
 #include <cstring>
 #include <stdexcept>
 #include <string>

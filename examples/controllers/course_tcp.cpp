@@ -1,6 +1,7 @@
 // Control software in a program of its own: the behavior of course.h over TCP.
 //   murosimf run examples/controllers/course.toml --listen 5000 &
 //   course_tcp 5000 runner
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 

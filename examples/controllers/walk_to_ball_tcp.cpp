@@ -1,6 +1,7 @@
 // Control software in a program of its own: the behavior of walk_to_ball.h over TCP.
 //   murosimf run examples/controllers/to_the_ball_tcp.toml --listen 5000 &
 //   walk_to_ball_tcp 5000 left & walk_to_ball_tcp 5000 right
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 

@@ -1,6 +1,7 @@
 #include "murosimf/dataset/normals.h"
 
 #include <cmath>
+#include <limits>
 
 namespace murosimf::dataset {
 namespace {

@@ -1,5 +1,6 @@
 #include "murosimf/imaging/vignette.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>

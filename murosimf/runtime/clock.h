@@ -1,6 +1,7 @@
 /// clock.h - pacer: how simulated time follows the wall clock: in real time, slower, faster, or as fast as possible.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>

@@ -1,5 +1,6 @@
 #include "murosimf/runtime/command_queue.h"
 
+#include <exception>
 #include <utility>
 
 #include "murosimf/math/assert.h"

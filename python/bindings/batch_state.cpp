@@ -1,9 +1,14 @@
 #include "batch_state.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
+#include <cstdint>
+#include <memory>
+#include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "python_controller.h"
 #include "signals.h"

@@ -1,3 +1,7 @@
+#include <array>
+#include <cstdint>
+#include <string>
+
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>

@@ -2,6 +2,8 @@
 #include <nanobind/stl/string.h>
 
 #include <array>
+#include <string>
+#include <vector>
 
 #include "arrays.h"
 #include "handles.h"

@@ -1,6 +1,8 @@
 #include "pictures.h"
 
+#include <initializer_list>
 #include <utility>
+#include <vector>
 
 #include "arrays.h"
 

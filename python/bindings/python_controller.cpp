@@ -3,6 +3,8 @@
 #include <nanobind/stl/string.h>
 
 #include <cstdio>
+#include <exception>
+#include <string>
 #include <utility>
 
 namespace nb = nanobind;

@@ -3,7 +3,10 @@
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
+#include <memory>
+#include <string>
 #include <tuple>
+#include <vector>
 
 #include "arrays.h"
 #include "handles.h"

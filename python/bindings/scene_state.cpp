@@ -1,6 +1,8 @@
 #include "scene_state.h"
 
+#include <atomic>
 #include <exception>
+#include <string>
 #include <utility>
 
 namespace murosimf::python {

@@ -6,8 +6,15 @@
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
+#include <array>
+#include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
+#include <span>
+#include <string>
+#include <tuple>
+#include <vector>
 
 #include "arrays.h"
 #include "handles.h"

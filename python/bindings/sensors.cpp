@@ -2,7 +2,10 @@
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
+#include <span>
+#include <string>
 #include <tuple>
+#include <vector>
 
 #include "arrays.h"
 #include "module.h"

@@ -1,4 +1,6 @@
 // Plug-ins: shared libraries that the program loads while it runs.
+#include <cmath>
+
 #include <nlohmann/json.hpp>
 
 #include "tests/apps/program.h"

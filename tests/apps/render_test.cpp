@@ -1,4 +1,5 @@
 // Pictures and videos as a user meets them.
+#include <cstdint>
 #include <set>
 
 #include <nlohmann/json.hpp>

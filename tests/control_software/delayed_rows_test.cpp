@@ -1,4 +1,6 @@
 // Numbers over a link: the newest that have arrived, by the closed form of the link; late ones that were overtaken do not count.
+#include <cmath>
+
 #include "murosimf/control_software/delayed_rows.h"
 
 #include <gtest/gtest.h>

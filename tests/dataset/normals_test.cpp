@@ -1,3 +1,5 @@
+#include <limits>
+
 #include "murosimf/dataset/normals.h"
 
 #include <gtest/gtest.h>

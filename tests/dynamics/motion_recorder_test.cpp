@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <tuple>
 
 #include "murosimf/runtime/simulation.h"
 #include "tests/fixtures.h"

@@ -1,6 +1,7 @@
 // Tables of heights: the bytes of each format are put together here, by the formats' own rules.
 #include "murosimf/files/height_file.h"
 
+#include <cstdint>
 #include <cstring>
 #include <fstream>
 

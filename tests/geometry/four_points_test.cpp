@@ -1,5 +1,6 @@
 #include "murosimf/geometry/four_points.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 // Meshes with fewer triangles: how many, how far from the surface they were made of, and what becomes of noise.
 #include "murosimf/geometry/mesh_reduction.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 

@@ -4,6 +4,7 @@
 /// over a shape. Its least value over all n is the depth if it is positive, else the distance, negated.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 
 #include "murosimf/geometry/manifold.h"

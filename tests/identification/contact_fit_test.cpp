@@ -1,6 +1,7 @@
 // Rolls, slides and drops of known numbers, with and without noise.
 #include "murosimf/identification/contact_fit.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 #include "murosimf/imaging/lens_fit.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>

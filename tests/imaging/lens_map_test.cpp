@@ -1,5 +1,6 @@
 #include "murosimf/imaging/lens_map.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>

@@ -1,5 +1,6 @@
 #include "murosimf/imaging/lens.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 

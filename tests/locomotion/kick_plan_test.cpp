@@ -1,6 +1,7 @@
 // The kick that sends a ball in a direction, its place, and the path there; closed forms and steps of the path.
 #include "murosimf/locomotion/kick_plan.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>

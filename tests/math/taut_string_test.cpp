@@ -1,6 +1,7 @@
 /// taut_string_test - strings around spheres and cylinders, against the shortest of many ways.
 #include "murosimf/math/taut_string.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 

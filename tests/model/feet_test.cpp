@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "murosimf/model/feet.h"
 
 #include <gtest/gtest.h>

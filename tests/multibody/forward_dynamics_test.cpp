@@ -1,4 +1,6 @@
 // Inverse and forward dynamics against each other, and against momentum from kinematics alone.
+#include <algorithm>
+
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,6 @@
 // Joints with dry friction: eight robots in lanes stick as one does, bit for bit.
+#include <algorithm>
+
 #include "murosimf/multibody/friction_solver.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "murosimf/multibody/mass.h"
 
 #include <gtest/gtest.h>

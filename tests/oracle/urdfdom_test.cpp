@@ -1,6 +1,7 @@
 /// urdfdom_test - what the reader makes of URDF files is what urdfdom, the reference reader, makes of them.
 ///
 /// Files: random robots, and those of teams where they are there (robot_data.h).
+#include <algorithm>
 #include <fstream>
 
 #include <Eigen/Geometry>

@@ -1,4 +1,5 @@
 // What is written is read again, and what is damaged is told.
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <map>

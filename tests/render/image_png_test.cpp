@@ -1,6 +1,7 @@
 /// image_png_test - pictures of cameras as files, and depths and labels in distinguishable colors.
 #include "murosimf/render/image_png.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <set>

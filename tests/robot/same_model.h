@@ -1,6 +1,7 @@
 /// same_model.h - whether two models are equal: names, poses in any joint positions, constants, servos and shapes.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>

@@ -1,4 +1,6 @@
 // Bytes of a state: sections by name, and all that makes bytes no state.
+#include <algorithm>
+
 #include "murosimf/runtime/state_sections.h"
 
 #include <gtest/gtest.h>

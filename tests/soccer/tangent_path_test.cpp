@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <queue>
+#include <tuple>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,8 @@
 // CMA-ES against functions whose minimum is known, against itself turned and interrupted, and against the sides of its box.
 #include "murosimf/studies/cma_es.h"
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include <Eigen/Dense>

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "murosimf/viewer/timeline_layout.h"
 
 #include <gtest/gtest.h>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "murosimf/geometry/bounding_tree.h"
 #include "murosimf/geometry/ray.h"

@@ -1,6 +1,7 @@
 #include "murosimf/control_software/tcp/tcp_clients.h"
 
 #include <charconv>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>

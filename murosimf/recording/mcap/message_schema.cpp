@@ -4,6 +4,7 @@
 #include <cctype>
 #include <charconv>
 #include <set>
+#include <system_error>
 
 #include <fmt/format.h>
 

@@ -1,6 +1,7 @@
 #include "murosimf/render/software/look_values.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <string_view>
 
 #include "murosimf/math/assert.h"

@@ -1,5 +1,6 @@
 #include "murosimf/robot_formats/sdf/sdf_include.h"
 
+#include <algorithm>
 #include <string_view>
 
 #include "murosimf/files/file_access.h"

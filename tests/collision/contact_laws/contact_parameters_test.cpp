@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "murosimf/collision/contact_laws/contact_parameters.h"
 #include "murosimf/dynamics/motion_properties.h"
 

@@ -1,6 +1,7 @@
 // Contacts with triangles that know their neighbors, against distances from all triangles.
 #include "murosimf/collision/relief/relief_contact.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numeric>

@@ -1,4 +1,6 @@
 // The modes of a Booster robot: which requests each of them takes, and how a fall ends them.
+#include <algorithm>
+
 #include "murosimf/dds/booster/robot_modes.h"
 
 #include <gtest/gtest.h>

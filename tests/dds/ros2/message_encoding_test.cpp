@@ -1,4 +1,6 @@
 // Messages of ROS 2: alignment of CDR, commands that are read back, damaged ones, requests of services in both forms.
+#include <initializer_list>
+
 #include "murosimf/dds/ros2/message_encoding.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,6 @@
 // What motions take of servos that are too weak: the smoothed need, what the servo could have given, the message.
+#include <tuple>
+
 #include "murosimf/dynamics/servo/torque_watch.h"
 
 #include <gtest/gtest.h>

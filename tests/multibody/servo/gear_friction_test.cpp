@@ -1,5 +1,6 @@
 #include "murosimf/multibody/servo/gear_friction.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <tuple>
 
 #include "murosimf/serial/dynamixel/imu_board.h"
 #include "murosimf/serial/dynamixel/packet_parser.h"

@@ -1,4 +1,6 @@
 // What gains, limits and the LED in a servo's registers mean, by the formulas of the e-Manual.
+#include <tuple>
+
 #include <gtest/gtest.h>
 
 #include "murosimf/serial/dynamixel/servo_device.h"
