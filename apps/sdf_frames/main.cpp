@@ -5,6 +5,7 @@
 // name of a model of the first world; empty: the model at the top of the file. Standard input: JSON, for each URI of an include the file
 // that it means. Standard output: JSON, which murosimf/robot_formats/sdf/sdf_poses.cpp reads; poses are x, y, z [m] and w, x, y, z of a
 // quaternion. Exit code 0 also if libsdformat finds errors: they are in the output.
+#include <cstdint>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
