@@ -5,45 +5,16 @@
 import assert from "node:assert/strict";
 import { spawn, spawnSync } from "node:child_process";
 import { createSocket } from "node:dgram";
-import { existsSync, mkdirSync, statSync } from "node:fs";
+import { mkdirSync, statSync } from "node:fs";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
+import { children, launch, serveBy } from "./served_page.mjs";
 
 const [program, pictures, given] = process.argv.slice(2);
-const names = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
-const executablePath = given ?? names.find((name) => existsSync(name));
-function skip(why) {
-  console.log(`skipped: ${why}`);
-  process.exit(77);
-}
-if (!executablePath) skip("no Chromium (Debian: apt-get install chromium)");
-const { chromium } = await import("playwright-core").catch(() => skip("no playwright-core (npm ci in tests/web)"));
-
 mkdirSync(pictures, { recursive: true });
-const args = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
-  "--disable-component-update", "--disable-sync", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
+const serve = serveBy(program), start = (...words) => serve("run", ...words);
 
-// murosimf run ... --web, or replay: its address, and how to end it.
-const start = (...words) => serve("run", ...words);
-async function serve(...words) {
-  const child = spawn(program, [...words, "--web", "0"], { stdio: ["ignore", "ignore", "pipe"] });
-  children.add(child);
-  let said = "";
-  const address = await new Promise((resolve, reject) => {
-    child.stderr.on("data", (text) => {
-      said += text;
-      const found = /page: (\S+)/.exec(said);
-      if (found && said.includes("Foxglove:")) resolve(found[1]);
-    });
-    child.on("exit", () => reject(new Error(said)));
-  });
-  return { address, said: () => said, end: () => new Promise((done) => { child.on("exit", done); child.kill("SIGKILL"); }) };
-}
-
-const children = new Set();
-process.on("exit", () => { for (const child of children) child.kill("SIGKILL"); });
-
-const browser = await chromium.launch({ executablePath, headless: true, args });
+const browser = await launch(given);
 // Pixels are drawn by software: of each window a quarter of them, which changes no layout. Shadows, which cost as much again, are
 // drawn where there is a mouse.
 const windowOf = (width, height, hasTouch) => browser.newContext({ viewport: { width, height }, deviceScaleFactor: 0.25, hasTouch });
