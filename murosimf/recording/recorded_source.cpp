@@ -57,7 +57,7 @@ RecordedSource::RecordedSource(std::shared_ptr<const recording::RecordedRun> run
 
 RecordedSource::~RecordedSource() = default;
 
-/// Who draws has no software here that would.
+/// Robots whose software drew have none here.
 void RecordedSource::make_room_for_drawings() {
   World& world = scene_->simulation().world();
   const std::set<std::string> draw = drawings_.robots();

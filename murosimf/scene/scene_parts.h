@@ -128,7 +128,7 @@ struct SceneParts {
   StartOfScene at_start;
   files::FileAccess files{};        ///< SceneOptions::files, for robots that come later
   std::vector<Addition> additions;  ///< in their order
-  /// What additions have been read from; whoever reads their files before, for a look at them, notes it here, too.
+  /// What additions have been read from, also by readers that look at their files before.
   std::shared_ptr<files::FilesRead> files_of_additions = std::make_shared<files::FilesRead>();
   std::unique_ptr<CameraRenderer> cameras;  ///< null: nothing is drawn for them
   int changes_to_see = 0;  ///< so far, of what renderers have taken over: light, shapes, colors, presence
