@@ -155,10 +155,22 @@ FrameWriter::FrameWriter(MessageSink& file, const std::vector<RecordedEntity>& e
   events_ = channel_if("events", "/events", "foxglove.Log");
   warnings_ = channel_if("events", "/warnings", "foxglove.Log");
   hashes_ = channel_if("hashes", "/state_hash", "murosimf.StateHash");
-  joints_ = channel_if("joints", "/joints", "foxglove.JointStates", prismatic_joints(entities));
-  targets_ = channel_if("joints", "/targets", "foxglove.JointStates", prismatic_joints(entities));
-  if (!what.contains("sensors")) return;
-  for (const RecordedSensor& sensor : sensors) {
+  open_joints();
+  meet_newcomers(looks);
+}
+
+void FrameWriter::open_joints() {
+  prismatic_ = prismatic_joints(entities_);
+  joints_ = channel_if("joints", "/joints", "foxglove.JointStates", prismatic_);
+  targets_ = channel_if("joints", "/targets", "foxglove.JointStates", prismatic_);
+}
+
+/// Channels of joints say which of them slide: where there are more such joints, others are written from then on.
+void FrameWriter::meet_newcomers(const SceneLooks* looks) {
+  looks_ = looks;
+  if (prismatic_joints(entities_) != prismatic_) open_joints();
+  while (what_.contains("sensors") && samples_.size() < sensors_.size()) {
+    const RecordedSensor& sensor = sensors_[samples_.size()];
     samples_.push_back(channel(fmt::format("/sensors/{}/{}", sensor.entity, sensor.reading->info->name),
                                sensor_schema(sensor), names_of(sensor)));
   }
@@ -230,7 +242,7 @@ void FrameWriter::write_state(const RecordedFrame& frame) {
 
 /// Absent entities have no transforms, so that viewers do not show them.
 void FrameWriter::write_transforms(const RecordedFrame& frame) {
-  MUROSIMF_ASSERT(frame.present.size() == entities_.size());
+  MUROSIMF_ASSERT(frame.present.size() <= entities_.size());
   std::string time;
   ProtobufWriter clock(time);
   clock.varint(1, static_cast<std::uint64_t>(frame.time.count() / 1'000'000'000));
@@ -238,7 +250,7 @@ void FrameWriter::write_transforms(const RecordedFrame& frame) {
   bytes_.clear();
   ProtobufWriter out(bytes_);
   const Transformd* pose = frame.poses.data();
-  for (std::size_t i = 0; i < entities_.size(); pose += entities_[i].links.size(), ++i) {
+  for (std::size_t i = 0; i < frame.present.size(); pose += entities_[i].links.size(), ++i) {
     if (frame.present[i] == 0) continue;
     for (std::size_t k = 0; k < entities_[i].links.size(); ++k) {
       const RecordedEntity::Link& link = entities_[i].links[k];
@@ -256,12 +268,12 @@ void FrameWriter::write_transforms(const RecordedFrame& frame) {
 
 /// Measured numbers or targets, in messages of the same form.
 void FrameWriter::write_joints(const RecordedFrame& frame, bool targets) {
-  MUROSIMF_ASSERT(frame.present.size() == entities_.size());
+  MUROSIMF_ASSERT(frame.present.size() <= entities_.size());
   bytes_.clear();
   ProtobufWriter out(bytes_);
   put_time(out, 1, frame.time);
   const JointNumbers* joint = frame.joints.data();
-  for (std::size_t i = 0; i < entities_.size(); joint += entities_[i].joints.size(), ++i) {
+  for (std::size_t i = 0; i < frame.present.size(); joint += entities_[i].joints.size(), ++i) {
     if (frame.present[i] == 0) continue;
     for (std::size_t k = 0; k < entities_[i].joints.size(); ++k) {
       (targets ? put_target : put_joint)(out, entities_[i].joints[k].name, joint[k]);

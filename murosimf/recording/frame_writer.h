@@ -44,7 +44,10 @@ class FrameWriter {
   FrameWriter(MessageSink& file, const std::vector<RecordedEntity>& entities,
               const std::vector<RecordedSensor>& sensors, const SceneLooks* looks, const std::set<std::string>& what);
 
+  /// A frame has the first ones of the entities that are known.
   void write(const RecordedFrame& frame);
+  /// When entities and sensors have become more: channels of those that have come. `looks` are those of all.
+  void meet_newcomers(const SceneLooks* looks);
   /// Channels for other writers to the same sink.
   [[nodiscard]] std::uint16_t add_channel(const std::string& topic, const std::string& schema,
                                           const TextMap& metadata = {});
@@ -57,6 +60,7 @@ class FrameWriter {
                                            const std::string& schema);
   [[nodiscard]] std::optional<std::uint16_t> channel_if(const std::string& what, const std::string& topic,
                                                         const std::string& schema, const TextMap& metadata = {});
+  void open_joints();
   void write_transforms(const RecordedFrame& frame);
   void write_joints(const RecordedFrame& frame, bool targets);
   void write_contacts(const RecordedFrame& frame);
@@ -72,6 +76,7 @@ class FrameWriter {
   std::map<std::string, std::uint16_t> schemas_;
   std::optional<std::uint16_t> transforms_, scene_, joints_, targets_, contacts_, forces_, events_, warnings_, hashes_,
       commands_, states_, outside_;
+  TextMap prismatic_;                   // units of such joints
   std::vector<std::uint16_t> samples_;  // by sensor
   std::optional<Duration> scene_written_, arrows_written_;
   std::vector<char> scene_present_;

@@ -31,24 +31,29 @@ RecordedEntity recorded_entity(const Entity& entity) {
   return result;
 }
 
+bool has_poses(const Entity& entity) {
+  return entity.find(properties::position) && entity.find(properties::orientation);
+}
+
 /// Everything that has a pose.
 std::vector<RecordedEntity> recorded_entities(const World& world) {
   std::vector<RecordedEntity> result;
   for (const auto& entity : world.entities()) {
-    if (entity->find(properties::position) && entity->find(properties::orientation))
-      result.push_back(recorded_entity(*entity));
+    if (has_poses(*entity)) result.push_back(recorded_entity(*entity));
   }
   return result;
 }
 
 std::vector<RecordedSensor> recorded_sensors(const World& world) {
   std::vector<RecordedSensor> result;
-  for (const auto& entity : world.entities()) {
-    for (const sensors::Reading* reading : sensors::readings_of(*entity)) {
-      result.push_back({.entity = entity->name(), .reading = reading, .samples = 0});
-    }
-  }
+  for (const auto& entity : world.entities()) add_sensors_of(*entity, result);
   return result;
+}
+
+void add_sensors_of(const Entity& entity, std::vector<RecordedSensor>& sensors) {
+  for (const sensors::Reading* reading : sensors::readings_of(entity)) {
+    sensors.push_back({.entity = entity.name(), .reading = reading, .samples = 0});
+  }
 }
 
 template <class T>

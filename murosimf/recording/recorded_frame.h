@@ -56,6 +56,7 @@ struct RecordedEntity {
   RecordedColumns columns;
 };
 
+[[nodiscard]] bool has_poses(const Entity& entity);
 /// Of an entity with poses.
 [[nodiscard]] RecordedEntity recorded_entity(const Entity& entity);
 /// Entities with poses, in the order of the world; call when all columns exist.
@@ -68,6 +69,7 @@ struct RecordedSensor {
   std::uint64_t samples = 0;  ///< recorded so far
 };
 [[nodiscard]] std::vector<RecordedSensor> recorded_sensors(const World& world);
+void add_sensors_of(const Entity& entity, std::vector<RecordedSensor>& sensors);
 
 struct SensorSample {
   std::size_t sensor = 0;  ///< index of the RecordedSensor

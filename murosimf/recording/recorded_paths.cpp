@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view program = "/program", user = "/user";
+constexpr std::string_view program = "/program", user = "/user", elsewhere = "/elsewhere/";
 
 fs::path whole(const fs::path& file) { return fs::absolute(file).lexically_normal(); }
 
@@ -103,9 +103,13 @@ RecordedPaths::RecordedPaths() {
 }
 
 RecordedPaths::RecordedPaths(const std::vector<fs::path>& files, const files::FoundNames& names) : RecordedPaths() {
+  extend(files, names);
+}
+
+void RecordedPaths::extend(const std::vector<fs::path>& files, const files::FoundNames& names) {
   std::vector<std::pair<fs::path, fs::path>> areas;  // with the common folder of its files
   const auto meet = [&](const fs::path& folder) {
-    if (folder.empty() || reduced(folder).starts_with(program)) return;
+    if (folder.empty() || !reduced(folder).starts_with(elsewhere)) return;
     const fs::path area = area_of(folder);
     const auto known = std::ranges::find(areas, area, &std::pair<fs::path, fs::path>::first);
     if (known == areas.end()) {
@@ -119,9 +123,9 @@ RecordedPaths::RecordedPaths(const std::vector<fs::path>& files, const files::Fo
     meet(parse_key(key).folder);
     if (!found.empty()) meet(fs::path(found).parent_path());
   }
-  for (std::size_t i = 0; i < areas.size(); ++i) {
-    const auto& [area, folder] = areas[i];
-    std::string name = i == 0 ? std::string(user) : fmt::format("{}_{}", user, i + 1);
+  for (const auto& [area, folder] : areas) {
+    std::string name = areas_ == 0 ? std::string(user) : fmt::format("{}_{}", user, areas_ + 1);
+    ++areas_;
     if (folder != area && is_in_package(files, folder)) name += "/" + folder.filename().string();
     add(folder, name);
   }
@@ -144,7 +148,7 @@ std::string RecordedPaths::reduced(const fs::path& file) const {
     const fs::path inner = path.lexically_relative(folder);
     return inner == "." ? name : name + "/" + inner.string();
   }
-  return "/elsewhere/" + path.filename().string();
+  return std::string(elsewhere) + path.filename().string();
 }
 
 std::string RecordedPaths::in_text(const std::string& text) const {

@@ -26,6 +26,9 @@ class RecordedPaths {
   /// `files` and `names` as files::FilesRead notes them.
   RecordedPaths(const std::vector<std::filesystem::path>& files, const files::FoundNames& names);
 
+  /// Of files that are read later: those that are in none of its folders get further ones, the others keep their names.
+  void extend(const std::vector<std::filesystem::path>& files, const files::FoundNames& names);
+
   [[nodiscard]] std::string reduced(const std::filesystem::path& file) const;
   /// Replaces all such files in a text; other names in the home folder begin with "~".
   [[nodiscard]] std::string in_text(const std::string& text) const;
@@ -40,6 +43,7 @@ class RecordedPaths {
   void add(const std::filesystem::path& folder, const std::string& name);
 
   std::vector<std::pair<std::string, std::string>> roots_;  // folder and its name in recordings; longer ones first
+  std::size_t areas_ = 0;                                   // of the user
 };
 
 /// Possible places of a file with this name, the most probable first; `recording`: the file that contains the name, `folders`: from it.

@@ -104,10 +104,12 @@ Distortion distortion_of(const imaging::Lens& lens) {
 
 /// Cameras are drawn only if something reads them: the recording does.
 void want_pictures(World& world) {
-  for (const auto& entity : world.entities()) {
-    for (const sensors::CameraFrame* frame : sensors::frames_of(*entity)) {
-      (void)sensors::want_frames(*entity, frame->info->name);
-    }
+  for (const auto& entity : world.entities()) want_pictures(*entity);
+}
+
+void want_pictures(Entity& entity) {
+  for (const sensors::CameraFrame* frame : sensors::frames_of(entity)) {
+    (void)sensors::want_frames(entity, frame->info->name);
   }
 }
 
@@ -119,9 +121,14 @@ void offer_pictures(World& world) {
   }
 }
 
-/// Cameras are placed relative to the link that carries them.
 std::vector<RecordedCamera> recorded_cameras(const std::vector<RecordedEntity>& entities) {
   std::vector<RecordedCamera> cameras;
+  add_cameras_of(entities, cameras);
+  return cameras;
+}
+
+/// Cameras are placed relative to the link that carries them.
+void add_cameras_of(std::span<const RecordedEntity> entities, std::vector<RecordedCamera>& cameras) {
   for (const RecordedEntity& one : entities) {
     for (const sensors::CameraFrame* frame : sensors::frames_of(*one.entity)) {
       const auto link = std::ranges::find(one.links, frame->info->link, &RecordedEntity::Link::object);
@@ -132,7 +139,6 @@ std::vector<RecordedCamera> recorded_cameras(const std::vector<RecordedEntity>& 
                          .shown = frame});
     }
   }
-  return cameras;
 }
 
 void take_pictures(std::vector<RecordedCamera>& cameras, RecordedFrame& frame) {
@@ -153,18 +159,23 @@ void take_pictures(std::vector<RecordedCamera>& cameras, RecordedFrame& frame) {
 
 PictureWriter::PictureWriter(MessageSink& file, FrameWriter& frames, const std::vector<RecordedCamera>& cameras,
                              const std::optional<std::string>& label_table)
-    : file_(file), cameras_(cameras) {
-  if (!cameras.empty()) transforms_ = frames.add_channel("/cameras/tf", "foxglove.FrameTransforms");
-  for (const RecordedCamera& camera : cameras) {
+    : file_(file), frames_(frames), cameras_(cameras) {
+  meet_newcomers(label_table);
+}
+
+void PictureWriter::meet_newcomers(const std::optional<std::string>& label_table) {
+  if (told_.empty() && !cameras_.empty()) transforms_ = frames_.add_channel("/cameras/tf", "foxglove.FrameTransforms");
+  while (told_.size() < cameras_.size()) {
+    const RecordedCamera& camera = cameras_[told_.size()];
     const sensors::CameraInfo& info = *camera.shown->info;
-    Told told{.calibration = frames.add_channel(camera.topic + "/calibration", "foxglove.CameraCalibration"),
+    Told told{.calibration = frames_.add_channel(camera.topic + "/calibration", "foxglove.CameraCalibration"),
               .calibrated = calibration_of(camera),
               .placed = place_of(camera)};
     if (info.has_color || !info.mosaic.empty())
-      told.picture = frames.add_channel(camera.topic + "/image", "foxglove.CompressedImage");
-    if (label_table && info.has_depth) told.depth = frames.add_channel(camera.topic + "/depth", "foxglove.RawImage");
+      told.picture = frames_.add_channel(camera.topic + "/image", "foxglove.CompressedImage");
+    if (label_table && info.has_depth) told.depth = frames_.add_channel(camera.topic + "/depth", "foxglove.RawImage");
     if (label_table && info.has_labels)
-      told.labels = frames.add_channel(camera.topic + "/labels", "foxglove.RawImage", {{"labels", *label_table}});
+      told.labels = frames_.add_channel(camera.topic + "/labels", "foxglove.RawImage", {{"labels", *label_table}});
     told_.push_back(std::move(told));
   }
 }

@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -41,9 +42,11 @@ struct Distortion {
 
 /// Before the scene is initialized: requests pictures of all cameras, which changes no result.
 void want_pictures(World& world);
+void want_pictures(Entity& entity);
 /// The same of cameras that draw only while their frames are asked for (camera_frame.h).
 void offer_pictures(World& world);
 [[nodiscard]] std::vector<RecordedCamera> recorded_cameras(const std::vector<RecordedEntity>& entities);
+void add_cameras_of(std::span<const RecordedEntity> entities, std::vector<RecordedCamera>& cameras);
 
 /// Adds the pictures since the last call.
 void take_pictures(std::vector<RecordedCamera>& cameras, RecordedFrame& frame);
@@ -57,6 +60,8 @@ class PictureWriter {
   PictureWriter(MessageSink& file, FrameWriter& frames, const std::vector<RecordedCamera>& cameras,
                 const std::optional<std::string>& label_table = {});
   void write(const RecordedFrame& frame);
+  /// Channels of cameras that have come since.
+  void meet_newcomers(const std::optional<std::string>& label_table = {});
 
  private:
   struct Told {
@@ -65,6 +70,7 @@ class PictureWriter {
     std::string calibrated, placed;                       // messages without time
   };
   MessageSink& file_;
+  FrameWriter& frames_;
   const std::vector<RecordedCamera>& cameras_;
   std::vector<Told> told_;  // by camera
   std::uint16_t transforms_ = 0;

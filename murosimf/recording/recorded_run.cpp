@@ -14,12 +14,19 @@ namespace murosimf::recording {
 namespace {
 
 /// Recordings without a description can be looked at, but not repeated.
-RunDescription description_of(const McapReader& file) {
+RunDescription description_of(const McapReader& file, const std::vector<RecordedAddition>& additions) {
   return with_context(file.file().string(), [&] {
     const std::string json = attached_text(file, "run.json");
     if (json.empty())
       throw SetupError("it does not say how its run was begun: a program that embeds it, or one of before");
-    return parse_run_description(json);
+    RunDescription run = parse_run_description(json);
+    for (const RecordedAddition& addition : additions) {
+      run.names.insert(addition.names.begin(), addition.names.end());
+      for (const std::string& channel : addition.channels) {
+        if (std::ranges::find(run.channels, channel) == run.channels.end()) run.channels.push_back(channel);
+      }
+    }
+    return run;
   });
 }
 
@@ -38,7 +45,11 @@ bool takes_part(const RunDescription& run, std::string_view begin) {
 }  // namespace
 
 RecordedRun::RecordedRun(const std::filesystem::path& file)
-    : file_(file), description_(description_of(file_)), files_(file_), states_(file_) {
+    : file_(file),
+      additions_(recorded_additions(file_)),
+      description_(description_of(file_, additions_)),
+      files_(file_),
+      states_(file_) {
   moved_ = std::make_shared<const files::MovedFiles>(files_.folder(), description_.names);
   if (!description_.channels.empty()) {
     outside_ = with_context(file.string(), [&] { return recorded_external_input(file_); });
@@ -95,20 +106,43 @@ std::unique_ptr<scene::Scene> RecordedRun::build_to_show(const RepeatOptions& op
   });
 }
 
-/// Software outside of the program is repeated from what it sent, which must be in the recording.
 void RecordedRun::check_repeatable(const scene::Scene& scene) const {
-  for (const scene_file::RobotSpec& robot : scene.spec().robots) {
-    const bool over_dds = robot.controller == "booster" || robot.controller == "unitree" || robot.controller == "ros2";
-    if (!over_dds && robot.controller != "tcp" && robot.controller != "serial") continue;
-    if (takes_part(description_, (over_dds ? "dds" : robot.controller) + ":" + robot.name)) continue;
-    throw SetupError(fmt::format("'{}' was moved by another program (controller '{}'), of which there is no record",
-                                 robot.name, robot.controller));
+  for (const scene_file::RobotSpec& robot : scene.spec().robots) check_repeatable(robot);
+  for (const RecordedAddition& addition : additions_) {
+    if (const auto* robot = std::get_if<scene_file::RobotSpec>(&addition.what)) check_repeatable(*robot);
   }
 }
 
+/// Software outside of the program is repeated from what it sent, which must be in the recording.
+void RecordedRun::check_repeatable(const scene_file::RobotSpec& robot) const {
+  const bool over_dds = robot.controller == "booster" || robot.controller == "unitree" || robot.controller == "ros2";
+  if (!over_dds && robot.controller != "tcp" && robot.controller != "serial") return;
+  if (takes_part(description_, (over_dds ? "dds" : robot.controller) + ":" + robot.name)) return;
+  throw SetupError(fmt::format("'{}' was moved by another program (controller '{}'), of which there is no record",
+                               robot.name, robot.controller));
+}
+
 void RecordedRun::initialize(scene::Scene& scene) const {
-  const files::FileScope scope({.moved = moved_});
+  const files::FileScope scope(access());
   scene.simulation().initialize();
+}
+
+void RecordedRun::add_until(scene::Scene& scene, Duration state) const {
+  const files::FileScope scope(access());
+  for (const RecordedAddition& addition : additions_) {
+    if (is_part_of(addition, state)) add_to(scene, addition);
+  }
+}
+
+/// One that no state of its time has comes after all that looks at the scene then.
+void RecordedRun::schedule(scene::Scene& scene, const RecordedAddition& addition) const {
+  const auto add = [this, &scene, &addition] {
+    const files::FileScope scope(access());
+    add_to(scene, addition);
+  };
+  scene.simulation().at(addition.time, [&scene, &addition, add] {
+    addition.in_state ? add() : scene.simulation().at(addition.time, add);
+  });
 }
 
 /// From the last state before the time; the rest of the way is stepped.
@@ -116,9 +150,16 @@ void RecordedRun::begin(scene::Scene& scene, Duration time, bool states) const {
   initialize(scene);
   const Duration start = description_.start;
   const RecordedState* from = states_.last_until(states ? std::max(time, start) : start);
-  if (from && (states || start > Duration{})) states_.load(scene, *from);
+  const bool loads = from && (states || start > Duration{});
+  if (loads) {
+    add_until(scene, from->time);
+    states_.load(scene, *from);
+  }
   if (!from && start > Duration{})
     throw SetupError(file_.file().string() + ": the state with which it began is missing");
+  for (const RecordedAddition& addition : additions_) {
+    if (!loads || !is_part_of(addition, from->time)) schedule(scene, addition);
+  }
   for (const Command& command : states_.commands()) {
     if (command.time < scene.simulation().now()) continue;
     scene.simulation().at(command.time, [&scene, text = command.text] { static_cast<void>(scene.post(text)); });

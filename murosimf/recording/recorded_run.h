@@ -13,7 +13,9 @@
 #include <string>
 #include <vector>
 
+#include "murosimf/files/file_access.h"
 #include "murosimf/files/moved_files.h"
+#include "murosimf/recording/recorded_addition.h"
 #include "murosimf/recording/recorded_states.h"
 #include "murosimf/recording/run_description.h"
 #include "murosimf/recording/unpacked_files.h"
@@ -42,6 +44,11 @@ class RecordedRun {
   [[nodiscard]] const RunDescription& description() const { return description_; }
   [[nodiscard]] Duration end() const { return end_; }
   [[nodiscard]] const RecordedStates& states() const { return states_; }
+  /// Robots and bodies that came to it, in their order.
+  [[nodiscard]] const std::vector<RecordedAddition>& additions() const { return additions_; }
+
+  /// For readers of files that its scene names.
+  [[nodiscard]] files::FileAccess access() const { return {.moved = moved_}; }
 
   /// Throws SetupError: a file is missing or has changed that was too large for the recording; the run cannot be repeated.
   /// External input is repeated from the recording.
@@ -50,15 +57,21 @@ class RecordedRun {
   [[nodiscard]] std::unique_ptr<scene::Scene> build_to_show(const RepeatOptions& options) const;
   /// Initializes with the recorded files, unlike Simulation::initialize().
   void initialize(scene::Scene& scene) const;
+  /// Adds, to an initialized scene, those that a state of that time has; or all that ever came. Throws SetupError.
+  void add_until(scene::Scene& scene, Duration state) const;
+  void add_all(scene::Scene& scene) const { add_until(scene, Duration::max()); }
   /// Initializes, goes to the last whole state until `time`, or to the start, and schedules the later commands.
-  /// Without `states` to the first one: the beginning of the run.
+  /// Without `states` to the first one: the beginning of the run. Those who came later come again, so the recorded run outlives the scene's steps.
   void begin(scene::Scene& scene, Duration time, bool states = true) const;
 
  private:
   void check_repeatable(const scene::Scene& scene) const;
+  void check_repeatable(const scene_file::RobotSpec& robot) const;
+  void schedule(scene::Scene& scene, const RecordedAddition& addition) const;
 
   McapReader file_;
-  RunDescription description_;
+  std::vector<RecordedAddition> additions_;
+  RunDescription description_;  // with channels and names of these
   UnpackedFiles files_;
   std::shared_ptr<const files::MovedFiles> moved_;  // into `files_`
   RecordedStates states_;

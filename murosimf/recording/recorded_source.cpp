@@ -40,11 +40,9 @@ RecordedSource::RecordedSource(std::shared_ptr<const recording::RecordedRun> run
                                const recording::RepeatOptions& options,
                                std::shared_ptr<drawing::DebugDrawBuffer> others)
     : run_(std::move(run)), scene_(run_->build_to_show(options)), drawings_(run_->file()), others_(std::move(others)) {
-  const std::set<std::string> draw = drawings_.robots();
-  for (const auto& entity : scene_->simulation().world().entities()) {
-    if (draw.contains(entity->name())) (void)entity->column(properties::drawings);
-  }
   run_->initialize(*scene_);
+  run_->add_all(*scene_);
+  make_room_for_drawings();
   entities_ = recording::recorded_entities(scene_->simulation().world());
   others_then_.emplace(scene_->simulation().world());
   frames_ = std::make_unique<recording::FrameReader>(run_->file(), entities_);
@@ -58,6 +56,17 @@ RecordedSource::RecordedSource(std::shared_ptr<const recording::RecordedRun> run
 }
 
 RecordedSource::~RecordedSource() = default;
+
+/// Robots whose software drew have none here.
+void RecordedSource::make_room_for_drawings() {
+  World& world = scene_->simulation().world();
+  const std::set<std::string> draw = drawings_.robots();
+  world.thaw_columns();
+  for (const auto& entity : world.entities()) {
+    if (draw.contains(entity->name())) (void)entity->column(properties::drawings);
+  }
+  world.freeze_columns();
+}
 
 /// Lines are few: all of them are read at the start.
 void RecordedSource::read_lines() {

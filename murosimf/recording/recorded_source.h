@@ -5,8 +5,8 @@
 ///     session::Session session(std::make_unique<recording::RecordedSource>(run), {.speed = 1.0});
 ///     session.run(run->end());
 ///
-/// Shown are poses, joints, contacts, drawings, events, warnings and levels of detail. Changes are refused; entities added
-/// after the start are not shown.
+/// Shown are poses, joints, contacts, drawings, events, warnings and levels of detail. Changes are refused; robots and
+/// bodies that came to the run are shown from then on.
 #pragma once
 
 #include <cstddef>
@@ -55,6 +55,7 @@ class RecordedSource final : public session::PlaybackSource {
     std::size_t entity = 0;
     std::string level;
   };
+  void make_room_for_drawings();
   void show(Duration time);
   void read_lines();
   void find_levels();

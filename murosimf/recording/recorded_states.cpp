@@ -45,9 +45,12 @@ std::string attached_text(const McapReader& file, const std::string& name) {
 }
 
 TextMap described(const McapReader& file, const std::string& name) {
-  const auto& all = file.contents().metadata;
-  const auto found = std::ranges::find(all, name, &MetadataIndex::name);
-  return found == all.end() ? TextMap{} : file.metadata(*found).values;
+  TextMap values;
+  for (const MetadataIndex& one : file.contents().metadata) {
+    if (one.name != name) continue;
+    for (auto& [key, value] : file.metadata(one).values) values.insert_or_assign(key, std::move(value));
+  }
+  return values;
 }
 
 /// The states themselves stay in the file: only where they are is kept.

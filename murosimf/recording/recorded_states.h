@@ -45,7 +45,7 @@ class RecordedStates {
 
 /// The attachment of this name; empty if there is none.
 [[nodiscard]] std::string attached_text(const McapReader& file, const std::string& name);
-/// The values of its metadata of this name; empty if there are none.
+/// The values of its metadata of this name, later ones before earlier ones; empty if there are none.
 [[nodiscard]] TextMap described(const McapReader& file, const std::string& name);
 
 }  // namespace murosimf::recording

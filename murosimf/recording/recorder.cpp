@@ -62,12 +62,21 @@ void Recorder::start() {
 /// Between two steps: what is due is taken.
 void Recorder::look() {
   if (finished_) return;
+  meet_newcomers();
   if (capture_.frame_is_due()) {
     take_frame();
   } else if (auto frame = capture_.take_between()) {
     retention_.add_between(*std::move(frame));
   }
   scene_.simulation().at(capture_.next_look(), [this] { look(); });
+}
+
+void Recorder::meet_newcomers() {
+  if (!capture_.has_newcomers()) return;
+  writer_.meet_newcomers(scene_, capture_, [this] {
+    capture_.meet_newcomers();
+    header_.take_additions();
+  });
 }
 
 void Recorder::take_frame(bool is_last) {
@@ -80,6 +89,7 @@ void Recorder::finish(const scene::RunReport& report) {
   if (!writer_.has_channels() && trouble().empty()) start();  // of a run without steps
   finished_ = true;
   if (!writer_.has_channels()) return;
+  meet_newcomers();
   if (capture_.has_news()) take_frame(true);  // of after the last step
   retention_.flush();
   (void)retention_.begin_file();

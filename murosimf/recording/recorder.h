@@ -80,6 +80,7 @@ class Recorder {
  private:
   void start();
   void look();
+  void meet_newcomers();
   void take_frame(bool is_last = false);
 
   scene::Scene& scene_;

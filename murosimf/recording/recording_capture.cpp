@@ -1,6 +1,7 @@
 #include "murosimf/recording/recording_capture.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -39,12 +40,22 @@ RecordingCapture::RecordingCapture(scene::Scene& scene, CaptureOptions options, 
 }
 
 void RecordingCapture::start() {
-  const World& world = scene_.simulation().world();
-  entities_ = recorded_entities(world);
-  others_watch_.meet(world, entities_);
-  if (options_.what.contains("sensors")) sensors_ = recorded_sensors(world);
-  if (options_.what.contains("pictures")) cameras_ = recorded_cameras(entities_);
+  meet_newcomers();
   next_frame_ = next_hash_ = next_state_ = next_others_ = scene_.simulation().now();
+}
+
+/// Entities that have come are the last of the world, so those of earlier frames keep their numbers.
+void RecordingCapture::meet_newcomers() {
+  World& world = scene_.simulation().world();
+  const std::size_t entities = entities_.size();
+  for (; known_ < world.entities().size(); ++known_) {
+    Entity& entity = *world.entities()[known_];
+    if (has_poses(entity)) entities_.push_back(recorded_entity(entity));
+    if (options_.what.contains("sensors")) add_sensors_of(entity, sensors_);
+    if (options_.what.contains("pictures")) want_pictures(entity);
+  }
+  others_watch_.meet(world, entities_);
+  if (options_.what.contains("pictures")) add_cameras_of(std::span(entities_).subspan(entities), cameras_);
 }
 
 bool RecordingCapture::in_every_tick() const {

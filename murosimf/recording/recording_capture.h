@@ -41,6 +41,11 @@ class RecordingCapture {
   /// Of a scene that is initialized: from now on.
   void start();
 
+  /// Whether robots or bodies have come that it does not know yet.
+  [[nodiscard]] bool has_newcomers() const { return scene_.simulation().world().entities().size() > known_; }
+  /// Knows them from now on: they are the last of each list.
+  void meet_newcomers();
+
   [[nodiscard]] const std::vector<RecordedEntity>& entities() const noexcept { return entities_; }
   [[nodiscard]] const std::vector<RecordedSensor>& sensors() const noexcept { return sensors_; }
   [[nodiscard]] const std::vector<RecordedCamera>& cameras() const noexcept { return cameras_; }
@@ -69,6 +74,7 @@ class RecordingCapture {
   CaptureOptions options_;
   const RecordedPaths& paths_;
   Duration period_;
+  std::size_t known_ = 0;  // entities of the world
   std::vector<RecordedEntity> entities_;
   std::vector<RecordedSensor> sensors_;
   std::vector<RecordedCamera> cameras_;

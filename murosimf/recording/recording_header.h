@@ -3,7 +3,9 @@
 /// It owns what names of files are called in a recording (recorded_paths.h).
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,9 +38,14 @@ class RecordingHeader {
 
   /// Of a scene that is initialized, which has been read from all its files: what stands in them now. Throws SetupError.
   void take_files();
-  /// What stands at the beginning of a file whose first frame is of the time `start`. Throws SetupError if the file cannot be written, as
-  /// write_end().
-  void write(McapWriter& file, Duration start) const;
+  /// Of a scene to which robots and bodies have come since take_files() or the last call: what they are, with what stands in their files now. Between
+  /// two steps. Throws SetupError.
+  void take_additions();
+  /// What stands at the beginning of a file whose first frame is of the time `start`, with all that was taken. Throws SetupError if the file cannot be
+  /// written, as the others.
+  void write(McapWriter& file, Duration start);
+  /// In a file that has begun: what was taken since.
+  void write_additions(McapWriter& file);
   /// A text that belongs to the run, for write_end().
   void add_text(const std::string& name, const std::string& text) { texts_.emplace_back(name, text); }
   /// The report, and all texts.
@@ -47,11 +54,17 @@ class RecordingHeader {
  private:
   void attach(McapWriter& file, const std::string& name, const std::string& text) const;
   [[nodiscard]] std::string run_json(Duration start) const;
+  void take_files_of_additions();
+  [[nodiscard]] std::string json_of(const scene::Addition& addition) const;
 
   const scene::Scene& scene_;
   HeaderOptions options_;
   RecordedPaths paths_;
-  AttachedFiles files_;
+  AttachedFiles files_, later_files_;  // not written yet
+  std::vector<std::string> additions_;
+  std::set<std::string> known_files_;    // by their names in the recording
+  std::size_t taken_ = 0, written_ = 0;  // additions
+  Duration first_{};
   std::vector<std::pair<std::string, std::string>> texts_;
 };
 

@@ -27,6 +27,21 @@ void RecordingWriter::open_channels(const scene::Scene& scene, const RecordingCa
   drawings_ = std::make_unique<DrawingWriter>(file_, *frames_);
 }
 
+/// Batches that are on their way have the first ones of longer lists.
+void RecordingWriter::meet_newcomers(const scene::Scene& scene, const RecordingCapture& capture,
+                                     const std::function<void()>& meet) {
+  MUROSIMF_ASSERT(frames_);
+  const std::lock_guard lock(writing_);
+  (void)on_file([&] {
+    meet();
+    auto looks = looks_ ? std::make_unique<SceneLooks>(scene, capture.entities()) : nullptr;
+    frames_->meet_newcomers(looks.get());
+    looks_ = std::move(looks);
+    pictures_->meet_newcomers(scene::label_table_json(scene));
+    if (began_) header_.write_additions(file_);
+  });
+}
+
 /// Whether nothing is wrong with the file.
 template <class Call>
 bool RecordingWriter::on_file(const Call& call) {
@@ -54,6 +69,7 @@ void RecordingWriter::push(Batch&& batch) {
 
 /// In the thread.
 void RecordingWriter::write(const Batch& batch) {
+  const std::lock_guard lock(writing_);
   for (const RecordedFrame& frame : batch) {
     frames_->write(frame);
     pictures_->write(frame);

@@ -4,7 +4,9 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <memory>
+#include <mutex>
 #include <string>
 
 #include "murosimf/recording/frame_writer.h"
@@ -27,6 +29,8 @@ class RecordingWriter {
 
   /// Of what frames are made; all of it outlives the writer. Before the first push().
   void open_channels(const scene::Scene& scene, const RecordingCapture& capture);
+  /// When robots or bodies have come to the scene: `meet` makes the lists of `capture` and the header longer, which no frame is written meanwhile.
+  void meet_newcomers(const scene::Scene& scene, const RecordingCapture& capture, const std::function<void()>& meet);
   [[nodiscard]] bool has_channels() const noexcept { return frames_ != nullptr; }
 
   /// Begins the file, once: with what stands before its first frame, which is of the time `start`. Whether nothing is wrong.
@@ -55,6 +59,7 @@ class RecordingWriter {
   std::unique_ptr<PictureWriter> pictures_;
   std::unique_ptr<DrawingWriter> drawings_;
   bool began_ = false;
+  std::mutex writing_;                              // a batch, or a longer list of what batches are made of
   std::string file_trouble_;                        // besides that of the thread
   std::chrono::steady_clock::time_point synced_{};  // the thread's
   std::unique_ptr<RecordingThread> thread_;         // last: it uses all of the above

@@ -47,7 +47,11 @@ class Repetition {
   void compare_at_end() {
     const Duration end = scene_->simulation().now();
     const auto& commands = run_.states().commands();
-    if (std::ranges::find(commands, end, &Command::time) != commands.end()) scene_->simulation().carry_out_commands();
+    const auto& additions = run_.additions();
+    if (std::ranges::find(commands, end, &Command::time) != commands.end() ||
+        std::ranges::find(additions, end, &RecordedAddition::time) != additions.end()) {
+      scene_->simulation().carry_out_commands();
+    }
     for (const RecordedState& state : reference_.all()) {
       if (state.time == end) compare(state);
     }
@@ -78,6 +82,7 @@ class Repetition {
     try {
       const std::shared_ptr<scene::Scene> recorded = run_.build(options_.repeat);
       run_.initialize(*recorded);
+      run_.add_until(*recorded, state.time);
       reference_.load(*recorded, state);
       difference.what = state_difference(recorded->simulation().world(), scene_->simulation().world());
       if (!difference.what) difference.unlike = "every number is the same, only the hash differs";

@@ -133,8 +133,8 @@ std::string SceneLooks::message(Duration time, const std::vector<char>& present)
   std::string bytes;
   ProtobufWriter out(bytes);
   for (const Part& part : parts_) {
-    MUROSIMF_ASSERT(part.entity < 0 || static_cast<std::size_t>(part.entity) < present.size());
-    const bool there = part.entity < 0 || present[static_cast<std::size_t>(part.entity)] != 0;
+    const auto entity_number = static_cast<std::size_t>(std::max(part.entity, 0));
+    const bool there = part.entity < 0 || (entity_number < present.size() && present[entity_number] != 0);
     if (there) {
       std::string entity;
       ProtobufWriter in(entity);

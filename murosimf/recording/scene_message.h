@@ -16,7 +16,7 @@ class SceneLooks {
  public:
   SceneLooks(const scene::Scene& scene, const std::vector<RecordedEntity>& entities);
 
-  /// foxglove.SceneUpdate for this instant. Entities absent in `present` are deleted.
+  /// foxglove.SceneUpdate for this instant. Entities absent in `present`, or behind its end, are deleted.
   [[nodiscard]] std::string message(Duration time, const std::vector<char>& present) const;
 
  private:

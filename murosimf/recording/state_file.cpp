@@ -11,6 +11,7 @@
 #include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
 #include "murosimf/recording/frame_writer.h"
+#include "murosimf/recording/recorded_addition.h"
 #include "murosimf/recording/recorded_series.h"
 #include "murosimf/recording/recorded_states.h"
 #include "murosimf/recording/recording_schemas.h"
@@ -86,6 +87,13 @@ void load_state(scene::Scene& scene, const std::filesystem::path& file) {
   const RecordedStates states(reader);
   const RecordedState* last = states.last_until(Duration::max());
   if (!last) throw SetupError(fmt::format("{}: there is no whole state in it (--record-what states)", file.string()));
+  const auto additions = recorded_additions(reader);
+  const auto in_it = std::ranges::count_if(additions, [&](const auto& one) { return is_part_of(one, last->time); });
+  if (in_it > 0) {
+    throw SetupError(fmt::format(
+        "{}: {} came to that run after its start, which the scene does not have; 'murosimf branch' goes on from it",
+        file.string(), in_it == 1 ? "a robot or body" : fmt::format("{} robots and bodies", in_it)));
+  }
   states.load(scene, *last);
 }
 

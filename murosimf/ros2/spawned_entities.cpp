@@ -183,7 +183,9 @@ std::string SpawnedEntities::add(scene::Scene& scene, const SpawnRequest& wanted
     throw RefusedSpawn(ResultCode::operation_failed,
                        fmt::format("at most {} entities are added to a run", most_entities));
   const std::filesystem::path file = file_of(scene, wanted);
-  const files::FileScope scope({.only_from = wanted.uri.empty() ? with_text_ : models_from_});
+  // the model is read here first: a recording needs its files
+  const files::FileScope scope(
+      {.only_from = wanted.uri.empty() ? with_text_ : models_from_, .noted = scene.parts().files_of_additions});
   try {
     const auto kind = scene.parts().assets->robot(file, {.lenient = scene.parts().lenient});
     const std::string name = name_for(scene, wanted, *kind->model);

@@ -1,6 +1,7 @@
 #include "murosimf/scene/scene_addition.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -62,8 +63,16 @@ void check_team(const scene_file::SceneSpec& spec, const scene_file::RobotSpec& 
   if (std::ranges::find(names, robot.team) == names.end()) throw SetupError(unknown_name("team", robot.team, names));
 }
 
+/// Files are noted apart from those of the scene: a recording takes them when they come.
+files::FileAccess access_of(const SceneParts& parts) {
+  files::FileAccess access = parts.files;
+  access.noted = parts.files_of_additions;
+  return access;
+}
+
 /// Final steps for robots and bodies.
-void finish(SceneParts& parts, Entity& entity) {
+void finish(SceneParts& parts, Entity& entity, Addition addition) {
+  parts.additions.push_back(std::move(addition));
   start_moving(parts, entity);
   parts.at_start.algorithms.push_back(algorithms_in_force(parts).back());
   show_changes(parts);
@@ -74,7 +83,7 @@ void finish(SceneParts& parts, Entity& entity) {
 }  // namespace
 
 Entity& add(SceneParts& parts, scene_file::RobotSpec robot) {
-  const files::FileScope scope(parts.files);
+  const files::FileScope scope(access_of(parts));
   parts.simulation->initialize();
   check_team(parts.spec, robot);
   ModelSource models(parts.spec, *parts.assets, parts.lenient, parts.diagnostics);
@@ -97,7 +106,7 @@ Entity& add(SceneParts& parts, scene_file::RobotSpec robot) {
   Entity& entity = parts.simulation->add(robot.name, kind.model, kind.options, furnish, prepare);
   lengths.done();
   note_about_sensors(parts, robot);
-  finish(parts, entity);
+  finish(parts, entity, {parts.simulation->now(), std::move(robot)});
   return entity;
 }
 
@@ -105,7 +114,7 @@ Entity& add(SceneParts& parts, scene_file::RobotSpec robot) {
 Entity& add(SceneParts& parts, scene_file::BodySpec body) {
   if (body.is_static)
     throw SetupError(fmt::format("'{}' is static: it is part of the field from the start", body.name));
-  const files::FileScope scope(parts.files);
+  const files::FileScope scope(access_of(parts));
   parts.simulation->initialize();
   ModelSource models(parts.spec, *parts.assets, parts.lenient, parts.diagnostics);
   const EntitySpec kind = body_entity(models, body);
@@ -120,7 +129,7 @@ Entity& add(SceneParts& parts, scene_file::BodySpec body) {
   };
   Entity& entity = parts.simulation->add(body.name, kind.model, kind.options, furnish);
   lengths.done();
-  finish(parts, entity);
+  finish(parts, entity, {parts.simulation->now(), std::move(body)});
   return entity;
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "murosimf/control_software/crash_note.h"
@@ -71,6 +72,12 @@ struct ChangedConstants {
   void state(StateArchive& archive) { archive(models, surfaces); }
 };
 
+/// A robot or body that was added to the built scene (scene_addition.h).
+struct Addition {
+  Duration time{};  ///< a reset begins with it
+  std::variant<scene_file::RobotSpec, scene_file::BodySpec> what;
+};
+
 /// State restored by a reset.
 struct StartOfScene {
   ChangingSections sections;
@@ -119,7 +126,10 @@ struct SceneParts {
   std::shared_ptr<Assets> assets;                         ///< for robots added later
   bool lenient = false;                                   ///< of their files: unknown elements are warnings
   StartOfScene at_start;
-  files::FileAccess files{};                ///< SceneOptions::files, for robots that come later, which are not noted
+  files::FileAccess files{};        ///< SceneOptions::files, for robots that come later
+  std::vector<Addition> additions;  ///< in their order
+  /// What additions have been read from, also by readers that look at their files before.
+  std::shared_ptr<files::FilesRead> files_of_additions = std::make_shared<files::FilesRead>();
   std::unique_ptr<CameraRenderer> cameras;  ///< null: nothing is drawn for them
   int changes_to_see = 0;  ///< so far, of what renderers have taken over: light, shapes, colors, presence
 };

@@ -38,11 +38,20 @@ PythonClass load(const SceneParts& parts, const scene_file::AlgorithmSpec& spec)
 void attach(SceneParts& parts, const scene_file::AlgorithmSpec& spec, PythonClass made) {
   const double of_class = made.traits().rate > 0 ? made.traits().rate : usual_rate;
   const double rate = spec.rate > 0 ? spec.rate : of_class;
+  const bool senses = !made.traits().gives.empty();
+  if (!senses && (spec.delay > 0 || !spec.noise.empty()))
+    throw SetupError(
+        fmt::format("{}: delay and noise are of sensors, and '{}' gives no readings", spec.where, spec.name));
+  const control_software::PythonReadingOptions sensor{
+      .name = spec.name, .rate = rate, .delay = spec.delay, .noise = spec.noise, .seed = parts.spec.seed};
+  const Rate execution = senses ? control_software::execution_rate(sensor, parts.spec.rate) : Rate(rate);
   with_context(spec.where, [&] {
     parts.algorithms.push_back(&parts.simulation->attach<PythonAlgorithm>(
-        spec.name, entity_of(parts, spec), rate, std::move(made), parts.simulation->world().common(),
+        spec.name, entity_of(parts, spec), execution, std::move(made), parts.simulation->world().common(),
         parts.moving_entities,
-        control_software::PythonAlgorithmOptions{spec.name, from_seconds(spec.call_budget), parts.crashes}));
+        control_software::PythonAlgorithmOptions{.sensor = sensor,
+                                                 .budget = from_seconds(spec.call_budget),
+                                                 .notes = parts.crashes}));
   });
 }
 

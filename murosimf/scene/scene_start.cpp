@@ -109,6 +109,7 @@ void reset(SceneParts& parts, std::optional<std::uint64_t> seed) {
   put_in_force(parts, parts.at_start.sections);
   parts.diagnostics = *parts.at_start.diagnostics;
   parts.times_set.clear();
+  for (Addition& addition : parts.additions) addition.time = {};
   if (seed) {
     parts.spec.seed = *seed;
     parts.simulation->reseed(*seed);

@@ -1,5 +1,6 @@
 // [[algorithms]] of a scene file: classes in Python that are no controllers.
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -10,6 +11,28 @@
 
 namespace murosimf::scene_file {
 namespace {
+
+constexpr double longest_sensor_delay = 10;  // [s]
+
+double deviation_of(const toml::node& node, std::string_view output) {
+  const auto numbers = node.is_number() ? files::numbers_of(node) : std::nullopt;
+  if (!numbers || !(numbers->front() >= 0) || !std::isfinite(numbers->front()))
+    files::fail_at(node.source(), fmt::format("'{}' must be a deviation: a number of at least 0", output));
+  return numbers->front();
+}
+
+/// A number for all outputs, or a table with one for each that has any.
+void read_noise(const files::TomlTable& table, std::string_view key, AlgorithmSpec& algorithm) {
+  const toml::node* const node = table.find(key);
+  if (!node) return;
+  const toml::table* const outputs = node->as_table();
+  if (!outputs) {
+    algorithm.noise[""] = deviation_of(*node, key);
+    return;
+  }
+  for (const auto& [output, deviation] : *outputs)
+    algorithm.noise[std::string(output.str())] = deviation_of(deviation, output.str());
+}
 
 AlgorithmSpec read_algorithm(const toml::table& node) {
   const files::TomlTable table(node, algorithm_section().names());
@@ -34,6 +57,9 @@ const Section<AlgorithmSpec>& algorithm_section() {
        {"class", &AlgorithmSpec::target, "", "in Python: module:Class; needs --libraries", {}, "(needed)"},
        {"on", &AlgorithmSpec::on, "", "the entity that it belongs to", {}, "the whole scene"},
        {"rate", &AlgorithmSpec::rate, "Hz", "of its calls; 0: that of the class", between(0, fastest_rate)},
+       {"delay", &AlgorithmSpec::delay, "s", "of a sensor: until its samples can be read",
+        between(0, longest_sensor_delay)},
+       {"noise", &read_noise, "", "of a sensor: deviation of all numbers, or {output = deviation}", {}, "0"},
        {"call_budget", &AlgorithmSpec::call_budget, "s", "of wall time for each of its calls; 0: any", not_negative},
        {"options", {}, "", "arguments of the class", {}, "the class's"}});
   return section;

@@ -112,11 +112,12 @@ toml::table& algorithm_called(toml::table& scene, const Assignment& o) {
   throw SetupError(fmt::format("{}: {}", o.where, unknown_name("algorithm", o.path[1], {names.begin(), names.end()})));
 }
 
-/// algorithms.NAME.KEY and algorithms.NAME.options.KEY; a key that is none of all algorithms is an option of the class, which checks it.
+/// algorithms.NAME.KEY, algorithms.NAME.options.KEY and algorithms.NAME.noise.OUTPUT; a key that is none of all algorithms is an option of
+/// the class, which checks it.
 void assign_algorithm(toml::table& scene, const Assignment& o) {
   toml::table& algorithm = algorithm_called(scene, o);
   const auto keys = keys_of("algorithms");
-  if (o.path.size() == 4) return assign_option(algorithm, o, 2);
+  if (o.path.size() == 4 && (o.path[2] == "options" || o.path[2] == "noise")) return assign_option(algorithm, o, 2);
   if (o.path.size() != 3) throw SetupError(fmt::format("{}: write algorithms.NAME.KEY", o.where));
   const bool is_own = std::ranges::find(keys, o.path[2]) != keys.end();
   assign(is_own ? algorithm : table_in(algorithm, "options", o), o.path[2], o);

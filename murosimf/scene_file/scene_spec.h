@@ -170,12 +170,14 @@ struct SceneEvent {
 /// A class in Python that acts in the scene (control_software/python/python_algorithm.h).
 struct AlgorithmSpec {
   std::string name;
-  std::string target;      ///< "module:Class"
-  std::string on;          ///< entity; empty: the whole scene
-  double rate = 0;         ///< [Hz] 0: that of the class
-  double call_budget = 0;  ///< [s] of wall time for each call; 0: any
-  OptionValues options;    ///< of the class
-  std::string where;       ///< place of the class in the file
+  std::string target;                   ///< "module:Class"
+  std::string on;                       ///< entity; empty: the whole scene
+  double rate = 0;                      ///< [Hz] 0: that of the class
+  double call_budget = 0;               ///< [s] of wall time for each call; 0: any
+  double delay = 0;                     ///< [s] of a sensor's samples
+  std::map<std::string, double> noise;  ///< of a sensor: deviation by output, in its unit; "": of all others
+  OptionValues options;                 ///< of the class
+  std::string where;                    ///< place of the class in the file
 };
 
 /// Settings of a game with a referee (league/).

@@ -140,9 +140,9 @@ void LiveSource::load(const std::function<void(scene::Scene&)>& load) {
   diagnostics_ = !diagnostic_.empty();
 }
 
-/// States of before do not fit the scene any more, and no command repeats what is added.
+/// States of before do not fit the scene any more.
 void LiveSource::extend(const std::function<void(scene::Scene&)>& add) {
-  if (!options_.no_way_back.empty()) throw SetupError("nothing is added to this run: " + options_.no_way_back);
+  if (!options_.no_additions.empty()) throw SetupError("nothing is added to this run: " + options_.no_additions);
   add(scene_);
   begin_branch();
   live_ = {timeline_.present(), simulation_.now()};

@@ -54,6 +54,27 @@ TEST(ApiRecording, IsRepeatedByTheProgram) {
   EXPECT_EQ(again->simulation().state_hash(), scene.state_hash());
 }
 
+TEST(ApiRecording, RepeatsWhatWasAdded) {
+  const std::string file = file_of("added");
+  Scene scene("walk", {.set = {"walker.level=simplified_dynamics"}});
+  scene.run(0.1);
+  (void)scene.add(NewRobot{.name = "before", .model = "kid21", .position = {-1, 1, 0}});
+  Recorder recorder(scene, file);
+  scene.run(0.2);
+  (void)scene.add(NewRobot{
+      .name = "second", .model = "spark_nao0", .level = "full_dynamics", .controller = "walk", .position = {1, 1, 0}});
+  (void)scene.add(
+      NewBody{.name = "pole", .shape = NewBody::Shape::capsule, .size = {0.03, 0, 0.2}, .velocity = {1, 0, 0}});
+  scene.run(0.3);
+  recorder.finish();
+  const recording::RecordedRun run(file);
+  ASSERT_EQ(run.additions().size(), 3U);
+  const auto again = run.build({.threads = 2});
+  run.begin(*again, Duration{});
+  again->simulation().run(std::chrono::milliseconds(500));
+  EXPECT_EQ(again->simulation().state_hash(), scene.state_hash());
+}
+
 TEST(ApiRecording, BeginsInTheMiddle) {
   const std::string file = file_of("middle");
   Scene scene("walk", {.set = {"walker.level=simplified_dynamics"}});

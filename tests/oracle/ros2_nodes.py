@@ -415,15 +415,58 @@ def spawn_models(node, call):
     expect("and come", spawn("guest", uri="kid21", at=(-2.0, 1.0, 0.5))[0] == 1, "")
 
 
-def refuse_when_recorded(program, folder):
-    run = Run(program, folder, DOMAIN + 1, "--record", str(Path(folder) / "run.mcap"))
+def refuse_when_written(program, folder):
+    run = Run(program, folder, DOMAIN + 1, "--html", str(Path(folder) / "run.html"))
     call = Services(Node(DOMAIN + 1))
     result, kept = (call("spawn_entity", "", True, si.Resource(uri), "", ros.PoseStamped()).result
                     for uri in ("kid21", "reserve"))
-    expect("no model in a recorded run", result.result == 4 and "recorded" in result.error_message, result)
+    expect("no model in a run that is written as HTML", result.result == 4 and "HTML" in result.error_message, result)
     expect("but what its scene has", kept.result == 1, kept)
     call("set_simulation_state", 3)
     expect("exit code", run.process.wait(60) == 0, "")
+
+
+def repeat_recorded(program, folder):
+    """A recorded run to which models come, of which a node moves one; then without nodes."""
+    recording = str(Path(folder) / "run.mcap")
+    run = Run(program, folder, DOMAIN + 2, "--record", recording, "--record-states", "0.5")
+    node = Node(DOMAIN + 2)
+    call = Services(node)
+
+    def spawn(name, uri="", text="", at=(0.0, 0.0, 0.5)):
+        place = ros.Pose(ros.Point(*at), ros.Quaternion(0.0, 0.0, 0.0, 1.0))
+        pose = ros.PoseStamped(header=ros.Header(frame_id="world"), pose=place)
+        return call("spawn_entity", name, False, si.Resource(uri, text), "", pose).result
+
+    call("set_simulation_state", 2)
+    call("step_simulation", 200)
+    done = [spawn("guest", uri="kid21", at=(-2.0, 1.0, 0.5)), spawn("pole", text=PENDULUM, at=(-2.0, -1.0, 0.3))]
+    expect("models come to a recorded run", [one.result for one in done] == [1, 1], done)
+    writer = node.publish("/pole/joint_commands", ros.JointState)
+    reader = node.subscribe("/pole/joint_states", ros.JointState)
+
+    def moved():
+        writer.write(ros.JointState(name=["hinge"], position=[0.7]))
+        call("step_simulation", 20)
+        return any(abs(one.position[0] - 0.7) < 0.1 for one in reader.take(N=100))
+    expect("a node moves one of them", wait_for(moved), "")
+    call("step_simulation", 300)
+    expect("one of them goes", call("delete_entity", "guest").result.result == 1, "")
+    call("step_simulation", 400)
+    expect("no way back", call("reset_simulation", 0).result.result == 4, "")
+    call("set_simulation_state", 3)
+    expect("exit code", run.process.wait(60) == 0, "")
+    for threads in "1", "2":
+        again = subprocess.run([program, "rerun", recording, "--threads", threads], capture_output=True, text=True, check=False)
+        expect("the same again without nodes", again.returncode == 0 and "no difference" in again.stdout,
+               again.stdout + again.stderr)
+    shown = subprocess.run([program, "export", recording, "pole.hinge.joint_position", "--csv", str(Path(folder) / "pole.csv")],
+                           capture_output=True, text=True, check=False)
+    lines = (Path(folder) / "pole.csv").read_text().splitlines()[1:]
+    expect("its numbers", shown.returncode == 0 and lines and float(lines[0].split(",")[0]) >= 0.2, lines[:2])
+    bag = subprocess.run([program, "export", recording, "--rosbag2", str(Path(folder) / "bag")],
+                         capture_output=True, text=True, check=False)
+    expect("a bag", bag.returncode == 0 and "no robot_description" not in bag.stderr, bag.stderr)
 
 
 def step_by_action(node, call):
@@ -535,7 +578,8 @@ def main():
         code = run.process.wait(60)
         said = run.process.stderr.read()
         expect("exit code", code == 0, (code, said[-500:]))
-        refuse_when_recorded(program, folder)
+        refuse_when_written(program, folder)
+        repeat_recorded(program, folder)
     end()
 
 

@@ -194,7 +194,7 @@ TEST(Session, SaysWhatIsWrongAndGoesOn) {
 }
 
 TEST(Session, HasNoWayBackWhereItIsToldSo) {
-  Running running(1s, {.paused = true, .no_way_back = "it is recorded"});
+  Running running(1s, {.paused = true, .no_way_back = "it is logged", .no_additions = "it is logged"});
   running.session.step(10);
   running.comes_to(10ms);
   EXPECT_THROW(running.session.seek(0s).get(), SetupError);
@@ -202,6 +202,19 @@ TEST(Session, HasNoWayBackWhereItIsToldSo) {
   bool added = false;
   EXPECT_THROW(running.session.extend([&](scene::Scene&) { added = true; }).get(), SetupError);
   EXPECT_FALSE(added);
+}
+
+// As a recorded run, which keeps what comes.
+TEST(Session, IsExtendedWhereThereIsNoWayBack) {
+  Running running(1s, {.paused = true, .no_way_back = "it is recorded"});
+  running.session
+      .extend([](scene::Scene& scene) {
+        (void)scene.add(scene_file::RobotSpec{.name = "guest", .model = "kid21", .where = "test"});
+      })
+      .get();
+  running.session.step(10);
+  running.comes_to(10ms);
+  EXPECT_THROW(running.session.seek(0s).get(), SetupError);
 }
 
 TEST(Session, IsExtendedByWhatItsCommandsLetIn) {

@@ -1,6 +1,5 @@
 #include "murosimf/control_software/python/python_algorithm.h"
 
-#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -15,13 +14,15 @@ PythonAlgorithm::PythonAlgorithm(Setup& setup, PythonClass made, Entity& common,
     : options_(std::move(options)),
       phase_(made.phase()),
       entity_(&setup.entity() == &common ? nullptr : &setup.entity()),
-      reading_(made.make_reading(setup, options_.name)) {
+      reading_(made.outputs().empty() ? nullptr
+                                      : std::make_unique<PythonReading>(setup, made.outputs(), options_.sensor)) {
   report_.software = made.name();
-  report_.rate_hz = 1 / seconds(setup.period());
+  report_.rate_hz = reading_ ? options_.sensor.rate : 1 / seconds(setup.period());
   report_.budget = options_.budget;
   python_in_turns(setup, common);
   software_ = std::make_unique<PythonSoftware>(
-      setup, nullptr, [this](const std::string& line) { report_.say(now_, line); }, std::move(made), others, reading_);
+      setup, nullptr, [this](const std::string& line) { report_.say(now_, line); }, std::move(made), others,
+      reading_ ? &reading_->written() : nullptr);
   report_.keeps_state = software_->keeps_state();
 }
 
@@ -34,11 +35,7 @@ void PythonAlgorithm::initialize() {
   now_ = {};
   begin_anew();
   end_of_run_.clear();
-  if (reading_) {
-    reading_->time = {};
-    reading_->samples = 0;
-    std::ranges::fill(reading_->values, 0.0);
-  }
+  if (reading_) reading_->initialize();
   const CallOutcome outcome = software_->start();
   report_.note(outcome.changes, now_);
   if (outcome) return take_end();
@@ -49,17 +46,20 @@ void PythonAlgorithm::initialize() {
 
 void PythonAlgorithm::step(const Instant& instant) noexcept {
   if (over_) return;
-  now_ = instant.now;
+  if (reading_ && !reading_->is_due(instant.now)) return reading_->step(instant);
+  if (!call(instant.now)) return;
+  if (reading_) reading_->step(instant);
+  take_end();
+}
+
+bool PythonAlgorithm::call(Duration now) noexcept {
+  now_ = now;
   const auto begin = std::chrono::steady_clock::now();
   const CallOutcome outcome = software_->step(now_);
   report_.count(std::chrono::steady_clock::now() - begin, now_);
   report_.note(outcome.changes, now_);
-  if (!outcome) return fail(outcome);
-  if (reading_) {
-    reading_->time = now_;
-    ++reading_->samples;
-  }
-  take_end();
+  if (!outcome) fail(outcome);
+  return static_cast<bool>(outcome);
 }
 
 /// A run without its referee would be another run: it does not go on.
@@ -68,7 +68,7 @@ void PythonAlgorithm::fail(const CallOutcome& outcome) {
   report_.ended = fmt::format("at {:.3f} s: {}", seconds(now_), outcome.text);
   const bool crashed = outcome.kind == CallOutcome::crashed;
   if (entity_ && !crashed) return entity_->freeze(outcome.text);
-  const std::string note = fmt::format("{}: {}", options_.name, report_.ended);
+  const std::string note = fmt::format("{}: {}", name(), report_.ended);
   options_.notes->write(note);
   if (!crashed) note_ = note;
 }
@@ -86,8 +86,14 @@ void PythonAlgorithm::take_end() {
   report_.ended = fmt::format("at {:.3f} s: it has ended the run: {}", seconds(now_), end_of_run_);
 }
 
+void PythonAlgorithm::reseed(std::uint64_t seed) {
+  software_->reseed(seed);
+  if (reading_) reading_->reseed(seed);
+}
+
 void PythonAlgorithm::state(StateArchive& archive) {
   software_->state(archive);
+  if (reading_) reading_->state(archive);
   archive(over_, end_of_run_);
   if (archive.loads() && !over_) begin_anew();
 }

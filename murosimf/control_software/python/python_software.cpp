@@ -159,13 +159,11 @@ std::string PythonClass::name() const {
 
 void python_in_turns(const Setup& setup, Entity& common) { (void)setup.of(common).write(python_turn); }
 
-sensors::Reading* PythonClass::make_reading(Setup& setup, const std::string& name) const {
-  if (traits().gives.empty()) return nullptr;
-  sensors::SensorInfo info{.name = name, .type = "python", .period = setup.period()};
-  for (const PythonOutput& output : traits().gives) {
-    info.outputs.push_back({.name = output.name, .unit = output.unit, .labels = output.labels});
-  }
-  return &sensors::write_reading(setup, std::move(info));
+std::vector<sensors::Output> PythonClass::outputs() const {
+  std::vector<sensors::Output> outputs;
+  for (const PythonOutput& output : traits().gives)
+    outputs.push_back({.name = output.name, .unit = output.unit, .labels = output.labels});
+  return outputs;
 }
 
 PythonSoftware::PythonSoftware(Setup& setup, RobotPort* port, SayLine say, PythonClass made,

@@ -37,8 +37,8 @@ class PythonClass {
   [[nodiscard]] Phase phase() const;
   /// "wave:Wave of wave.py", for reports.
   [[nodiscard]] std::string name() const;
-  /// What a sensor gives; null: it is none. Throws SetupError: the entity has a sensor of this name.
-  [[nodiscard]] sensors::Reading* make_reading(Setup& setup, const std::string& name) const;
+  /// What a sensor gives; empty: it is none.
+  [[nodiscard]] std::vector<sensors::Output> outputs() const;
 
  private:
   friend class PythonSoftware;

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/files/file_access.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/model/error.h"
 #include "murosimf/recording/mcap/mcap_writer.h"
@@ -197,7 +198,12 @@ std::vector<RobotDescription> recorded_descriptions(const fs::path& recording, s
   };
   attempt("the bag has no robot_description", [&] {
     const RecordedRun run(recording);
+    const files::FileScope scope(run.access());
     const auto scene = run.build_to_show({});
+    if (!run.additions().empty()) {
+      run.initialize(*scene);
+      run.add_all(*scene);
+    }
     for (const Entity* robot : scene->parts().robots) {
       attempt(fmt::format("the bag has no robot_description of {}", robot->name()), [&] {
         all.push_back({robot->name(), urdf_of(*scene, *robot)});

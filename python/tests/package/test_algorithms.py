@@ -124,6 +124,74 @@ class Steers:
     assert scene["r0"].sensors["eye0"]["way"].shape == (2,)
 
 
+CLOCK = """
+class Clock:
+    rate = 50.0
+    gives = {"time": "s", "pair": ("s", ("a", "b"))}
+    def __call__(self, robot, time):
+        robot.outputs["time"] = time
+        robot.outputs["pair"] = time
+
+class Reader:
+    rate, phase = 1000.0, "control"
+    reads = ("r0.clock.time", "r0.clock.pair")
+    writes = ("ball.applied_force",)
+    def start(self, scene, time): self.sum = 0.0
+    def __call__(self, scene, time):
+        self.sum += scene.signals["r0.clock.time"][0] + scene.signals["r0.clock.pair"].sum()
+        scene.commands["ball.applied_force"][0, 0, 0] = 1e-3 * self.sum  # the state hash depends on every sample
+    def save(self): return repr(float(self.sum)).encode()
+    def load(self, saved): self.sum = float(saved)
+"""
+
+
+def test_a_sensor_has_delay_noise_and_rate(tmp_path: Path) -> None:
+    path = scene_of(tmp_path, CLOCK, 'name = "clock"\nclass = "soft:Clock"\non = "r0"', 'class = "soft:Reader"')
+
+    def samples(*settings: str) -> "np.typing.NDArray[np.float64]":
+        """Rows: simulated time, then the three numbers that are read at that time."""
+        scene = ms.Scene(str(path), libraries=True, set=dict(one.split("=", 1) for one in settings))
+        rows = []
+        for _ in range(200):
+            scene.step()
+            clock = scene["r0"].sensors["clock"]
+            rows.append([scene.time, float(clock["time"].item()), *np.ravel(clock["pair"])])
+        return np.array(rows)
+
+    plain, late = samples(), samples("algorithms.clock.delay=0.033")
+    step, period, delay = np.arange(200), 20, 33  # [ms] what the last step has shown: it began a millisecond before
+    np.testing.assert_allclose(plain[:, 1], step // period * period * 1e-3, atol=1e-12)
+    np.testing.assert_allclose(late[:, 1], np.maximum(0, (step - delay) // period) * period * 1e-3, atol=1e-12)
+    fast = samples("algorithms.clock.rate=1000")
+    np.testing.assert_allclose(fast[:, 1], step * 1e-3, atol=1e-12)
+    errors = (samples("algorithms.clock.rate=1000", "algorithms.clock.noise=0.01") - fast)[:, 1:]
+    assert errors.std() == pytest.approx(0.01, rel=0.12)  # of 600 numbers: four deviations of their deviation
+    assert abs(errors.mean()) < 0.0017
+    assert len(np.unique(errors)) == errors.size  # each number and each sample has its own
+    noisy = samples("algorithms.clock.noise=0.01", "algorithms.clock.delay=0.033")
+    at_once = samples("algorithms.clock.noise=0.01")
+    np.testing.assert_array_equal(noisy[delay:, 1:], at_once[:-delay, 1:])  # the same samples, later
+    one = samples("algorithms.clock.noise={pair=0.01}")
+    np.testing.assert_array_equal(one, samples("algorithms.clock.noise.pair=0.01"))
+    np.testing.assert_array_equal(one[:, 1], plain[:, 1])
+    assert (one[1:, 2] != plain[1:, 2]).any()
+    hashes = [report(path, "--set", "algorithms.clock.noise=0.01", "--set", "algorithms.clock.delay=0.033", *more)["state_hash"]
+              for more in (("--threads", 1), ("--threads", 2), ("--seed", 9))]
+    assert hashes[0] == hashes[1] != hashes[2]
+    scene = ms.Scene(str(path), libraries=True, set={"algorithms.clock.noise": 0.01, "algorithms.clock.delay": 0.033})
+    scene.run(0.15)
+    saved = scene.save()
+    scene.run(0.15)
+    assert f"{scene.state_hash:016x}" == hashes[0]
+    scene.load(saved)
+    scene.run(0.15)
+    assert f"{scene.state_hash:016x}" == hashes[0]
+    for wrong, says in (("clock.noise=-1", "'noise' must be a deviation"), ("clock.noise={tim=1}", "did you mean 'time'?"),
+                        ("Reader.delay=0.1", "gives no readings"), ("clock.delay=11", "10"),
+                        ("clock.rate.x=3", "write algorithms.NAME.KEY")):
+        assert says in run(path, "--libraries", "--set", f"algorithms.{wrong}", expect=2).stderr
+
+
 FORCE = """
 class Force:
     rate, phase = 1000.0, "contact"
