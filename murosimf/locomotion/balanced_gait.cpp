@@ -103,6 +103,21 @@ void BalancedGait::feel(double dt, const GaitClock& clock, std::span<const doubl
   state.compliance = std::clamp(state.lag / feedback_.compliant_lag, 0.0, 1.0);
 }
 
+/// The slope is the pitch of the sole that stands: in the middle of its step it lies flat on the ground.
+void BalancedGait::feel_slope(double dt, const GaitClock& clock, const WalkSenses& senses,
+                              GaitState& state) const noexcept {
+  MUROSIMF_ASSERT(dt > 0);
+  constexpr double flat_from = 0.3, flat_to = 0.8;  // [1] of a step
+  constexpr double memory = 0.5;                    // [s]
+  constexpr double jump = 0.1, steepest = 0.2;      // [rad]
+  const bool lies_flat =
+      clock.amplitude() == 0 ? state.still > 0 : clock.share() > flat_from && clock.share() < flat_to;
+  if (!table_ || !lies_flat) return;
+  const double found = senses.sole_pitch(clock.standing(), state);
+  state.slope += dt / memory * std::clamp(found - state.slope, -jump, jump);
+  state.slope = std::clamp(state.slope, -steepest, steepest);
+}
+
 void BalancedGait::find_deviation(const GaitClock& clock, GaitState& state) const noexcept {
   state.deviation = {};
   double zone = feedback_.dead_zone;
@@ -150,6 +165,8 @@ void BalancedGait::watch(double dt, GaitClock& clock, GaitState& state) const no
 double BalancedGait::phase_rate(const GaitState& state) const noexcept {
   MUROSIMF_ASSERT(feedback_.slowest <= feedback_.quickest);
   const StepSignals& e = state.deviation;
+  // It falls over the standing foot, which the swinging one cannot cross: only the step after this one helps.
+  if (e.outward > feedback_.hurry_at) return feedback_.quickest;
   const double rate = 1 - feedback_.timing_sideways * e.outward + feedback_.timing_forward * std::abs(e.forward);
   return std::clamp(rate, feedback_.slowest, feedback_.quickest);
 }
@@ -181,8 +198,16 @@ GaitFeet BalancedGait::open_loop(const GaitClock& clock, const GaitState& state)
   const Vec3d& velocity = clock.velocity();
   GaitFeet feet = gait_feet(legs_, walk_, clock.phase(), clock.amplitude(), velocity, feedback_.stride_gain,
                             feedback_.setback_per_speed * velocity.x);
-  for (std::size_t side = 0; side < 2; ++side)
+  // Joints that follow at once jar the soles, whose pitch says little about the ground there.
+  constexpr double level = 0.005, jarred = 0.2;  // [rad] of a slope that is none
+  const double zone = level + (1 - state.compliance) * jarred;
+  const double slope = feedback_.slope * without_dead_zone(state.slope, zone);
+  const Mat3d incline = rotation_y(slope);
+  for (std::size_t side = 0; side < 2; ++side) {
     feet.ankle[side] += state.offset[side] + Vec3d{0, outward(side) * state.width[side], 0};
+    feet.ankle[side].z -= feet.ankle[side].x * std::tan(slope);
+    feet.sole[side] = incline * feet.sole[side];
+  }
   return feet;
 }
 
@@ -232,8 +257,12 @@ GaitPose BalancedGait::bend_legs(const GaitClock& clock, const GaitFeet& feet, G
 
 GaitPose BalancedGait::step(double dt, GaitClock& clock, const WalkSenses& senses, GaitState& state,
                             const GaitPose& start, const Intent& intent) const noexcept {
+  feel_slope(dt, clock, senses, state);
   find_deviation(clock, state);
-  if (!intent.answers) state.deviation = {};
+  if (!intent.answers) {
+    state.deviation = {};
+    state.slope = 0;
+  }
   watch(dt, clock, state);
   const double rate = phase_rate(state);
   const std::size_t stood = clock.standing();

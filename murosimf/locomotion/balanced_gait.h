@@ -39,6 +39,7 @@ class BalancedGait {
  private:
   void find_deviation(const GaitClock& clock, GaitState& state) const noexcept;
   [[nodiscard]] bool has_width(const GaitState& state, double width) const noexcept;
+  void feel_slope(double dt, const GaitClock& clock, const WalkSenses& senses, GaitState& state) const noexcept;
   void move_apart(double dt, const GaitClock& clock, double width, GaitState& state) const noexcept;
   void watch(double dt, GaitClock& clock, GaitState& state) const noexcept;
   [[nodiscard]] double phase_rate(const GaitState& state) const noexcept;

@@ -46,6 +46,8 @@ const std::array rows{
     Row{"timing_forward", &GaitFeedback::timing_forward, per_length, "1/m", "quicker steps by a deviation forward",
         -100, 100},
     Row{"timing_sideways", &GaitFeedback::timing_sideways, per_length, "1/m", "slower steps by one outward", -100, 100},
+    Row{"hurry_at", &GaitFeedback::hurry_at, length, "m",
+        "deviation outward from which on it steps as quickly as it can", above(0), 100},
     Row{"slowest", &GaitFeedback::slowest, none, "1", "of the phase", 0, 1},
     Row{"quickest", &GaitFeedback::quickest, none, "1", "of the phase", 1, 10},
     Row{"dead_zone", &GaitFeedback::dead_zone, length, "m", "of deviations", 0, farthest},
@@ -62,6 +64,7 @@ const std::array rows{
         farthest},
     Row{"compliant_lag", &GaitFeedback::compliant_lag, none, "rad",
         "mean lag of the legs' joints of the compliant table", above(0), 1},
+    Row{"slope", &GaitFeedback::slope, none, "1", "of the ground's slope that the feet follow", 0, 1},
     Row{"still_rate", &GaitFeedback::still_rate, rate, "rad/s", "below which a robot stands still", 0, 10},
     Row{"step_at", &GaitFeedback::step_at, length, "m", "deviation at which a robot that stands steps", 0, farthest},
 };

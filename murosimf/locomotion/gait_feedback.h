@@ -4,10 +4,12 @@
 /// stands. e is the deviation of xi from its steady course, less a dead zone; y counts outward, away from the other foot.
 ///
 ///     swinging foot   k e exp(omega T), T what is left of the step: where xi would be at its end      (capture point)
-///     phase           1 - ky e_y + kx |e_x|, within its limits                                         (step timing)
+///     phase           1 - ky e_y + kx |e_x|, within its limits; the quickest where e_y is above hurry_at (step timing)
 ///     standing ankle  pitch: p d_pitch + d d_gyro_y + a e_x, roll likewise                             (center of pressure)
 ///     swinging sole   turned and moved back by a share of the tilt's deviation
 ///     standing hip    a share of the measured lag of its roll joint is added to its target             (droop)
+///     both feet       on a plane of the pitch s, z -= x tan s and soles turned by s: s is the mean pitch of the standing sole, by
+///                     attitude and encoders, times the compliance of the servos                        (slope)
 /// Source: Pratt et al., "Capture Point", Humanoids 2006; Takenaka et al., IROS 2009, and Englsberger et al., "Three-dimensional
 /// bipedal walking control based on divergent component of motion", IROS 2013, for xi; Khadiv et al., "Walking control based on step
 /// timing adaptation", IEEE T-RO 36 (2020), for timing, linear here. Numbers: found for kid21 by CMA-ES over gait and feedback at once.
@@ -41,18 +43,20 @@ struct GaitFeedback {
   double step_decay = 0.053458;        ///< [s] in which the offset of a foot that stands goes back
   double timing_forward = 1.3604;      ///< [1/m] of |e_x|
   double timing_sideways = 8.2033;     ///< [1/m] of e_y
-  double slowest = 0.80712;            ///< [1] of the phase
-  double quickest = 1.9618;            ///< [1]
-  double dead_zone = 0.0061561;        ///< [m] of e
-  double rigid_dead_zone = 0.02;       ///< [m] more where joints follow their targets at once: steps jar such a robot
-  double most_forward = 0.12477;       ///< [m] of a foot's offset
-  double most_sideways = 0.11787;      ///< [m]
-  double most_inward = 0.02;           ///< [m] the same, towards the foot that stands
-  double offset_speed = 0.60624;       ///< [m/s] of an offset
-  double smoothing = 0.0091649;        ///< [s] of the rate of the center of mass, from encoders
-  double omega = 7.3899;               ///< [1/s] of the pendulum
-  double most_deviation = 0.3;         ///< [m] of e: what is larger counts as this
-  double compliant_lag = 0.03;         ///< [rad] mean lag of the legs' joints at which their servos count as compliant
+  double hurry_at = 0.04;         ///< [m] of e_y: beyond, it falls over the standing foot, and only the next step helps
+  double slowest = 0.80712;       ///< [1] of the phase
+  double quickest = 1.9618;       ///< [1]
+  double dead_zone = 0.0061561;   ///< [m] of e
+  double rigid_dead_zone = 0.02;  ///< [m] more where joints follow their targets at once: steps jar such a robot
+  double most_forward = 0.12477;  ///< [m] of a foot's offset
+  double most_sideways = 0.11787;  ///< [m]
+  double most_inward = 0.02;       ///< [m] the same, towards the foot that stands
+  double offset_speed = 0.60624;   ///< [m/s] of an offset
+  double smoothing = 0.0091649;    ///< [s] of the rate of the center of mass, from encoders
+  double omega = 7.3899;           ///< [1/s] of the pendulum
+  double most_deviation = 0.3;     ///< [m] of e: what is larger counts as this
+  double compliant_lag = 0.03;     ///< [rad] mean lag of the legs' joints at which their servos count as compliant
+  double slope = 1;                ///< [1] of the ground's slope that the feet follow, so that the robot stays upright
   // standing
   double step_at = 0.035;    ///< [m] of e while it stands: it steps
   double still_rate = 0.05;  ///< [rad/s] of a robot that stands still

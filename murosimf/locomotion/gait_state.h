@@ -33,6 +33,7 @@ struct GaitState {
   double still = 0;                     ///< [s] since it stands without moving
   double alarm = 0;                     ///< [s] for which it continues to step on the spot
   std::array<double, 2> width{};        ///< [m] by which each ankle is farther from the middle than in the walk
+  double slope = 0;                     ///< [rad] pitch of the ground under the standing sole: above 0 downhill
   Vec3d foot;                           ///< [m, m, rad] standing ankle and heading of the base, from where it started
 };
 

@@ -249,6 +249,7 @@ void MotionEngine::begin(MotionMode mode, int motion) noexcept {
   clock_.initialize();
   gait_state_.offset = {};
   gait_state_.settled = gait_state_.alarm = 0;
+  if (mode != MotionMode::walk && mode != MotionMode::play) gait_state_.slope = 0;
   if (mode == MotionMode::walk) {
     gait_.stand(gait_state_);
     write_walk(gait_.stance());

@@ -23,14 +23,16 @@ std::span<const double> inertial(Setup& setup, const char* output) {
                       [&] { return sensors::read_output(setup, output); });
 }
 
-Vec3d ankle_of(const Leg& leg, std::span<const double> q) noexcept {
+ChainPose foot_of(const Leg& leg, std::span<const double> q) noexcept {
   std::array<double, most_hinges> angles{};
   for (std::size_t i = 0; i < leg.joints.size(); ++i) {
     MUROSIMF_ASSERT(static_cast<std::size_t>(leg.joints[i]) < q.size());
     angles[i] = q[leg.joints[i]];
   }
-  return pose_of(leg.chain, std::span(angles).first(leg.joints.size())).tip;
+  return pose_of(leg.chain, std::span(angles).first(leg.joints.size()));
 }
+
+Vec3d ankle_of(const Leg& leg, std::span<const double> q) noexcept { return foot_of(leg, q).tip; }
 
 }  // namespace
 
@@ -145,6 +147,12 @@ void WalkSenses::follow(double dt, std::size_t standing, const Numbers& numbers,
   const Vec3d step = flat_step(standing, state);
   odometry_ = {state.foot.x - step.x, state.foot.y - step.y, state.foot.z};
   state.cycles = std::min(state.cycles + 1, 2.0);
+}
+
+double WalkSenses::sole_pitch(std::size_t side, const GaitState& state) const noexcept {
+  MUROSIMF_ASSERT(side < 2);
+  const Vec3d forward = level_axes(state.attitude) * (foot_of(legs_[side], q_).sole * Vec3d{1, 0, 0});
+  return std::atan2(-forward.z, std::hypot(forward.x, forward.y));
 }
 
 /// [m] From the base to the ankle, axes of the odometry.

@@ -38,6 +38,8 @@ class WalkSenses {
   /// Makes `standing` the foot that stands.
   void change_foot(std::size_t standing, GaitState& state) const noexcept;
 
+  /// [rad] Pitch of that foot's sole against the level, its toe below its heel: above 0.
+  [[nodiscard]] double sole_pitch(std::size_t side, const GaitState& state) const noexcept;
   /// [rad | m] of all objects, as measured.
   [[nodiscard]] std::span<const double> joints() const noexcept { return q_; }
   [[nodiscard]] const Vec3d& rate() const noexcept { return rate_; }  ///< [rad/s] gyroscope less bias, axes of the base

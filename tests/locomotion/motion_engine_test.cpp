@@ -1,6 +1,7 @@
 // The motion engine on kid21: pushes, falls, motions on request, odometry, limits of rates; from its own sensors with their errors.
 #include "murosimf/locomotion/motion_engine.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "murosimf/collision/contact_properties.h"
@@ -73,6 +74,39 @@ TEST(MotionEngine, StepsAgainstPushesThatTheOpenLoopFallsBy) {
     if (walker.upright() < 0.9) ++fell;
   }
   EXPECT_GE(fell, 3) << "without feedback";
+}
+
+TEST(MotionEngine, HurriesWhenItFallsOverTheFootThatStands) {
+  const auto falls = [](const std::string& option) {
+    int count = 0;
+    for (const char* when :
+         {"2.68..2.78", "2.74..2.84"}) {  // the robot comes down on its left foot, and goes on over it
+      scene::SceneOptions options = Walker::options(articulated, "[0.15,0,0]", {option}, "motions");
+      options.pushes = {std::string("walker.torso=[0,25,0]@") + when};
+      scene::Scene scene("walk", std::move(options));
+      scene.simulation().run(5s);
+      if (scene.simulation().world().entity("walker").base().get(properties::orientation).z.z < 0.9) ++count;
+    }
+    return count;
+  };
+  EXPECT_EQ(falls("walker.options.hurry_at=0.04"), 0);
+  EXPECT_EQ(falls("walker.options.hurry_at=10"), 2) << "slowly";
+}
+
+TEST(MotionEngine, WalksUpAndDownASlopeAsOnLevelGround) {
+  const auto way = [](double slope, std::vector<std::string> more) {  // [m] in 8 s; weight to the back: uphill
+    more.push_back(fmt::format("gravity=[{},0,{}]", -9.81 * std::sin(slope), -9.81 * std::cos(slope)));
+    Walker walker(articulated, "[0.2,0,0]", std::move(more));
+    walker.run(8s);
+    EXPECT_EQ(walker.robot.base().get(properties::motion_state).falls, 0) << slope;
+    return walker.robot.base().get(properties::position).x + 2;
+  };
+  constexpr double steep = 3 * pi / 180;
+  const double level = way(0, {});
+  for (const double slope : {steep, -steep}) {
+    EXPECT_NEAR(way(slope, {}), level, 0.2 * level) << slope;
+    EXPECT_GT(std::abs(way(slope, {"walker.options.slope=0"}) - level), 0.3 * level) << slope << ", not followed";
+  }
 }
 
 TEST(MotionEngine, StandsAgainWhereItWasPushed) {
