@@ -8,8 +8,8 @@
 ///     standing ankle  pitch: p d_pitch + d d_gyro_y + a e_x, roll likewise                             (center of pressure)
 ///     swinging sole   turned and moved back by a share of the tilt's deviation
 ///     standing hip    a share of the measured lag of its roll joint is added to its target             (droop)
-///     both feet       on a plane of the pitch s, z -= x tan s and soles turned by s: s is the mean pitch of the standing sole, by
-///                     attitude and encoders, times the compliance of the servos                        (slope)
+///     both feet       on a plane of the pitch s [rad, above 0 downhill], z -= x tan s and soles turned by s: the mean pitch of the
+///                     standing sole, by attitude and encoders, less a dead zone, which is larger the less the servos yield (slope)
 /// Source: Pratt et al., "Capture Point", Humanoids 2006; Takenaka et al., IROS 2009, and Englsberger et al., "Three-dimensional
 /// bipedal walking control based on divergent component of motion", IROS 2013, for xi; Khadiv et al., "Walking control based on step
 /// timing adaptation", IEEE T-RO 36 (2020), for timing, linear here. Numbers: found for kid21 by CMA-ES over gait and feedback at once.
