@@ -7,7 +7,8 @@ include everything. The public headers, include/murosimf/, include each other an
 plug-ins, in its folder plugin, also those of the library); of the library only the folder `api`, which implements them,
 includes them, as "murosimf/scene.h". No two headers of the library have one name. Every header begins with `/// name.h -
 what it is for` and has `#pragma once`. A file that names a property, or what the standard library declares
-(scripts/standard_headers.py), includes, directly or not, the header that has it: precompiled headers hide that some do not.
+(scripts/standard_headers.py) or another header of the project (scripts/own_headers.py), includes, directly or not, the header that
+has it: precompiled headers and sources that are compiled as one hide that some do not.
 Prints each violation as file:line: message and exits with 1 if there is one.
 
     scripts/check_includes.py [root of the source tree]
@@ -18,6 +19,7 @@ import sys
 from pathlib import Path
 
 import standard_headers
+from own_headers import OwnHeaders
 
 folder_line = re.compile(r"^\s*murosimf_folder\(([\w/]+)((?:\s+[^\s()]+)*)\s*\)", re.MULTILINE)
 outside = ["apps", "python", "tests", "examples", "benchmarks"]
@@ -105,6 +107,8 @@ class Includes:
 
     def __init__(self, root):
         self.root, self.known = root, {}
+        files = [file for name in ["murosimf", public, *outside] for file in sources(root / name)]
+        self.own = OwnHeaders({file.relative_to(root).as_posix(): file.read_text(encoding="utf-8") for file in files})
         self.headers_of = {}  # by property
         for header in sources(root / "murosimf"):
             if header.suffix == ".h":
@@ -120,13 +124,14 @@ class Includes:
             lines = file.read_text(encoding="utf-8").splitlines() if file.is_file() else []
             for _, included, quoted in includes(lines):
                 if quoted or included.startswith("murosimf/"):
-                    found |= self.of(included)
+                    beside = Path(path).parent / included  # as those of the bindings for Python
+                    found |= self.of(beside.as_posix() if (self.root / beside).is_file() else included)
                 elif "." not in included:
                     found.add(included)
         return self.known[path]
 
     def missing(self, relative, lines):
-        """Yields (line number, message) of properties that the file names without the header that has them."""
+        """Yields (line number, message) of what the file names without the header that has it."""
         reached = self.of(relative.as_posix())
         for number, line in enumerate(lines, 1):
             for name in property_use.findall(line.partition("//")[0]):
@@ -134,6 +139,11 @@ class Includes:
                 if headers and not headers & reached:
                     yield number, f"properties::{name} is named, {' or '.join(sorted(headers))} not included"
         yield from standard_headers.missing(reached, lines)
+        yield from self.own.missing(relative.as_posix(), {self.file_of(path) for path in reached})
+
+    def file_of(self, path):
+        """Where an included header stands in the tree: "murosimf/scene.h" may be public."""
+        return f"{public}/{path}" if (self.root / public / path).is_file() else path
 
 
 def violations(root):

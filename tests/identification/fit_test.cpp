@@ -8,6 +8,7 @@
 #include "tests/fixtures.h"
 #include "tests/identification/synthetic.h"
 #include "tests/law.h"
+#include "tests/sanitizer.h"
 
 namespace murosimf::identification {
 namespace {
@@ -27,12 +28,6 @@ const multibody::BenchServo m3_servo{
     .encoder_offset = -0.03,
     .friction = {.coulomb = 0.012, .viscous = 0.006, .motor_load = 0.2, .external_load = 0.2}};
 
-#ifdef MUROSIMF_ADDRESS_SANITIZER
-constexpr bool sanitized = true;
-#else
-constexpr bool sanitized = false;
-#endif
-
 /// Skips where there is no search.
 class Fit : public testing::Test {
  protected:
@@ -49,7 +44,7 @@ class Fit : public testing::Test {
 class LongFit : public Fit {
  protected:
   void SetUp() override {
-    if (sanitized) GTEST_SKIP() << "takes half a minute with the address sanitizer";
+    if (fixtures::sanitized) GTEST_SKIP() << "takes half a minute with the address sanitizer";
     Fit::SetUp();
   }
 };

@@ -11,6 +11,7 @@
 #include "murosimf/scene/scene.h"
 #include "tests/law.h"
 #include "tests/physics/mechanics.h"
+#include "tests/sanitizer.h"
 
 namespace murosimf::test {
 namespace {
@@ -95,18 +96,13 @@ class Heap {
   const collision::PairSet* pairs_ = nullptr;
 };
 
-/// Sanitizers make a heap thirty times slower; the longest step then stands for all.
-#ifdef MUROSIMF_ADDRESS_SANITIZER
-constexpr bool sanitized = true;
-#else
-constexpr bool sanitized = false;
-#endif
-
 class HeapOfRobots : public testing::TestWithParam<LevelAndRate> {};
 
 TEST_P(HeapOfRobots, ComesToRest) {
   const auto& [level, rate] = GetParam();
-  if (sanitized && (rate != 200 || level != "articulated_dynamics")) GTEST_SKIP() << "too slow under a sanitizer";
+  // sanitizers make a heap thirty times slower; the longest step then stands for all
+  if (fixtures::sanitized && (rate != 200 || level != "articulated_dynamics"))
+    GTEST_SKIP() << "too slow under a sanitizer";
   const std::string words = fmt::format("{}, {} Hz", level, rate);
   Heap heap(level, rate);
   heap.run(10);
@@ -137,7 +133,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 // Springs give back what they took, and no more; dampers and friction only take.
 TEST(HeapOfRobots, NeverGainsEnergy) {
-  if (sanitized) GTEST_SKIP() << "too slow under a sanitizer";
+  if (fixtures::sanitized) GTEST_SKIP() << "too slow under a sanitizer";
   Heap heap("articulated_dynamics", 1000);
   double least = heap.energy();
   law::Worst rise;
@@ -156,7 +152,7 @@ TEST(HeapOfRobots, NeverGainsEnergy) {
 // With the paper's laws on the ground and between robots. By the letter, friction that is stronger than what stops a limb
 // within a step turns it back faster than it came: all robots froze in the first second.
 TEST(HeapOfRobots, StaysInTheGameUnderThePapersLaws) {
-  if (sanitized) GTEST_SKIP() << "too slow under a sanitizer";
+  if (fixtures::sanitized) GTEST_SKIP() << "too slow under a sanitizer";
   for (const char* law : {"paper", "paper_multipoint"}) {
     const std::vector<std::string> laws{fmt::format("defaults.contact={}", law), fmt::format("body_contact={}", law)};
     Heap heap("articulated_dynamics", 1000, laws);
@@ -176,7 +172,7 @@ TEST(HeapOfRobots, StaysInTheGameUnderThePapersLaws) {
 
 // What contacts are found does not depend on the kind of bounding volume.
 TEST(HeapOfRobots, IsTheSameForAllVolumes) {
-  if (sanitized) GTEST_SKIP() << "too slow under a sanitizer";
+  if (fixtures::sanitized) GTEST_SKIP() << "too slow under a sanitizer";
   std::vector<std::vector<double>> depths;
   for (const char* volume : {"sphere", "aabb", "obb", "capsule"}) {
     Heap heap("simplified_dynamics", 500, {fmt::format("r*.volume={}", volume)});

@@ -12,6 +12,7 @@
 #include "murosimf/model/properties.h"
 #include "murosimf/scene_file/field.h"
 #include "tests/recording/repeatable_run.h"
+#include "tests/sanitizer.h"
 
 namespace murosimf {
 namespace {
@@ -269,7 +270,7 @@ TEST(RecordedRun, OfAMutatedFileIsBuiltOrRefused) {
   content << std::ifstream(file, std::ios::binary).rdbuf();
   std::mt19937 random(7);
   int refused = 0;
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < fixtures::tries(1000); ++i) {
     std::string bytes = content.str();
     const std::size_t place = std::uniform_int_distribution<std::size_t>(0, bytes.size() - 1)(random);
     bytes[place] = static_cast<char>(bytes[place] ^ (1 << i % 8));
@@ -284,7 +285,7 @@ TEST(RecordedRun, OfAMutatedFileIsBuiltOrRefused) {
       EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
     }
   }
-  EXPECT_GT(refused, 50);
+  EXPECT_GT(refused, fixtures::tries(50));
 }
 
 TEST(RecordedRun, GoesOnFromEveryStateAsTheRunDid) {

@@ -106,7 +106,8 @@ TEST(CmaEs, TurnedAxesCostNothing) {
 }
 
 TEST(CmaEs, OnlyRanksCount) {
-  CmaEs plain({.start = Point(4, 1.0)}), bent({.start = Point(4, 1.0)});
+  CmaEs plain({.start = Point(4, 1.0)});
+  CmaEs bent({.start = Point(4, 1.0)});
   for (int i = 0; i < 30; ++i) {
     plain.tell(costs_of(rosenbrock, plain.ask()));
     bent.tell(costs_of([](const Point& x) { return std::log(rosenbrock(x)); }, bent.ask()));
