@@ -122,7 +122,8 @@ class OwnHeaders:
     def key_of(self, before, word, after, part):
         """Under which key a word of a file in a part of the project stands in headers_of; None if it is not used, or stands nowhere."""
         key = (before[-2], word) if before[-1] == "::" else word
-        headers = [header for header in self.headers_of.get(key, ()) if header.partition("/")[0] in ("murosimf", "include", part)]
+        known = self.headers_of.get(key, ())
+        headers = [header for header in known if header.partition("/")[0] in ("murosimf", "include", part)]
         if not headers or word in keywords or is_member(before) or before[-4:-2] == ["std", "::"]:
             return None
         if word.isupper() and after != "(":
