@@ -120,7 +120,7 @@ class OwnHeaders:
                     self.headers_of.setdefault(key, set()).add(path)
 
     def key_of(self, before, word, after, part):
-        """Under which key a word of a file in a part of the project stands in headers_of; None if it is not used, or stands nowhere."""
+        """The key in headers_of of a word that a file in a part of the project uses; None of any other word."""
         key = (before[-2], word) if before[-1] == "::" else word
         known = self.headers_of.get(key, ())
         headers = [header for header in known if header.partition("/")[0] in ("murosimf", "include", part)]
