@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "murosimf/appearance/jersey_numbers.h"
+#include "murosimf/appearance/visual_meshes.h"
 #include "murosimf/render/render_scene.h"
 
 namespace murosimf::appearance {
@@ -17,6 +18,7 @@ namespace murosimf::appearance {
 /// (visual_meshes.h).
 class AppearanceLibrary {
  public:
+  explicit AppearanceLibrary(PictureUse use = PictureUse::by_pixel) : use_(use) {}
   /// The appearance of an entity. Robots of a team with names that end in a number have it on chest and back.
   [[nodiscard]] render::EntityAppearance appearance(const Entity& entity);
   /// One line for each mesh that could not be read and is left out.
@@ -27,6 +29,7 @@ class AppearanceLibrary {
     render::EntityAppearance drawn;
     std::vector<JerseyNumber> plates;
   };
+  PictureUse use_;
   std::map<const Model*, ModelAppearance> models_;
   std::vector<std::string> warnings_;
 };

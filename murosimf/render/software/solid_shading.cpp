@@ -6,6 +6,7 @@
 
 #include "murosimf/math/assert.h"
 #include "murosimf/render/software/patterns.h"
+#include "murosimf/render/software/picture_light.h"
 
 namespace murosimf::render::software {
 namespace {
@@ -144,10 +145,15 @@ Floats3 SolidShading::colors(const PixelRays& rays, const Surface& surface, int 
     }
     case Surface::Kind::net: return all_lanes(look_.net);
     case Surface::Kind::solid:
-    case Surface::Kind::ball: break;
+    case Surface::Kind::ball:
+    case Surface::Kind::pictured: break;
   }
-  const Floats3 base =
-      surface.kind == Surface::Kind::ball ? ball_base(surface, from_u, from_v) : all_lanes(surface.base);
+  Floats3 base = all_lanes(surface.base);
+  if (surface.kind == Surface::Kind::ball) base = ball_base(surface, from_u, from_v);
+  if (surface.kind == Surface::Kind::pictured) {
+    const Place place = place_on(surface, from_u, from_v, per_z);
+    base = base * picture_light(*surface.picture, place.at, place.per_u, place.per_v);
+  }
   return shown(base, at(surface.normal, from_u, from_v), rays.tangent_x(column), rays.tangent_y(v), per_z);
 }
 
