@@ -57,23 +57,31 @@ Float3 light_at(const ColorImage& picture, float right, float down) {
                mixed(pixel(u.first, v.second), pixel(u.second, v.second), u.share), v.share);
 }
 
+/// `square`: [px^2] of the whole picture, the longest step from pixel to pixel.
+Float3 light_at(const imaging::MipPicture& picture, float square, float right, float down) {
+  const auto last = static_cast<int>(picture.levels.size()) - 1;
+  const float level = square > 1 ? std::min(0.5F * log2_of(square), static_cast<float>(last)) : 0;
+  const auto first = static_cast<std::size_t>(level);
+  const Float3 light = light_at(picture.levels[first], right, down);
+  const float share = level - static_cast<float>(first);
+  return share > 0 ? mixed(light, light_at(picture.levels[first + 1], right, down), share) : light;
+}
+
 }  // namespace
 
-Floats3 picture_light(const imaging::MipPicture& picture, const Floats2& at, const Floats2& per_u,
-                      const Floats2& per_v) {
-  const auto width = static_cast<float>(picture.whole().width()), height = static_cast<float>(picture.whole().height());
-  const Floats ux = per_u.x * width, uy = per_u.y * height, vx = per_v.x * width, vy = per_v.y * height;
-  const Floats square = greatest(ux * ux + uy * uy, vx * vx + vy * vy);  // [px^2] of the picture to one that is drawn
-  const auto last = static_cast<int>(picture.levels.size()) - 1;
-  Floats3 result{};
+Floats3 picture_light(const PicturePoints& points) {
+  Floats3 result{Floats{} + 1.0F, Floats{} + 1.0F, Floats{} + 1.0F};
   for (int i = 0; i < pixel_lanes; ++i) {
-    const float level = square[i] > 1 ? std::min(0.5F * log2_of(square[i]), static_cast<float>(last)) : 0;
-    const int first = static_cast<int>(level);
-    Float3 light = light_at(picture.levels[static_cast<std::size_t>(first)], at.x[i], at.y[i]);
-    if (first < last && level > 0) {
-      const Float3 smaller = light_at(picture.levels[static_cast<std::size_t>(first) + 1], at.x[i], at.y[i]);
-      light = mixed(light, smaller, level - static_cast<float>(first));
-    }
+    const imaging::MipPicture* picture = points.pictures[static_cast<std::size_t>(i)];
+    if (!picture) continue;
+    const auto width = static_cast<float>(picture->whole().width()),
+               height = static_cast<float>(picture->whole().height());
+    const auto square_of = [&](const Floats2& step) {
+      const float x = step.x[i] * width, y = step.y[i] * height;
+      return x * x + y * y;
+    };
+    const Float3 light =
+        light_at(*picture, std::max(square_of(points.per_u), square_of(points.per_v)), points.at.x[i], points.at.y[i]);
     result.x[i] = light.x;
     result.y[i] = light.y;
     result.z[i] = light.z;
