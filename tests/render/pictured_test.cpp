@@ -1,5 +1,6 @@
 /// pictured_test - surfaces that show pictures, by both renderers.
 #include <cmath>
+#include <tuple>
 
 #include "murosimf/imaging/mip_picture.h"
 #include "murosimf/imaging/srgb.h"
