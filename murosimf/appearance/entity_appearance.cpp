@@ -32,7 +32,7 @@ render::EntityAppearance AppearanceLibrary::appearance(const Entity& entity) {
   const auto [found, is_new] = models_.try_emplace(&entity.model());
   ModelAppearance& model = found->second;
   if (is_new) {
-    const Appearance appearance = appearance_of(entity.model(), usual_triangles, use_);
+    const Appearance appearance = appearance_of(entity.model(), usual_triangles, pictures_, use_);
     model = {drawn(appearance), jersey_numbers(entity.model(), appearance)};
     warnings_.insert(warnings_.end(), appearance.warnings.begin(), appearance.warnings.end());
   }

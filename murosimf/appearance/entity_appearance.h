@@ -14,7 +14,7 @@ namespace murosimf::appearance {
 /// 3 of "blue3"; -1 if the name does not end in a number of at most three digits.
 [[nodiscard]] int jersey_number(const std::string& name);
 
-/// Reads meshes once per model: equal robots share them. Meshes of a robot have at most `usual_triangles` together
+/// Reads meshes once per model, pictures once: equal robots share them. Meshes of a robot have at most `usual_triangles` together
 /// (visual_meshes.h).
 class AppearanceLibrary {
  public:
@@ -30,6 +30,7 @@ class AppearanceLibrary {
     std::vector<JerseyNumber> plates;
   };
   PictureUse use_;
+  MeshPictures pictures_;
   std::map<const Model*, ModelAppearance> models_;
   std::vector<std::string> warnings_;
 };

@@ -217,9 +217,13 @@ std::vector<std::string> visual_files(const Model& model) {
   return files;
 }
 
-Appearance appearance_of(const Model& model, std::size_t most, PictureUse use) {
-  Appearance appearance;
+Appearance appearance_of(const Model& model, std::size_t most) {
   MeshPictures pictures;
+  return appearance_of(model, most, pictures, PictureUse::by_pixel);
+}
+
+Appearance appearance_of(const Model& model, std::size_t most, MeshPictures& pictures, PictureUse use) {
+  Appearance appearance;
   std::vector<SeenMesh> grounds;  // with all of their triangles: bodies stand on these
   for (int object = 0; object < model.size(); ++object) {
     if (const auto* relief = model.find(properties::relief, object)) {

@@ -61,7 +61,8 @@ constexpr std::size_t usual_triangles = 3000;  ///< of the meshes of a robot in 
 /// An object with visual meshes is drawn as these, and as those of its shapes that do not collide; another one as
 /// all of its shapes. The meshes of the whole model have at most `most` triangles together (geometry/mesh_reduction.h), but for uneven
 /// ground, which keeps all of its own (collision/relief/relief.h). Reads files, which takes a while: keep the answer as long as the model.
-[[nodiscard]] Appearance appearance_of(const Model& model, std::size_t most = usual_triangles,
-                                       PictureUse use = PictureUse::by_pixel);
+[[nodiscard]] Appearance appearance_of(const Model& model, std::size_t most = usual_triangles);
+/// The same with pictures that several models share.
+[[nodiscard]] Appearance appearance_of(const Model& model, std::size_t most, MeshPictures& pictures, PictureUse use);
 
 }  // namespace murosimf::appearance

@@ -185,6 +185,27 @@ TEST(VisualMeshes, ShowPicturesPixelByPixel) {
   }
   EXPECT_TRUE(notes.empty());
 }
+
+// Rule: MuJoCo repeats from the upper left corner on. Two uses of one file share its pixels.
+TEST(VisualMeshes, RepeatAndSharePictures) {
+  const std::string file = write("t.obj",
+                                 "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0 .5\nvt 1 1\nf 1/1 3/2 2/2\nf 1/1 2/2 4/2\nf "
+                                 "1/1 4/2 3/2\nf 2/1 3/1 4/1\n")
+                               .string();
+  const std::string skin = write("skin.png", render::png_bytes(imaging::ColorImage(4, 4, {9, 8, 7}))).string();
+  MeshPictures pictures;
+  std::vector<std::string> notes;
+  const auto part = [&](const std::array<double, 2>& repeat) {
+    return visual_parts({.file = file, .picture = skin, .picture_repeat = repeat}, pictures, PictureUse::by_pixel,
+                        notes)
+        .at(0);
+  };
+  const VisualPart once = part({1, 1}), often = part({3, 2});
+  EXPECT_EQ(once.picture, often.picture);
+  EXPECT_EQ(once.mesh.places[0], (geometry::PicturePlaces{{{0, 0.5F}, {1, 1}, {1, 1}}}));
+  EXPECT_EQ(often.mesh.places[0], (geometry::PicturePlaces{{{0, 0}, {3, 1}, {3, 1}}}));
+  EXPECT_TRUE(notes.empty());
+}
 #endif
 
 TEST(VisualMeshes, OfWeldedLinksBelongToWhatTheyAreWeldedTo) {
