@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -91,8 +92,11 @@ PicturePtr MeshPictures::read(const std::filesystem::path& file, std::vector<std
   const auto [known, is_new] = pictures_.try_emplace(file);
   if (is_new) {
     try {
-      known->second = std::make_shared<const imaging::MipPicture>(
-          imaging::mip_picture(render::picture_of_file(files::read_input_file(file, most_bytes))));
+      imaging::ColorImage picture = render::picture_of_file(files::read_input_file(file, most_bytes));
+      const std::size_t pixels = picture.pixels().size();
+      if (pixels > pixels_left_) throw SetupError("all textures together have too many pixels; make them smaller");
+      pixels_left_ -= pixels;
+      known->second = std::make_shared<const imaging::MipPicture>(imaging::mip_picture(std::move(picture)));
     } catch (const SetupError& error) {
       const std::string what = error.what();
       const std::string where = what.starts_with(file.string()) ? "" : file.string() + ": ";

@@ -18,6 +18,8 @@ using PicturePtr = std::shared_ptr<const imaging::MipPicture>;
 /// Pictures of meshes; each file is read once.
 class MeshPictures {
  public:
+  /// `most_pixels`: of all pictures together, 4 bytes each; those beyond count as ones that cannot be read.
+  explicit MeshPictures(std::size_t most_pixels = 64'000'000) : pixels_left_(most_pixels) {}
   /// A PNG or JPEG file; null if it cannot be read, with a line in `notes`.
   [[nodiscard]] PicturePtr read(const std::filesystem::path& file, std::vector<std::string>& notes);
   /// The picture that the file of a mesh names; null if there is none that can be read, with a line in `notes`. Read are .png, .jpg and
@@ -31,6 +33,7 @@ class MeshPictures {
 
  private:
   std::map<std::filesystem::path, PicturePtr> pictures_;  // null: cannot be read
+  std::size_t pixels_left_;
 };
 
 /// [1, sRGB] Mean of the light of a picture in a triangle, which the picture repeats under.
