@@ -2,16 +2,13 @@
 
 #include <cctype>
 
-#include "murosimf/appearance/visual_meshes.h"
-
 namespace murosimf::appearance {
 namespace {
 
 render::EntityAppearance drawn(const Appearance& appearance) {
   render::EntityAppearance result;
   for (const SeenMesh& seen : appearance.meshes) {
-    result.meshes.push_back(
-        {seen.object, render::render_mesh_of(seen.mesh.vertices, seen.mesh.triangles), seen.color, seen.as_it_is});
+    result.meshes.push_back({seen.object, render::render_mesh_of(seen.mesh, seen.picture), seen.color, seen.as_it_is});
   }
   for (const SeenShape& seen : appearance.shapes) result.shapes.push_back({seen.object, seen.placed});
   return result;
@@ -35,7 +32,7 @@ render::EntityAppearance AppearanceLibrary::appearance(const Entity& entity) {
   const auto [found, is_new] = models_.try_emplace(&entity.model());
   ModelAppearance& model = found->second;
   if (is_new) {
-    const Appearance appearance = appearance_of(entity.model());
+    const Appearance appearance = appearance_of(entity.model(), usual_triangles, pictures_, use_);
     model = {drawn(appearance), jersey_numbers(entity.model(), appearance)};
     warnings_.insert(warnings_.end(), appearance.warnings.begin(), appearance.warnings.end());
   }
@@ -44,8 +41,7 @@ render::EntityAppearance AppearanceLibrary::appearance(const Entity& entity) {
   if (number < 0 || entity.options().team.empty()) return own;
   for (const JerseyNumber& plate : model.plates) {
     const geometry::TriangleMesh digits = number_on(plate, number);
-    own.meshes.push_back(
-        {plate.object, render::render_mesh_of(digits.vertices, digits.triangles), readable_on(entity.options().color)});
+    own.meshes.push_back({plate.object, render::render_mesh_of(digits), readable_on(entity.options().color)});
   }
   return own;
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -14,7 +15,7 @@
 #include "murosimf/imaging/srgb.h"
 #include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
-#include "murosimf/render/png_reading.h"
+#include "murosimf/render/picture_reading.h"
 
 namespace murosimf::appearance {
 namespace {
@@ -35,8 +36,9 @@ std::optional<std::filesystem::path> file_beside(const std::filesystem::path& me
   auto part = path.begin();
   if (part != path.end() && *part == "..") ++part;
   const bool near = !path.has_root_path() && part != path.end() && *part != "..";
-  const bool png = files::lower_case(path.extension().string()) == ".png";
-  return near && png ? files::find_spelled(mesh.parent_path(), spelled) : std::nullopt;
+  const std::string extension = files::lower_case(path.extension().string());
+  const bool picture = extension == ".png" || extension == ".jpg" || extension == ".jpeg";
+  return near && picture ? files::find_spelled(mesh.parent_path(), spelled) : std::nullopt;
 }
 
 double share_of(int number, int count) { return (number + 1.0 / 3) / count; }
@@ -74,30 +76,43 @@ Color times(const Color& picture, const Color& material) {
 
 }  // namespace
 
-const imaging::ColorImage* MeshPictures::find(const std::filesystem::path& mesh, const std::string& name,
-                                              std::vector<std::string>& notes) {
+PicturePtr MeshPictures::find(const std::filesystem::path& mesh, const std::string& name,
+                              std::vector<std::string>& notes) {
   const auto file = file_beside(mesh, name);
   if (!file) {
     notes.push_back(
-        fmt::format("{}: the texture {} is not drawn: it is no .png file in this folder, below or beside it",
+        fmt::format("{}: the texture {} is not drawn: it is no .png or .jpg file in this folder, below or beside it",
                     mesh.string(), files::quoted(name)));
     return nullptr;
   }
   return read(*file, notes);
 }
 
-const imaging::ColorImage* MeshPictures::read(const std::filesystem::path& file, std::vector<std::string>& notes) {
+PicturePtr MeshPictures::read(const std::filesystem::path& file, std::vector<std::string>& notes) {
   const auto [known, is_new] = pictures_.try_emplace(file);
   if (is_new) {
     try {
-      known->second = render::picture_of_png(files::read_input_file(file, most_bytes));
+      imaging::ColorImage picture = render::picture_of_file(files::read_input_file(file, most_bytes));
+      const std::size_t pixels = picture.pixels().size();
+      if (pixels > pixels_left_) throw SetupError("all textures together have too many pixels; make them smaller");
+      pixels_left_ -= pixels;
+      known->second = std::make_shared<const imaging::MipPicture>(imaging::mip_picture(std::move(picture)));
     } catch (const SetupError& error) {
       const std::string what = error.what();
       const std::string where = what.starts_with(file.string()) ? "" : file.string() + ": ";
       notes.push_back(fmt::format("{}{}; the mesh is drawn without it", where, what));
     }
   }
-  return known->second.empty() ? nullptr : &known->second;
+  return known->second;
+}
+
+std::vector<PicturePtr> MeshPictures::of_materials(const std::filesystem::path& mesh,
+                                                   const robot_formats::mesh::MeshFile& file,
+                                                   std::vector<std::string>& notes) {
+  std::vector<PicturePtr> found;
+  for (const MeshMaterial& material : file.materials)
+    found.push_back(material.picture.empty() ? nullptr : find(mesh, material.picture, notes));
+  return found;
 }
 
 Color mean_color(const imaging::ColorImage& picture, const PicturePlaces& places) {
@@ -136,11 +151,7 @@ Color mean_color(const imaging::ColorImage& picture, const PicturePlaces& places
 std::vector<std::optional<Color>> picture_colors(const std::filesystem::path& mesh,
                                                  const robot_formats::mesh::MeshFile& file, MeshPictures& pictures,
                                                  std::vector<std::string>& notes) {
-  std::vector<const imaging::ColorImage*> of_material(file.materials.size());
-  for (std::size_t i = 0; i < of_material.size(); ++i) {
-    const std::string& name = file.materials[i].picture;
-    if (!name.empty()) of_material[i] = pictures.find(mesh, name, notes);
-  }
+  const std::vector<PicturePtr> of_material = pictures.of_materials(mesh, file, notes);
   std::vector<std::optional<Color>> colors(file.mesh.triangles.size());
   const std::size_t end = std::min(colors.size(), file.material_of.size());
   for (std::size_t i = 0; i < end; ++i) {
@@ -149,8 +160,8 @@ std::vector<std::optional<Color>> picture_colors(const std::filesystem::path& me
     MUROSIMF_ASSERT(material < of_material.size());
     if (!of_material[material]) continue;
     const PicturePlaces places = i < file.picture_places.size() ? file.picture_places[i] : PicturePlaces{};
-    colors[i] =
-        times(mean_color(*of_material[material], places), file.materials[material].color.value_or(Color{1, 1, 1}));
+    colors[i] = times(mean_color(of_material[material]->whole(), places),
+                      file.materials[material].color.value_or(Color{1, 1, 1}));
   }
   limit(colors);
   return colors;

@@ -1,29 +1,39 @@
-/// picture_colors.h - colors of the triangles of a mesh from the pictures of its materials.
+/// picture_colors.h - pictures of the materials of meshes, and mean colors of triangles from them.
 #pragma once
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "murosimf/imaging/image.h"
+#include "murosimf/imaging/mip_picture.h"
 #include "murosimf/robot_formats/mesh/mesh_file.h"
 
 namespace murosimf::appearance {
 
+using PicturePtr = std::shared_ptr<const imaging::MipPicture>;
+
 /// Pictures of meshes; each file is read once.
 class MeshPictures {
  public:
-  /// A PNG file; null if it cannot be read, with a line in `notes`.
-  [[nodiscard]] const imaging::ColorImage* read(const std::filesystem::path& file, std::vector<std::string>& notes);
-  /// The picture that the file of a mesh names; null if there is none that can be read, with a line in `notes`. Read are PNG files in the
-  /// folder of the mesh, in folders below it, and in folders beside it ("../textures/skin.png").
-  [[nodiscard]] const imaging::ColorImage* find(const std::filesystem::path& mesh, const std::string& name,
-                                                std::vector<std::string>& notes);
+  /// `most_pixels`: of all pictures together, 4 bytes each; those beyond count as ones that cannot be read.
+  explicit MeshPictures(std::size_t most_pixels = 64'000'000) : pixels_left_(most_pixels) {}
+  /// A PNG or JPEG file; null if it cannot be read, with a line in `notes`.
+  [[nodiscard]] PicturePtr read(const std::filesystem::path& file, std::vector<std::string>& notes);
+  /// The picture that the file of a mesh names; null if there is none that can be read, with a line in `notes`. Read are .png, .jpg and
+  /// .jpeg files in the folder of the mesh, in folders below it, and in folders beside it ("../textures/skin.png").
+  [[nodiscard]] PicturePtr find(const std::filesystem::path& mesh, const std::string& name,
+                                std::vector<std::string>& notes);
+  /// By material of the mesh's file; null for those without a picture that can be read.
+  [[nodiscard]] std::vector<PicturePtr> of_materials(const std::filesystem::path& mesh,
+                                                     const robot_formats::mesh::MeshFile& file,
+                                                     std::vector<std::string>& notes);
 
  private:
-  std::map<std::filesystem::path, imaging::ColorImage> pictures_;  // empty: cannot be read
+  std::map<std::filesystem::path, PicturePtr> pictures_;  // null: cannot be read
+  std::size_t pixels_left_;
 };
 
 /// [1, sRGB] Mean of the light of a picture in a triangle, which the picture repeats under.

@@ -30,9 +30,9 @@ bool add_meshes(const std::vector<VisualMesh>& visuals, const Transformd& place,
   for (const VisualMesh& visual : visuals) {
     try {
       std::vector<std::string> not_shown;
-      for (auto& [mesh, color, as_it_is] : visual_parts(visual, pictures, not_shown)) {
+      for (auto& [mesh, color, as_it_is, picture] : visual_parts(visual, pictures, PictureUse::by_pixel, not_shown)) {
         for (Vec3d& v : mesh.vertices) v = place.position + place.orientation * v;
-        robot.meshes.push_back({0, render::render_mesh_of(mesh.vertices, mesh.triangles), color, as_it_is});
+        robot.meshes.push_back({0, render::render_mesh_of(mesh, picture), color, as_it_is});
       }
       any = true;
     } catch (const SetupError&) {

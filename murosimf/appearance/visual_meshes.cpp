@@ -34,9 +34,12 @@ MeshFile read_placed(const VisualMesh& mesh) {
   }
   MeshFile file = robot_formats::mesh::read_mesh_file(mesh.file);
   geometry::TriangleMesh& triangles = file.mesh;
+  triangles.places = std::move(file.picture_places);
+  if (!triangles.places.empty()) triangles.places.resize(triangles.triangles.size());
   for (Vec3d& v : triangles.vertices) v = transposed_times(mesh.file_orientation, v - mesh.file_position);
   robot_formats::mesh::scale_mesh(triangles, s);
   for (Vec3d& v : triangles.vertices) v = mesh.position + mesh.orientation * v;
+  file.picture_places = triangles.places;
   return file;
 }
 
@@ -57,6 +60,7 @@ geometry::TriangleMesh own_mesh(const geometry::TriangleMesh& file, const std::v
       corner = number[corner];
     }
     mesh.triangles.push_back(corners);
+    if (!file.places.empty()) mesh.places.push_back(file.places[triangle]);
   }
   for (const std::uint32_t corner : used) number[corner] = no_vertex;
   return mesh;
@@ -65,21 +69,24 @@ geometry::TriangleMesh own_mesh(const geometry::TriangleMesh& file, const std::v
 struct Paint {
   Color color;
   bool as_it_is = false;  // VisualPart
+  PicturePtr picture{};   // VisualPart
   friend bool operator==(const Paint&, const Paint&) = default;
 };
 
-/// Colors of the materials, the first of which is that of triangles without one.
-std::vector<Paint> paints_of(const MeshFile& file, const Color& otherwise) {
+/// Those of the materials, the first of which is that of triangles without one. `pictures`: by material; may be empty.
+std::vector<Paint> paints_of(const MeshFile& file, const std::vector<PicturePtr>& pictures, const Color& otherwise) {
   std::vector<Paint> paints{{otherwise}};
-  for (const robot_formats::mesh::MeshMaterial& material : file.materials) {
-    paints.push_back({material.color.value_or(otherwise), material.color.has_value()});
+  for (std::size_t i = 0; i < file.materials.size(); ++i) {
+    const auto& color = file.materials[i].color;
+    const PicturePtr picture = i < pictures.size() ? pictures[i] : nullptr;
+    paints.push_back({color.value_or(picture ? Color{1, 1, 1} : otherwise), color || picture, picture});
   }
   return paints;
 }
 
 /// `of_pictures`: by triangle, where it has a picture; may be empty.
-std::vector<VisualPart> parts_by_color(const MeshFile& file, const std::vector<std::optional<Color>>& of_pictures,
-                                       const Color& otherwise) {
+std::vector<VisualPart> parts_by_paint(const MeshFile& file, const std::vector<Paint>& paints,
+                                       const std::vector<std::optional<Color>>& of_pictures) {
   std::vector<Paint> different;
   const auto part_of = [&](const Paint& paint) {
     auto known = std::ranges::find(different, paint);
@@ -89,7 +96,7 @@ std::vector<VisualPart> parts_by_color(const MeshFile& file, const std::vector<s
     return part;
   };
   std::vector<std::size_t> part_of_material;
-  for (const Paint& paint : paints_of(file, otherwise)) part_of_material.push_back(part_of(paint));
+  for (const Paint& paint : paints) part_of_material.push_back(part_of(paint));
   std::vector<std::vector<std::size_t>> triangles(most_colors);
   for (std::size_t i = 0; i < file.mesh.triangles.size(); ++i) {
     const std::uint32_t material = i < file.material_of.size() ? file.material_of[i] : 0;
@@ -100,34 +107,54 @@ std::vector<VisualPart> parts_by_color(const MeshFile& file, const std::vector<s
   std::vector<std::uint32_t> number(file.mesh.vertices.size(), no_vertex);
   std::vector<VisualPart> parts;
   for (std::size_t i = 0; i < different.size(); ++i) {
-    if (!triangles[i].empty())
-      parts.push_back({own_mesh(file.mesh, triangles[i], number), different[i].color, different[i].as_it_is});
+    if (triangles[i].empty()) continue;
+    const auto& [color, as_it_is, picture] = different[i];
+    parts.push_back({own_mesh(file.mesh, triangles[i], number), color, as_it_is, picture});
+    if (!picture) parts.back().mesh.places.clear();
   }
   return parts;
 }
 
+VisualPart plain_part(MeshFile file, const Color& color) {
+  file.mesh.places.clear();
+  return {std::move(file.mesh), color};
+}
+
+/// Repeats a picture from its upper left corner on.
+void repeat(const std::array<double, 2>& times, std::vector<geometry::PicturePlaces>& places) {
+  for (geometry::PicturePlaces& corners : places) {
+    for (auto& [right, up] : corners) {
+      right = static_cast<float>(times[0] * double{right});
+      up = static_cast<float>(1 - times[1] * (1 - double{up}));
+    }
+  }
+}
+
 /// Colored by the picture that the robot's file gives the mesh; in the mesh's color where that cannot be.
-std::vector<VisualPart> parts_by_picture(const VisualMesh& mesh, MeshFile file, MeshPictures& pictures,
+std::vector<VisualPart> parts_by_picture(const VisualMesh& mesh, MeshFile file, MeshPictures& pictures, PictureUse use,
                                          std::vector<std::string>& notes) {
-  const imaging::ColorImage* picture = pictures.read(mesh.picture, notes);
+  const PicturePtr picture = pictures.read(mesh.picture, notes);
   if (picture && file.picture_places.empty()) {
     notes.push_back(
         fmt::format("{}: the texture {} is not drawn: no corner has a place in it", mesh.file, mesh.picture));
   }
-  if (!picture || file.picture_places.empty()) return {{std::move(file.mesh), mesh.color}};
+  if (!picture || file.picture_places.empty()) return {plain_part(std::move(file), mesh.color)};
+  repeat(mesh.picture_repeat, file.mesh.places);
+  file.picture_places = file.mesh.places;
+  if (use == PictureUse::by_pixel) return {{std::move(file.mesh), mesh.color, true, picture}};
   file.materials.clear();
   file.material_of.clear();
-  return parts_by_color(file, picture_colors(*picture, file, mesh.color), mesh.color);
+  return parts_by_paint(file, {{mesh.color}}, picture_colors(picture->whole(), file, mesh.color));
 }
 
 /// Adds visual meshes. True if one of them is visible.
-bool add_visuals(const Model& model, int object, MeshPictures& pictures, Appearance& appearance) {
+bool add_visuals(const Model& model, int object, MeshPictures& pictures, PictureUse use, Appearance& appearance) {
   const Visuals* visuals = model.find(properties::visuals, object);
   bool any = false;
   for (const VisualMesh& visual : visuals ? *visuals : Visuals{}) {
     try {
-      for (VisualPart& part : visual_parts(visual, pictures, appearance.warnings)) {
-        appearance.meshes.push_back({object, std::move(part.mesh), part.color, part.as_it_is});
+      for (VisualPart& part : visual_parts(visual, pictures, use, appearance.warnings)) {
+        appearance.meshes.push_back({object, std::move(part.mesh), part.color, part.as_it_is, part.picture});
       }
       any = true;
     } catch (const SetupError& error) {
@@ -163,16 +190,19 @@ void reduce(Appearance& appearance, std::size_t most) {
 
 geometry::TriangleMesh visual_triangles(const VisualMesh& mesh) { return read_placed(mesh).mesh; }
 
-std::vector<VisualPart> visual_parts(const VisualMesh& mesh, MeshPictures& pictures, std::vector<std::string>& notes) {
+std::vector<VisualPart> visual_parts(const VisualMesh& mesh, MeshPictures& pictures, PictureUse use,
+                                     std::vector<std::string>& notes) {
   MeshFile file = read_placed(mesh);
-  if (!mesh.picture.empty()) return parts_by_picture(mesh, std::move(file), pictures, notes);
-  if (!mesh.mesh_colors || file.materials.empty()) return {{std::move(file.mesh), mesh.color}};
+  if (!mesh.picture.empty()) return parts_by_picture(mesh, std::move(file), pictures, use, notes);
+  if (!mesh.mesh_colors || file.materials.empty()) return {plain_part(std::move(file), mesh.color)};
   std::ranges::move(robot_formats::mesh::add_mtl_colors(mesh.file, file), std::back_inserter(notes));
   const bool pictured =
       std::ranges::any_of(file.materials, [](const auto& material) { return !material.picture.empty(); });
-  const auto of_pictures =
-      pictured ? picture_colors(mesh.file, file, pictures, notes) : std::vector<std::optional<Color>>{};
-  return parts_by_color(file, of_pictures, mesh.color);
+  if (!pictured) return parts_by_paint(file, paints_of(file, {}, mesh.color), {});
+  if (use == PictureUse::by_triangle)
+    return parts_by_paint(file, paints_of(file, {}, mesh.color), picture_colors(mesh.file, file, pictures, notes));
+  file.mesh.places.resize(file.mesh.triangles.size());
+  return parts_by_paint(file, paints_of(file, pictures.of_materials(mesh.file, file, notes), mesh.color), {});
 }
 
 std::vector<std::string> visual_files(const Model& model) {
@@ -188,15 +218,19 @@ std::vector<std::string> visual_files(const Model& model) {
 }
 
 Appearance appearance_of(const Model& model, std::size_t most) {
-  Appearance appearance;
   MeshPictures pictures;
+  return appearance_of(model, most, pictures, PictureUse::by_pixel);
+}
+
+Appearance appearance_of(const Model& model, std::size_t most, MeshPictures& pictures, PictureUse use) {
+  Appearance appearance;
   std::vector<SeenMesh> grounds;  // with all of their triangles: bodies stand on these
   for (int object = 0; object < model.size(); ++object) {
     if (const auto* relief = model.find(properties::relief, object)) {
       grounds.push_back({object, (*relief)->mesh(), model.find(properties::shapes, object)->front().color});
       continue;
     }
-    const bool dressed = add_visuals(model, object, pictures, appearance);
+    const bool dressed = add_visuals(model, object, pictures, use, appearance);
     const Shapes* shapes = model.find(properties::shapes, object);
     for (const PlacedShape& placed : shapes ? *shapes : Shapes{}) {
       if (!dressed || !placed.collides) add_shape(placed, object, appearance);

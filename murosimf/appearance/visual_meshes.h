@@ -15,26 +15,31 @@ namespace murosimf::appearance {
 /// mesh file, line if there is one, what is wrong, what to do.
 [[nodiscard]] geometry::TriangleMesh visual_triangles(const VisualMesh& mesh);
 
-/// Triangles of one color, in the frame of their object.
+/// How pictures of meshes are shown: pixel by pixel, or by the mean color of each triangle, for receivers that show no pictures.
+enum class PictureUse { by_pixel, by_triangle };
+
+/// Triangles of one color or picture, in the frame of their object.
 struct VisualPart {
-  geometry::TriangleMesh mesh;
-  Color color;
+  geometry::TriangleMesh mesh;  ///< with places where it has a picture
+  Color color;                  ///< multiplies the picture
   bool as_it_is = false;  ///< the color is that of a material or picture: gray does not mean the entity's own color
+  PicturePtr picture{};   ///< null: none
 };
-/// The same triangles by the colors of the file's materials and of their pictures (picture_colors.h), where these count; else one part.
-/// `notes` gets lines about what is not shown of them. Throws SetupError as visual_triangles().
-[[nodiscard]] std::vector<VisualPart> visual_parts(const VisualMesh& mesh, MeshPictures& pictures,
+/// The same triangles by the colors of the file's materials and by their pictures, where these count; else one part. `notes` gets lines
+/// about what is not shown of them. Throws SetupError as visual_triangles().
+[[nodiscard]] std::vector<VisualPart> visual_parts(const VisualMesh& mesh, MeshPictures& pictures, PictureUse use,
                                                    std::vector<std::string>& notes);
 
 /// The files of all visual meshes of a model and of the pictures that its own file gives them, one for each use.
 [[nodiscard]] std::vector<std::string> visual_files(const Model& model);
 
-/// Triangles of one color that move with an object.
+/// Triangles of one color or picture that move with an object.
 struct SeenMesh {
   int object = 0;               ///< of the model
   geometry::TriangleMesh mesh;  ///< object frame
   Color color;
   bool as_it_is = false;  ///< VisualPart
+  PicturePtr picture{};   ///< VisualPart
 };
 
 /// A shape other than a mesh.
@@ -57,5 +62,7 @@ constexpr std::size_t usual_triangles = 3000;  ///< of the meshes of a robot in 
 /// all of its shapes. The meshes of the whole model have at most `most` triangles together (geometry/mesh_reduction.h), but for uneven
 /// ground, which keeps all of its own (collision/relief/relief.h). Reads files, which takes a while: keep the answer as long as the model.
 [[nodiscard]] Appearance appearance_of(const Model& model, std::size_t most = usual_triangles);
+/// The same with pictures that several models share.
+[[nodiscard]] Appearance appearance_of(const Model& model, std::size_t most, MeshPictures& pictures, PictureUse use);
 
 }  // namespace murosimf::appearance

@@ -83,7 +83,7 @@ class Reducer {
       if (f == face || !mesh_.has(f, b)) continue;
       ++others;
       const Vec3d m = mesh_.normal(mesh_.faces()[f]);
-      bends = bends || dot(n, m) < smooth * norm(n) * norm(m);
+      bends = bends || dot(n, m) < smooth * norm(n) * norm(m) || !mesh_.share_places(face, f, a, b);
     }
     return others == 1 && !bends;
   }

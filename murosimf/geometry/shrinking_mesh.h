@@ -35,17 +35,26 @@ class ShrinkingMesh {
   /// A triangle around `from` would turn by more than about 80 degrees if it were drawn to `to`.
   [[nodiscard]] bool turns_a_face(Index from, Index to) const;
 
-  /// Triangles of `from` get the corner `to` instead; those that have both are gone, and so is `from`.
+  /// Triangles of `from` get the corner `to` instead; those that have both are gone, and so is `from`. A corner that moves gets the place
+  /// in the picture that `to` has on the same side of a seam, as a triangle that is gone says; without such a one it keeps its own.
   void draw_together(Index from, Index to);
+
+  /// Both triangles have the same places in a picture at their common corners `a` and `b`, or none.
+  [[nodiscard]] bool share_places(Index one, Index other, Index a, Index b) const;
 
   /// What is left, in the order of the given meshes.
   [[nodiscard]] std::vector<TriangleMesh> meshes() const;
 
  private:
+  [[nodiscard]] std::array<float, 2>& place_of(Index face, Index vertex);
+  void move_places(Index from, Index to);
+
   std::vector<Vec3d> vertices_;
   std::vector<Corners> faces_;
-  std::vector<Index> mesh_of_;  // of each face
-  std::vector<bool> gone_;      // of each face
+  std::vector<PicturePlaces> places_;  // of each face; empty if no mesh has some
+  std::vector<bool> has_places_;       // of each mesh
+  std::vector<Index> mesh_of_;         // of each face
+  std::vector<bool> gone_;             // of each face
   std::vector<std::vector<Index>> around_;
   std::size_t left_ = 0, meshes_ = 0;
 };

@@ -10,12 +10,17 @@
 
 namespace murosimf::geometry {
 
+/// Places of a triangle's corners in a picture [1]: to the right and up from the lower left corner, which is (0, 0); the upper right one is
+/// (1, 1), and the picture repeats beyond.
+using PicturePlaces = std::array<std::array<float, 2>, 3>;
+
 struct TriangleMesh {
   std::vector<Vec3d> vertices;                          ///< [m]
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< corners, counterclockwise seen from outside
+  std::vector<PicturePlaces> places{};                  ///< by triangle, in a picture; empty: none
 };
 
-/// Vertices at exactly the same place become one, those of no triangle are dropped; triangles keep their order.
+/// Vertices at exactly the same place become one, those of no triangle are dropped; triangles keep their order, and their places.
 void merge_vertices(TriangleMesh& mesh);
 
 /// Edges that a closed surface does not have.

@@ -4,6 +4,7 @@
 /// only then a missing file is an error.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,8 @@ struct VisualMesh {
   Color color;
   bool mesh_colors = false;  ///< the materials of the file count, where it has some
   std::string picture{};     ///< path of the picture that colors it, instead of its materials; empty: none
+  std::array<double, 2> picture_repeat{
+      1, 1};  ///< [1] how often it stands where the file has it once, to the right and down
 };
 
 using Visuals = std::vector<VisualMesh>;

@@ -101,7 +101,7 @@ void put_head(ProtobufWriter& out, Duration time, std::string_view frame, std::s
 }  // namespace
 
 SceneLooks::SceneLooks(const scene::Scene& scene, const std::vector<RecordedEntity>& entities) {
-  appearance::AppearanceLibrary library;
+  appearance::AppearanceLibrary library(appearance::PictureUse::by_triangle);
   render::RenderScene looks(scene.simulation().world(), scene.moving_entities(),
                             [&](const Entity& entity) { return library.appearance(entity); });
   const auto part_named = [this](int entity, const std::string& id, std::string_view frame) -> std::string& {

@@ -2,8 +2,8 @@
 #include "murosimf/model/error.h"
 #include "murosimf/render/field_picture.h"
 #include "murosimf/render/image_png.h"
+#include "murosimf/render/picture_reading.h"
 #include "murosimf/render/png_bytes.h"
-#include "murosimf/render/png_reading.h"
 #include "murosimf/render/seen_drawing.h"
 
 namespace murosimf::render {

@@ -1,5 +1,3 @@
-#include "murosimf/render/png_reading.h"
-
 #include <vector>
 
 #include <fmt/format.h>
@@ -7,6 +5,7 @@
 
 #include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
+#include "murosimf/render/picture_reading.h"
 
 namespace murosimf::render {
 namespace {
@@ -32,10 +31,7 @@ class Reading {
 imaging::ColorImage picture_of_png(const std::string& bytes) {
   Reading reading(bytes);
   png_image& picture = reading.picture;
-  if (std::int64_t{picture.width} * picture.height > most_read_pixels) {
-    throw SetupError(fmt::format("the picture has {} x {} pixels, at most {} in all are read; make it smaller",
-                                 picture.width, picture.height, most_read_pixels));
-  }
+  check_picture_size(picture.width, picture.height);
   picture.format = PNG_FORMAT_RGBA;
   std::vector<std::uint8_t> rgba(PNG_IMAGE_SIZE(picture));
   if (png_image_finish_read(&picture, nullptr, rgba.data(), 0, nullptr) == 0) reading.fail();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "murosimf/math/assert.h"
 
@@ -66,6 +67,7 @@ void add_lids(RenderMesh& solid, int segments) {
 }
 
 struct MeshTriangle {
+  std::size_t number;
   std::array<std::uint32_t, 3> corners;
   Vec3d area;    // [m^2] normal times twice the area
   Vec3d normal;  // unit
@@ -74,11 +76,12 @@ struct MeshTriangle {
 std::vector<MeshTriangle> with_normals(std::span<const Vec3d> vertices,
                                        std::span<const std::array<std::uint32_t, 3>> triangles) {
   std::vector<MeshTriangle> result;
-  for (const auto& t : triangles) {
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const auto& t = triangles[i];
     MUROSIMF_ASSERT(t[0] < vertices.size() && t[1] < vertices.size() && t[2] < vertices.size());
     const Vec3d area = cross(vertices[t[1]] - vertices[t[0]], vertices[t[2]] - vertices[t[0]]);
     const double size = norm(area);
-    if (size > 0 && std::isfinite(size)) result.push_back({t, area, (1 / size) * area});
+    if (size > 0 && std::isfinite(size)) result.push_back({i, t, area, (1 / size) * area});
   }
   return result;
 }
@@ -146,30 +149,37 @@ RenderMesh render_mesh_of(const ConvexHull& hull) {
   return solid;
 }
 
-RenderMesh render_mesh_of(std::span<const Vec3d> vertices, std::span<const std::array<std::uint32_t, 3>> triangles,
+RenderMesh render_mesh_of(const geometry::TriangleMesh& mesh, std::shared_ptr<const imaging::MipPicture> picture,
                           double crease) {
-  const std::vector<MeshTriangle> faces = with_normals(vertices, triangles);
+  const auto& vertices = mesh.vertices;
+  MUROSIMF_ASSERT(!picture || mesh.places.size() == mesh.triangles.size());
+  const std::vector<MeshTriangle> faces = with_normals(vertices, mesh.triangles);
   std::vector<std::vector<std::size_t>> at_vertex(vertices.size());
   for (std::size_t i = 0; i < faces.size(); ++i) {
     for (const std::uint32_t corner : faces[i].corners) at_vertex[corner].push_back(i);
   }
   const double least = std::cos(crease);
   RenderMesh solid;
-  std::map<Vertex, std::uint32_t> known;
+  std::map<std::pair<Vertex, std::array<float, 2>>, std::uint32_t> known;
   for (const MeshTriangle& face : faces) {
-    for (const std::uint32_t vertex : face.corners) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t vertex = face.corners[k];
       Vec3d sum;
       for (const std::size_t other : at_vertex[vertex]) {
         // Weighted by area, so that the normal does not depend on how a flat part is cut into triangles.
         if (dot(faces[other].normal, face.normal) > least) sum += faces[other].area;
       }
       const Vertex corner{floats(vertices[vertex]), floats((1 / norm(sum)) * sum)};
-      const auto [found, is_new] = known.try_emplace(corner, static_cast<std::uint32_t>(solid.corners.size()));
+      std::array<float, 2> place{};
+      if (picture) place = {mesh.places[face.number][k][0], 1 - mesh.places[face.number][k][1]};
+      const auto [found, is_new] = known.try_emplace({corner, place}, static_cast<std::uint32_t>(solid.corners.size()));
       if (is_new) solid.corners.push_back(corner);
+      if (is_new && picture) solid.places.push_back(place);
       solid.triangles.push_back(found->second);
     }
   }
   MUROSIMF_ASSERT(solid.triangles.size() == 3 * faces.size());
+  solid.picture = std::move(picture);
   return solid;
 }
 

@@ -3,9 +3,12 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
+#include "murosimf/geometry/triangle_mesh.h"
+#include "murosimf/imaging/mip_picture.h"
 #include "murosimf/math/vec3.h"
 #include "murosimf/model/shape.h"
 
@@ -23,6 +26,9 @@ struct Vertex {
 struct RenderMesh {
   std::vector<Vertex> corners;
   std::vector<std::uint32_t> triangles;  ///< three corners each, counterclockwise seen from outside
+  std::vector<std::array<float, 2>>
+      places{};  ///< [1] by corner, in the picture: to the right and down from its upper left corner
+  std::shared_ptr<const imaging::MipPicture> picture{};  ///< its light multiplies that of the color; null: none
   [[nodiscard]] std::size_t triangle_count() const { return triangles.size() / 3; }
 };
 
@@ -39,8 +45,9 @@ struct RenderMesh {
 [[nodiscard]] RenderMesh render_mesh_of(const ConvexHull& hull);
 
 /// The mesh of triangles. Those that meet at less than `crease` [rad] are shaded as one smooth surface; those without area are
-/// left out.
-[[nodiscard]] RenderMesh render_mesh_of(std::span<const Vec3d> vertices,
-                                        std::span<const std::array<std::uint32_t, 3>> triangles, double crease = 0.7);
+/// left out. A mesh with places in a picture keeps these; they need one.
+[[nodiscard]] RenderMesh render_mesh_of(const geometry::TriangleMesh& mesh,
+                                        std::shared_ptr<const imaging::MipPicture> picture = nullptr,
+                                        double crease = 0.7);
 
 }  // namespace murosimf::render

@@ -149,7 +149,8 @@ void RenderScene::add_entity(Entity& entity, const std::vector<Entity*>& moving_
 int RenderScene::add_mesh(const RenderMesh& solid, const void* identity) {
   for (std::size_t i = 0; i < meshes_.size(); ++i) {
     const bool same = identity ? identities_[i] == identity
-                               : meshes_[i].triangles == solid.triangles && meshes_[i].corners == solid.corners;
+                               : meshes_[i].triangles == solid.triangles && meshes_[i].corners == solid.corners &&
+                                     meshes_[i].picture == solid.picture && meshes_[i].places == solid.places;
     if (same) return static_cast<int>(i);
   }
   meshes_.push_back(solid);

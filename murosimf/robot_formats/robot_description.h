@@ -109,6 +109,7 @@ struct VisualDescription {
   Color color;
   bool mesh_colors = false;  ///< the mesh's materials count, where it has some
   std::string picture{};     ///< file of the picture that colors the mesh, instead of its materials; empty: none
+  std::array<double, 2> picture_repeat{1, 1};  ///< VisualMesh
 };
 
 /// A named frame on a body.

@@ -15,7 +15,7 @@ Visuals visuals_of(const RobotDescription& description, const BodyDescription& b
     // Vertices in the robot file itself have no file that the drawing could read again.
     visuals.push_back({mesh->file.string(), mesh->scale, mesh->origin.position, mesh->origin.orientation,
                        visual.place.position, visual.place.orientation, visual.color, visual.mesh_colors,
-                       visual.picture});
+                       visual.picture, visual.picture_repeat});
   }
   return visuals;
 }

@@ -70,7 +70,7 @@ class Writer {
 
   SceneDocument write() {
     const World& world = scene_.simulation().world();
-    appearance::AppearanceLibrary library;
+    appearance::AppearanceLibrary library(appearance::PictureUse::by_triangle);
     const render::RenderScene looks(world, scene_.moving_entities(),
                                     [&](const Entity& entity) { return library.appearance(entity); });
     document_.entities = world.entities().size();

@@ -105,6 +105,19 @@ TEST(PictureColors, PicturesThatCannotBeReadAreNamed) {
   }
 }
 
+TEST(MeshPictures, HaveALimitOfAllPixels) {
+  MeshPictures pictures(100);
+  std::vector<std::string> notes;
+  const auto first = write("first.png", render::png_bytes(imaging::ColorImage(8, 8)));
+  const auto second = write("second.png", render::png_bytes(imaging::ColorImage(8, 8)));
+  EXPECT_TRUE(pictures.read(first, notes));
+  EXPECT_TRUE(pictures.read(first, notes)) << "once";
+  EXPECT_TRUE(notes.empty());
+  EXPECT_FALSE(pictures.read(second, notes));
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_TRUE(says(notes[0], {"second.png: all textures together have too many pixels"})) << notes[0];
+}
+
 TEST(PictureColors, HaveNotTooManyDifferentColors) {
   imaging::ColorImage many(64, 64);
   for (int v = 0; v < 64; ++v) {

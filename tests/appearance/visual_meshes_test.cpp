@@ -5,6 +5,7 @@
 
 #include "murosimf/model/properties.h"
 #include "murosimf/render/png_bytes.h"
+#include "murosimf/render/render_mesh.h"
 #include "murosimf/robot/robot_reader.h"
 #include "tests/fixtures.h"
 #include "tests/robot_data.h"
@@ -74,7 +75,7 @@ Painted read_painted(const std::string& material = "") {
   const Visuals* visuals = robot.model->find(properties::visuals, robot.model->having(properties::visuals).at(0));
   Painted painted;
   MeshPictures pictures;
-  painted.parts = visual_parts(visuals->at(0), pictures, painted.notes);
+  painted.parts = visual_parts(visuals->at(0), pictures, PictureUse::by_triangle, painted.notes);
   return painted;
 }
 
@@ -92,7 +93,7 @@ TEST(VisualMeshes, OfUrdfHaveTheColorsOfTheirFiles) {
   EXPECT_TRUE(found.parts[2].as_it_is) << "gray of a material is no robot's own color";
   EXPECT_FALSE(found.parts[0].as_it_is);
   ASSERT_EQ(found.notes.size(), 1U);
-  EXPECT_TRUE(says(found.notes[0], {"t.obj", "'skin.jpg' is not drawn", ".png"})) << found.notes[0];
+  EXPECT_TRUE(says(found.notes[0], {"t.obj", "'skin.jpg' is not drawn", ".jpg"})) << found.notes[0];
 
   const Painted own = read_painted("<material name='blue'><color rgba='0 0 1 1'/></material>");
   ASSERT_EQ(own.parts.size(), 1U) << "what the robot file says counts";
@@ -124,7 +125,7 @@ TEST(VisualMeshes, OfMjcfHaveTheTexturesOfTheirMaterials) {
     const robot::RobotFile robot = read_arm(assets, "<geom mesh='t' material='m'" + silent + "/>");
     MeshPictures pictures;
     return visual_parts(robot.model->find(properties::visuals, robot.model->object_index("elbow"))->at(0), pictures,
-                        notes);
+                        PictureUse::by_triangle, notes);
   };
   std::vector<std::string> notes;
   write("skin.png", "no picture");
@@ -146,6 +147,66 @@ TEST(VisualMeshes, OfMjcfHaveTheTexturesOfTheirMaterials) {
   EXPECT_TRUE(says(notes[0], {"t.obj", "skin.png", "no corner has a place"})) << notes[0];
 #endif
 }
+
+#ifdef MUROSIMF_HAS_CAIRO
+// Rule: of OBJ, the second number of vt counts upwards. Corners keep their own places through mirroring.
+TEST(VisualMeshes, ShowPicturesPixelByPixel) {
+  write("t.obj",
+        "mtllib t.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0 0\nvt 1 0\nvt 0 .75\nusemtl skin\nf 1/1 3/3 2/2\n"
+        "f 1/1 2/2 4/3\nusemtl plain\nf 1/1 4/1 3/1\nf 2/1 3/1 4/1\n");
+  write("t.mtl", "newmtl skin\nKd 1 .5 1\nmap_Kd skin.png\nnewmtl plain\nKd 0 1 0\n");
+  imaging::ColorImage image(2, 2);
+  image(1, 0) = {9, 8, 7};
+  write("skin.png", render::png_bytes(image));
+  MeshPictures pictures;
+  std::vector<std::string> notes;
+  const std::string file = write("t.obj.txt", "").replace_filename("t.obj").string();
+  for (const double side : {1.0, -1.0}) {
+    const auto parts =
+        visual_parts({.file = file, .scale = {1, side, 1}, .mesh_colors = true}, pictures, PictureUse::by_pixel, notes);
+    ASSERT_EQ(parts.size(), 2U);
+    EXPECT_EQ(parts[0].color, (Color{1, 0.5, 1}));
+    ASSERT_TRUE(parts[0].picture);
+    EXPECT_EQ(parts[0].picture->whole()(1, 0).red, 9);
+    EXPECT_FALSE(parts[1].picture);
+    EXPECT_TRUE(parts[1].mesh.places.empty());
+    ASSERT_EQ(parts[0].mesh.places.size(), 2U);
+    for (std::size_t i = 0; i < 2; ++i) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3d& p = parts[0].mesh.vertices[parts[0].mesh.triangles[i][k]];
+        EXPECT_EQ(parts[0].mesh.places[i][k][0], p.x > 0 ? 1 : 0) << side;
+        EXPECT_EQ(parts[0].mesh.places[i][k][1], side * p.y + p.z > 0 ? 0.75F : 0) << side;
+      }
+    }
+    const render::RenderMesh solid = render::render_mesh_of(parts[0].mesh, parts[0].picture);
+    ASSERT_EQ(solid.places.size(), solid.corners.size());
+    for (std::size_t i = 0; i < solid.corners.size(); ++i)
+      EXPECT_EQ(solid.places[i][1], solid.corners[i].place[1] != 0 || solid.corners[i].place[2] > 0 ? 0.25F : 1);
+  }
+  EXPECT_TRUE(notes.empty());
+}
+
+// Rule: MuJoCo repeats from the upper left corner on. Two uses of one file share its pixels.
+TEST(VisualMeshes, RepeatAndSharePictures) {
+  const std::string file = write("t.obj",
+                                 "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0 .5\nvt 1 1\nf 1/1 3/2 2/2\nf 1/1 2/2 4/2\nf "
+                                 "1/1 4/2 3/2\nf 2/1 3/1 4/1\n")
+                               .string();
+  const std::string skin = write("skin.png", render::png_bytes(imaging::ColorImage(4, 4, {9, 8, 7}))).string();
+  MeshPictures pictures;
+  std::vector<std::string> notes;
+  const auto part = [&](const std::array<double, 2>& repeat) {
+    return visual_parts({.file = file, .picture = skin, .picture_repeat = repeat}, pictures, PictureUse::by_pixel,
+                        notes)
+        .at(0);
+  };
+  const VisualPart once = part({1, 1}), often = part({3, 2});
+  EXPECT_EQ(once.picture, often.picture);
+  EXPECT_EQ(once.mesh.places[0], (geometry::PicturePlaces{{{0, 0.5F}, {1, 1}, {1, 1}}}));
+  EXPECT_EQ(often.mesh.places[0], (geometry::PicturePlaces{{{0, 0}, {3, 1}, {3, 1}}}));
+  EXPECT_TRUE(notes.empty());
+}
+#endif
 
 TEST(VisualMeshes, OfWeldedLinksBelongToWhatTheyAreWeldedTo) {
   using namespace robot_formats::urdf::urdf_files;

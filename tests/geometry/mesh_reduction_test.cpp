@@ -200,5 +200,52 @@ TEST(ErrorQuadric, IsTheSumOfSquaredDistances) {
   }
 }
 
+/// A wavy sheet of 2 m x 1 m; its picture begins anew in the middle, as `place` says.
+TriangleMesh sheet(int cells) {
+  TriangleMesh mesh;
+  const int columns = 2 * cells;
+  for (int j = 0; j <= cells; ++j) {
+    for (int i = 0; i <= columns; ++i) {
+      const double x = static_cast<double>(i) / cells, y = static_cast<double>(j) / cells;
+      mesh.vertices.push_back({x, y, 0.05 * std::sin(5 * x) * std::sin(4 * y)});
+    }
+  }
+  const auto at = [&](int i, int j) { return static_cast<std::uint32_t>(j * (columns + 1) + i); };
+  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, bool second) {
+    mesh.triangles.push_back({a, b, c});
+    const auto place = [&](std::uint32_t vertex) {
+      const Vec3d& p = mesh.vertices[vertex];
+      return std::array{static_cast<float>(second ? 7 - p.x : p.x), static_cast<float>(p.y)};
+    };
+    mesh.places.push_back({place(a), place(b), place(c)});
+  };
+  for (int j = 0; j < cells; ++j) {
+    for (int i = 0; i < columns; ++i) {
+      add(at(i, j), at(i + 1, j), at(i + 1, j + 1), i >= cells);
+      add(at(i, j), at(i + 1, j + 1), at(i, j + 1), i >= cells);
+    }
+  }
+  return mesh;
+}
+
+// Law: corners that are left keep their places, and no triangle has corners on both sides of a seam.
+TEST(MeshReduction, KeepsPlacesInPictures) {
+  const TriangleMesh whole = sheet(20);
+  for (const std::size_t most : {800U, 200U, 60U}) {
+    const TriangleMesh mesh = reduce_meshes({whole, sphere(0.1, 4)}, most).meshes[0];
+    ASSERT_EQ(mesh.places.size(), mesh.triangles.size());
+    ASSERT_GT(mesh.triangles.size(), 10U);
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+      const bool second = mesh.places[i][0][0] > 3;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3d& p = mesh.vertices[mesh.triangles[i][k]];
+        EXPECT_NEAR(mesh.places[i][k][0], second ? 7 - p.x : p.x, 1e-6) << most;
+        EXPECT_NEAR(mesh.places[i][k][1], p.y, 1e-6) << most;
+      }
+    }
+  }
+  EXPECT_TRUE(reduce_meshes({whole, sphere(0.1, 4)}, 60).meshes[1].places.empty());
+}
+
 }  // namespace
 }  // namespace murosimf::geometry

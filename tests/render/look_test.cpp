@@ -202,7 +202,7 @@ TEST(ContactShadows, AreOneForAMeshInSeveralColors) {
   const auto triangle = [](double from, double to) {
     const std::vector<Vec3d> corners{{from, -0.1, 0}, {to, 0, 0}, {from, 0.1, 0.02}};
     const std::vector<std::array<std::uint32_t, 3>> triangles{{0, 1, 2}};
-    return render::render_mesh_of(corners, triangles);
+    return render::render_mesh_of({corners, triangles});
   };
   const auto in_two_colors = [&](const Entity& /*entity*/) {
     render::EntityAppearance appearance;

@@ -164,7 +164,7 @@ TEST(RenderMesh, OfMeshesIsSmoothUpToTheCrease) {
   const auto normals_on_ridge = [](double slope) {
     const auto [vertices, triangles] = roof(slope);
     std::set<std::array<float, 3>> normals;
-    for (const Vertex& corner : render_mesh_of(vertices, triangles, 0.7).corners) {
+    for (const Vertex& corner : render_mesh_of({vertices, triangles}, nullptr, 0.7).corners) {
       if (corner.place[0] == 0) normals.insert(corner.normal);
     }
     return normals;
@@ -176,10 +176,10 @@ TEST(RenderMesh, OfMeshesIsSmoothUpToTheCrease) {
 TEST(RenderMesh, OfMeshesLeavesTrianglesWithoutAreaOut) {
   const std::vector<Vec3d> vertices{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}};
   const std::vector<std::array<std::uint32_t, 3>> triangles{{0, 1, 2}, {0, 1, 3}, {1, 1, 2}, {0, 2, 1}};
-  const RenderMesh solid = render_mesh_of(vertices, triangles);
+  const RenderMesh solid = render_mesh_of({vertices, triangles});
   EXPECT_EQ(solid.triangle_count(), 2u);
   for (const Vertex& corner : solid.corners) EXPECT_NEAR(std::abs(corner.normal[2]), 1, 1e-6);
-  EXPECT_EQ(render_mesh_of(vertices, {}).triangle_count(), 0u);
+  EXPECT_EQ(render_mesh_of(geometry::TriangleMesh{vertices, {}}).triangle_count(), 0u);
 }
 
 }  // namespace

@@ -23,6 +23,7 @@ GlDrawing::GlDrawing(const RenderScene& render_scene)
   const GlContext::Current current(context_);
   objects_ = std::make_unique<Objects>();
   objects_->meshes.fill(catalog_);
+  objects_->pictures.fill(catalog_);
   if (render_scene.markings()) objects_->strokes.fill(*render_scene.markings());
 }
 
@@ -116,6 +117,11 @@ void GlDrawing::prepare(const Projection& projection, const GlMatrix& clip, cons
   Objects& objects = *objects_;
   objects.lit = &objects.lit_programs.of(shaded, fine);
   for (GlProgram* program : objects.lit->all()) set_light(*program, projection, clip, options);
+  objects.pictured = objects.pictures.empty() ? nullptr : &objects.pictured_programs.of(shaded, fine);
+  if (objects.pictured) {
+    set_light(objects.pictured->solid, projection, clip, options);
+    glUniform1i(objects.pictured->solid.uniform("picture"), 2);
+  }
   objects.patterns = nullptr;
   if (options.light.patterns && layers.color) {
     prepare_look(options);
@@ -146,16 +152,34 @@ void GlDrawing::draw_scene(const Projection& projection, const GlMatrix& clip, c
   if (looked_at) draw_contacts(projection, clip, layers, options, ahead, to);
   const auto solids = list_.solid_groups();
   const std::size_t balls = objects_->patterns ? list_.ball_groups() : 0;
-  objects_->lit->solid.use();
   objects_->meshes.load(list_.instances());
-  objects_->meshes.draw(solids.first(solids.size() - balls));
+  draw_pieces(solids.first(solids.size() - balls));
   if (balls > 0) {
     objects_->patterns->ball.use();
     objects_->meshes.draw(solids.last(balls));
   }
   if (looked_at) draw_scenery(projection, clip, layers, options, to);
-  objects_->lit->solid.use();
   if (!list_.clear_groups().empty()) draw_clear(layers, to);
+}
+
+/// Draws pieces in their order, by the program that each needs.
+void GlDrawing::draw_pieces(std::span<const InstanceGroup> groups) {
+  const auto picture_of = [&](const InstanceGroup& group) { return catalog_.meshes[group.solid].picture.get(); };
+  while (!groups.empty()) {
+    const imaging::MipPicture* picture = picture_of(groups.front());
+    const auto end = std::ranges::find_if(groups, [&](const auto& group) { return picture_of(group) != picture; });
+    const auto count = static_cast<std::size_t>(end - groups.begin());
+    if (picture) {
+      objects_->pictured->solid.use();
+      glActiveTexture(GL_TEXTURE2);
+      objects_->pictures.bind(picture);
+      glActiveTexture(GL_TEXTURE0);
+    } else {
+      objects_->lit->solid.use();
+    }
+    objects_->meshes.draw(groups.first(count));
+    groups = groups.subspan(count);
+  }
 }
 
 /// Draws transparent pieces: colors blend over those that are there; depths and labels replace them.
@@ -165,13 +189,13 @@ void GlDrawing::draw_clear(const sensors::Layers& layers, GlTarget& to) {
     glDepthMask(GL_FALSE);  // pieces behind one another must all contribute
     glEnablei(GL_BLEND, 0);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    objects_->meshes.draw(list_.clear_groups());
+    draw_pieces(list_.clear_groups());
     glDisablei(GL_BLEND, 0);
     glDepthMask(GL_TRUE);
   }
   if (layers.depth || layers.labels) {
     to.draw_layers({false, layers.depth, layers.labels});
-    objects_->meshes.draw(list_.clear_groups());
+    draw_pieces(list_.clear_groups());
   }
   to.draw_layers(layers);
 }

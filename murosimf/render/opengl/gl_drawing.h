@@ -5,6 +5,7 @@
 
 #include <array>
 #include <memory>
+#include <span>
 
 #include "murosimf/render/instances.h"
 #include "murosimf/render/opengl/gl_context.h"
@@ -53,6 +54,7 @@ class GlDrawing {
                     const RendererOptions& options, GlTarget& to);
   void draw_sky(const Projection& projection);
   void draw_surface(GlProgram& program, SurfaceBuffers& surface, const Projection& projection, const GlMatrix& clip);
+  void draw_pieces(std::span<const InstanceGroup> groups);
   void draw_clear(const sensors::Layers& layers, GlTarget& to);
   void draw_shadows(const sensors::Perspective& view, const RendererOptions& options, double ahead);
   GlTarget& target(int width, int height, int samples);

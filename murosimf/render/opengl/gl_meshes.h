@@ -3,6 +3,7 @@
 /// Only for the .cpp files of this folder: it brings OpenGL in.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -24,9 +25,14 @@ struct MeshBuffers {
 
   void fill(const MeshCatalog& catalog) {
     std::vector<Vertex> corners;
+    std::vector<std::array<float, 2>> places;  // as many as reach to the last corner that has one
     std::vector<std::uint32_t> indices;
     for (const RenderMesh& solid : catalog.meshes) {
       ranges.push_back({indices.size(), solid.triangles.size(), static_cast<GLint>(corners.size())});
+      if (solid.picture) {
+        places.resize(corners.size());
+        places.insert(places.end(), solid.places.begin(), solid.places.end());
+      }
       corners.insert(corners.end(), solid.corners.begin(), solid.corners.end());
       indices.insert(indices.end(), solid.triangles.begin(), solid.triangles.end());
     }
@@ -35,6 +41,10 @@ struct MeshBuffers {
     upload(GL_ARRAY_BUFFER, *corner_buffer, corners, GL_STATIC_DRAW);
     attribute(0, 3, GL_FLOAT, sizeof(Vertex), offsetof(Vertex, place), false);
     attribute(1, 3, GL_FLOAT, sizeof(Vertex), offsetof(Vertex, normal), false);
+    if (places.empty()) return;
+    places.resize(corners.size());
+    upload(GL_ARRAY_BUFFER, *place_buffer, places, GL_STATIC_DRAW);
+    attribute(8, 2, GL_FLOAT, sizeof(places[0]), 0, false);
   }
 
   /// Loads the instances of the following calls of draw().
@@ -67,7 +77,7 @@ struct MeshBuffers {
 
   std::vector<Range> ranges;
   GlVertexArray array;
-  GlBuffer corner_buffer, index_buffer, instance_buffer;
+  GlBuffer corner_buffer, place_buffer, index_buffer, instance_buffer;
 };
 
 }  // namespace murosimf::render

@@ -12,6 +12,7 @@
 #include "murosimf/render/look.h"
 #include "murosimf/render/opengl/gl_drawing.h"
 #include "murosimf/render/opengl/gl_meshes.h"
+#include "murosimf/render/opengl/gl_pictures.h"
 #include "murosimf/render/opengl/gl_programs.h"
 #include "murosimf/render/opengl/gl_scenery.h"
 #include "murosimf/render/opengl/gl_shadow_map.h"
@@ -32,9 +33,11 @@ struct ByShadow {
 
 struct GlDrawing::Objects {
   ByShadow<LitPrograms> lit_programs;
+  ByShadow<PicturedPrograms> pictured_programs;
   ByShadow<PatternPrograms, std::string_view> pattern_programs;
-  LitPrograms* lit = nullptr;           // the programs of this picture
-  PatternPrograms* patterns = nullptr;  // null: without patterns
+  LitPrograms* lit = nullptr;            // the programs of this picture
+  PicturedPrograms* pictured = nullptr;  // null: no piece shows a picture
+  PatternPrograms* patterns = nullptr;   // null: without patterns
   GlProgram shade{{light_source, solid_vertex}, {shade_fragment}};
   std::optional<SceneryPrograms> scenery;  // made when first used, as all below
   std::vector<LookNumber> numbers;         // of the light
@@ -45,6 +48,7 @@ struct GlDrawing::Objects {
   ContactBuffers contacts;
   std::vector<ContactCorner> contact_corners;
   MeshBuffers meshes;
+  PictureTextures pictures;
   StrokeBuffers strokes;
   GlVertexArray ground_array;
   GlBuffer ground_buffer;

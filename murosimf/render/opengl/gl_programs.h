@@ -22,7 +22,14 @@ struct LitPrograms {
   [[nodiscard]] std::array<GlProgram*, 3> all() { return {&solid, &ground, &stroke}; }
 };
 
-/// The same with patterns.
+/// Pieces that show a picture, likewise.
+struct PicturedPrograms {
+  explicit PicturedPrograms(std::string_view shadows)
+      : solid({light_source, pictured_vertex}, {light_source, shadows, pictured_fragment}) {}
+  GlProgram solid;
+};
+
+/// With patterns.
 struct PatternPrograms {
   PatternPrograms(std::string_view shadows, std::string_view pile)
       : ball({light_source, solid_vertex}, {light_source, look_patterns, pile, shadows, ball_fragment}),

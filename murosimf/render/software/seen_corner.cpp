@@ -2,7 +2,7 @@
 
 namespace murosimf::render::software {
 
-void see(const RenderMesh& mesh, const Instance& instance, bool places, std::vector<SeenCorner>& corners) {
+void see(const RenderMesh& mesh, const Instance& instance, KeptPlaces places, std::vector<SeenCorner>& corners) {
   corners.resize(mesh.corners.size());
   const auto &x = instance.row_x, &y = instance.row_y, &z = instance.row_z;
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -16,7 +16,8 @@ void see(const RenderMesh& mesh, const Instance& instance, bool places, std::vec
     corner.z = z[0] * p[0] + z[1] * p[1] + z[2] * p[2] + z[3];
     corner.normal = {x[0] * n[0] + x[1] * n[1] + x[2] * n[2], y[0] * n[0] + y[1] * n[1] + y[2] * n[2],
                      z[0] * n[0] + z[1] * n[1] + z[2] * n[2]};
-    if (places) corner.place = p;
+    if (places == KeptPlaces::on_solid) corner.place = p;
+    if (places == KeptPlaces::in_own_picture) corner.place = {mesh.places[i][0], mesh.places[i][1], 0};
   }
 }
 

@@ -25,8 +25,10 @@ struct SeenCorner {
   }
 };
 
-/// The corners of an instance of a solid, without their places in the picture. `places`: keeps those on the solid.
-void see(const RenderMesh& mesh, const Instance& instance, bool places, std::vector<SeenCorner>& corners);
+/// Which places of corners are kept: those on the solid, or those in the picture that it shows.
+enum class KeptPlaces { none, on_solid, in_own_picture };
+/// The corners of an instance of a solid, without their places in the picture that is drawn.
+void see(const RenderMesh& mesh, const Instance& instance, KeptPlaces places, std::vector<SeenCorner>& corners);
 /// The corners of a surface that is only looked at.
 void see(const LookSurface& surface, const PixelRays& rays, std::vector<SeenCorner>& corners);
 

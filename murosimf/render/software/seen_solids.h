@@ -34,16 +34,20 @@ void SeenSolids::for_triangles(const PixelRays& rays, const MeshCatalog& catalog
   for (const InstanceGroup& group : groups) {
     const RenderMesh& mesh = catalog.meshes[group.solid];
     const bool ball = paneled && group.solid >= catalog.first_ball;
+    const KeptPlaces places = ball           ? KeptPlaces::on_solid
+                              : mesh.picture ? KeptPlaces::in_own_picture
+                                             : KeptPlaces::none;
     for (std::size_t i = group.first; i < group.first + group.count; ++i) {
       const Instance& instance = list.instances()[i];
-      see(mesh, instance, ball, corners_);
+      see(mesh, instance, places, corners_);
       for (SeenCorner& corner : corners_) corner.project(rays);
       Surface surface;
       surface.base = linear_color(instance.color);
       surface.alpha = static_cast<float>(instance.color[3]) / 255;
       surface.label = static_cast<std::uint16_t>(instance.label);
       surface.piece = static_cast<std::int32_t>(i);
-      surface.kind = ball ? Surface::Kind::ball : Surface::Kind::solid;
+      surface.kind = ball ? Surface::Kind::ball : mesh.picture ? Surface::Kind::pictured : Surface::Kind::solid;
+      surface.picture = mesh.picture.get();
       for (std::size_t k = 0; k < mesh.triangles.size(); k += 3) {
         visit(std::array<const SeenCorner*, 3>{&corners_[mesh.triangles[k]], &corners_[mesh.triangles[k + 1]],
                                                &corners_[mesh.triangles[k + 2]]},

@@ -79,7 +79,7 @@ void ShadowMap::draw(const LampView& lamp, const MeshCatalog& catalog, const Ins
     const RenderMesh& mesh = catalog.meshes[group.solid];
     for (std::size_t i = group.first; i < group.first + group.count; ++i) {
       const Instance& instance = list.instances()[i];
-      see(mesh, instance, false, corners_);
+      see(mesh, instance, KeptPlaces::none, corners_);
       for (SeenCorner& corner : corners_)
         corner.in_picture = {middle + per_x * corner.x, middle + per_y * corner.y, -corner.z};
       for (std::size_t k = 0; k < mesh.triangles.size(); k += 3) {

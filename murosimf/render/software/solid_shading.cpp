@@ -6,6 +6,7 @@
 
 #include "murosimf/math/assert.h"
 #include "murosimf/render/software/patterns.h"
+#include "murosimf/render/software/picture_light.h"
 
 namespace murosimf::render::software {
 namespace {
@@ -62,6 +63,38 @@ Place place_on(const Surface& surface, const Floats& from_u, float from_v, const
   place.per_v = {derivative(place.at.x, surface.place[0].per_v, surface.per_z.per_v),
                  derivative(place.at.y, surface.place[1].per_v, surface.per_z.per_v)};
   return place;
+}
+
+/// A number that is linear in the picture once it is multiplied with 1 / z, of pixels that show different surfaces.
+struct GatheredSlope {
+  Floats value{}, per_u{}, per_v{};  // value: at the pixel, times 1 / z
+  void set(int lane, const Slope& slope, float from_u, float from_v) {
+    value[lane] = slope.at(from_u, from_v);
+    per_u[lane] = slope.per_u;
+    per_v[lane] = slope.per_v;
+  }
+};
+
+/// The light of the pictures that some lanes show, by different surfaces: as by place_on() for each of them.
+Floats3 light_of_pictures(std::span<const Surface> surfaces, const Ints& numbers, unsigned lanes, int v, int u,
+                          const Floats& per_z) {
+  PicturePoints points;
+  GatheredSlope slope, right, down;
+  for (; lanes != 0; lanes &= lanes - 1) {
+    const int i = std::countr_zero(lanes);
+    const Surface& surface = surfaces[static_cast<std::size_t>(numbers[i])];
+    const float from_u = static_cast<float>(u + i) - surface.anchor.u,
+                from_v = static_cast<float>(v) - surface.anchor.v;
+    points.pictures[static_cast<std::size_t>(i)] = surface.picture;
+    slope.set(i, surface.per_z, from_u, from_v);
+    right.set(i, surface.place[0], from_u, from_v);
+    down.set(i, surface.place[1], from_u, from_v);
+  }
+  const Floats z = 1 / per_z;
+  const auto& [x, y] = points.at = {right.value * z, down.value * z};
+  points.per_u = {z * (right.per_u - x * slope.per_u), z * (down.per_u - y * slope.per_u)};
+  points.per_v = {z * (right.per_v - x * slope.per_v), z * (down.per_v - y * slope.per_v)};
+  return picture_light(points);
 }
 
 Floats3 ball_base(const Surface& surface, const Floats& from_u, float from_v) {
@@ -144,10 +177,17 @@ Floats3 SolidShading::colors(const PixelRays& rays, const Surface& surface, int 
     }
     case Surface::Kind::net: return all_lanes(look_.net);
     case Surface::Kind::solid:
-    case Surface::Kind::ball: break;
+    case Surface::Kind::ball:
+    case Surface::Kind::pictured: break;
   }
-  const Floats3 base =
-      surface.kind == Surface::Kind::ball ? ball_base(surface, from_u, from_v) : all_lanes(surface.base);
+  Floats3 base = all_lanes(surface.base);
+  if (surface.kind == Surface::Kind::ball) base = ball_base(surface, from_u, from_v);
+  if (surface.kind == Surface::Kind::pictured) {
+    const Place place = place_on(surface, from_u, from_v, per_z);
+    PicturePoints points{{}, place.at, place.per_u, place.per_v};
+    points.pictures.fill(surface.picture);
+    base = base * picture_light(points);
+  }
   return shown(base, at(surface.normal, from_u, from_v), rays.tangent_x(column), rays.tangent_y(v), per_z);
 }
 
@@ -161,11 +201,11 @@ Floats3 SolidShading::colors(const PixelRays& rays, std::span<const Surface> sur
   if (bits_of(same) == left) return colors(rays, surface_at(lane), v, u, per_z);
   // solids are gathered, all others come one by one
   Floats3 base{}, normal{Floats{}, Floats{}, Floats{} + 1.0F};
-  unsigned solid = 0;
+  unsigned solid = 0, pictured = 0;
   for (int i = 0; i < pixel_lanes; ++i) {
     if ((left >> i & 1U) == 0) continue;
     const Surface& surface = surface_at(i);
-    if (surface.kind != Surface::Kind::solid) continue;
+    if (surface.kind != Surface::Kind::solid && surface.kind != Surface::Kind::pictured) continue;
     solid |= 1U << i;
     const float from_u = static_cast<float>(u + i) - surface.anchor.u,
                 from_v = static_cast<float>(v) - surface.anchor.v;
@@ -175,7 +215,9 @@ Floats3 SolidShading::colors(const PixelRays& rays, std::span<const Surface> sur
     base.x[i] = surface.base.x;
     base.y[i] = surface.base.y;
     base.z[i] = surface.base.z;
+    if (surface.picture) pictured |= 1U << i;
   }
+  if (pictured != 0) base = base * light_of_pictures(surfaces, numbers, pictured, v, u, per_z);
   Floats3 result{};
   if (solid != 0)
     result = shown(base, normal, rays.tangent_x(lane_numbers() + static_cast<float>(u)), rays.tangent_y(v), per_z);

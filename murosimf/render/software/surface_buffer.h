@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "murosimf/imaging/mip_picture.h"
 #include "murosimf/math/assert.h"
 #include "murosimf/render/software/seen_corner.h"
 
@@ -15,19 +16,20 @@ namespace murosimf::render::software {
 
 /// A triangle in the picture. Numbers of its surface are linear in the picture once they are multiplied with 1 / z.
 struct Surface {
-  enum class Kind : std::uint8_t { solid, ball, wall, ceiling, net };
+  enum class Kind : std::uint8_t { solid, ball, pictured, wall, ceiling, net };
   Anchor anchor;  ///< of all slopes
   Slope per_z;
   std::array<Slope, 3> normal;  ///< of solids, times 1 / z, optical frame
   std::array<Slope, 3>
-      place;    ///< times 1 / z: of balls, in the frame of the ball; of others [m] on the surface, two of them
-  Float3 base;  ///< [1] color, linear
+      place;  ///< times 1 / z: of balls, in the frame of the ball; of others two: in the picture, or [m] on the surface
+  const imaging::MipPicture* picture = nullptr;  ///< of pictured ones
+  Float3 base;                                   ///< [1] color, linear
   float alpha = 1;
   std::int32_t piece = 0;  ///< of solids: number of the instance
   std::uint16_t label = 0;
   Kind kind = Kind::solid;
   /// It is there for depths and labels, too.
-  [[nodiscard]] bool is_measured() const { return kind == Kind::solid || kind == Kind::ball; }
+  [[nodiscard]] bool is_measured() const { return kind <= Kind::pictured; }
 };
 
 /// A triangle in the picture, clockwise.

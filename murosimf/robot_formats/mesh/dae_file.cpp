@@ -100,7 +100,8 @@ class Reader {
       known = geometries_.emplace(geometry.id(), read_dae_geometry(geometry, ids_)).first;
     }
     const geometry::TriangleMesh& mesh = known->second.mesh;
-    auto& [vertices, triangles] = file_.mesh;
+    auto& vertices = file_.mesh.vertices;
+    auto& triangles = file_.mesh.triangles;
     if (vertices.size() + mesh.vertices.size() > most_vertices) {
       geometry.fail(fmt::format("the mesh has more than {} vertices; simplify it", most_vertices));
     }
@@ -117,8 +118,8 @@ class Reader {
       MUROSIMF_ASSERT(a < mesh.vertices.size() && b < mesh.vertices.size() && c < mesh.vertices.size());
       triangles.push_back({base + a, base + (mirrored ? c : b), base + (mirrored ? b : c)});
     }
-    const auto& places = known->second.places;
-    file_.picture_places.insert(file_.picture_places.end(), places.begin(), places.end());
+    for (const auto& [a, b, c] : known->second.places)
+      file_.picture_places.push_back({a, mirrored ? c : b, mirrored ? b : c});
     add_materials(known->second, bound);
     if (mesh.triangles.empty()) file_.part_begin.pop_back();  // every part begins with a triangle
   }

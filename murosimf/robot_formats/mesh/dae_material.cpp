@@ -42,6 +42,23 @@ std::string picture_of(const files::XmlElement& texture, const files::XmlElement
   return file ? file->text() : name;
 }
 
+/// [1] Opacity. Old exporters write 0 where they mean 1.
+double opacity_of(const files::XmlElement& shading) {
+  const auto transparent = at(shading, {"transparent"}), number = at(shading, {"transparency", "float"});
+  if (!transparent && !number) return 1;
+  const auto factor = number ? files::parse_numbers(number->text()) : std::vector{1.0};
+  const auto element = transparent ? at(*transparent, {"color"}) : std::nullopt;
+  if (transparent && !element) return 1;  // a picture
+  const auto color = element ? files::parse_numbers(element->text()) : std::vector{0.0, 0.0, 0.0, 1.0};
+  if (!factor || factor->size() != 1 || !color || color->size() != 4) return 1;
+  const std::string kind = transparent ? transparent->attribute("opaque").value_or("A_ONE") : "A_ONE";
+  const bool by_color = kind.starts_with("RGB");
+  const double luminance = 0.212671 * (*color)[0] + 0.715160 * (*color)[1] + 0.072169 * (*color)[2];
+  const double part = (by_color ? luminance : (*color)[3]) * (*factor)[0];
+  const double opacity = std::clamp(kind.ends_with("ZERO") ? 1 - part : part, 0.0, 1.0);
+  return opacity > 0 ? opacity : 1;
+}
+
 void read_diffuse(const files::XmlElement& effect, const DaeIds& ids, MeshMaterial& material) {
   const auto profile = at(effect, {"profile_COMMON"});
   const auto technique = at(effect, {"profile_COMMON", "technique"});
@@ -50,11 +67,13 @@ void read_diffuse(const files::XmlElement& effect, const DaeIds& ids, MeshMateri
     const auto diffuse = at(*technique, {shading, "diffuse"});
     if (!diffuse) continue;
     if (const auto texture = at(*diffuse, {"texture"})) material.picture = picture_of(*texture, *profile, ids);
+    const double opacity = opacity_of(*at(*technique, {shading}));
+    if (!material.picture.empty() && opacity < 1) material.color = Color{1, 1, 1, opacity};
     const auto color = at(*diffuse, {"color"});
     const auto numbers = color ? files::parse_numbers(color->text()) : std::nullopt;
     if (!numbers || numbers->size() < 3) continue;
     const auto share = [&](std::size_t i) { return std::clamp((*numbers)[i], 0.0, 1.0); };
-    material.color = Color{share(0), share(1), share(2)};
+    material.color = Color{share(0), share(1), share(2), opacity};
   }
 }
 

@@ -1,7 +1,8 @@
 /// dae_material.h - colors and pictures of the materials of a COLLADA file.
 ///
 /// Read is the diffuse color or the file of the diffuse texture of the common profile (phong, lambert, blinn), colors as sRGB, which
-/// exporters write. Transparency is not read. Source: COLLADA - Digital Asset Schema Release 1.4.1, specification.
+/// exporters write. Opacity is that of `transparent` and `transparency`, as its `opaque` says (A_ONE, A_ZERO, RGB_ONE, RGB_ZERO); pictures of
+/// it are not read. Source: COLLADA - Digital Asset Schema Release 1.4.1, specification.
 #pragma once
 
 #include <map>

@@ -35,17 +35,14 @@ struct MeshMaterial {
   std::string picture{};         ///< file of the picture that colors it, as the mesh's file spells it; empty: none
 };
 
-/// Places of a triangle's corners in the picture of its material [1]: to the right and up from the lower left corner, which is (0, 0); the
-/// upper right one is (1, 1), and the picture repeats beyond.
-using PicturePlaces = std::array<std::array<float, 2>, 3>;
+using geometry::PicturePlaces;  ///< of a triangle in the picture of its material
 
 struct MeshFile {
   geometry::TriangleMesh mesh;          ///< everything; corners at the same place are one vertex
   std::vector<std::size_t> part_begin;  ///< first triangle of each object, group or geometry that has triangles
   std::vector<MeshMaterial> materials{};
   std::vector<std::uint32_t> material_of{};  ///< by triangle, as far as it goes: 0, none, or 1 and more of `materials`
-  std::vector<PicturePlaces>
-      picture_places{};  ///< by triangle, as far as it goes, of files that have some; in any order of corners
+  std::vector<PicturePlaces> picture_places{};  ///< by triangle, as far as it goes, of files that have some
 };
 
 /// Reads a file of a kind by its extension, .stl, .obj, .dae or .msh in small or capital letters. Throws SetupError, one line: file, line

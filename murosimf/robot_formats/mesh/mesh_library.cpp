@@ -59,6 +59,7 @@ void scale_mesh(geometry::TriangleMesh& mesh, const Vec3d& scale) {
   const bool mirrored = (scale.x < 0) != ((scale.y < 0) != (scale.z < 0));
   if (!mirrored) return;
   for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
+  for (auto& places : mesh.places) std::swap(places[1], places[2]);
 }
 
 SolidMesh make_solid_mesh(MeshFile file, bool part_per_group) {

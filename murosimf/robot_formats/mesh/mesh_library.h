@@ -29,8 +29,8 @@ struct SolidMesh {
   std::string flat;               ///< why there are no parts
 };
 
-/// Multiplies all coordinates. An odd number of negative scales reverses the triangles, so that the outside
-/// remains outside.
+/// Multiplies all coordinates. An odd number of negative scales reverses the triangles, with their places in pictures, so that the
+/// outside remains outside.
 void scale_mesh(geometry::TriangleMesh& mesh, const Vec3d& scale);
 
 /// The hull of the whole file or, with `part_per_group`, of each of its objects or groups.

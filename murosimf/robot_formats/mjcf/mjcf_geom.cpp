@@ -120,7 +120,9 @@ MjcfGeom read_mesh_geom(const MjcfAttributes& attributes, const std::string& typ
     context.meshes.check_file(mesh, element);
     const Transformd place{placed.position, placed.orientation};
     geom.visual = robot_formats::VisualDescription{attributes.text("name"), element.where(), mesh, place, placed.color};
-    geom.visual->picture = context.materials.picture_of(attributes, of_mesh).string();
+    const MjcfMaterials::Picture picture = context.materials.picture_of(attributes, of_mesh);
+    geom.visual->picture = picture.file.string();
+    geom.visual->picture_repeat = picture.repeat;
     return geom;
   }
   for (const robot_formats::mesh::ConvexPart& part : context.meshes.parts(mesh, element)) {

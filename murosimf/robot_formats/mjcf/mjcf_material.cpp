@@ -21,6 +21,11 @@ Color read_color(const MjcfAttributes& attributes, const Color& otherwise) {
   return rgba.empty() ? otherwise : Color{rgba[0], rgba[1], rgba[2], rgba[3]};
 }
 
+std::array<double, 2> read_repeat(const MjcfAttributes& attributes) {
+  const auto repeat = attributes.numbers("texrepeat", 2, 2);
+  return repeat.empty() ? std::array{1.0, 1.0} : std::array{repeat[0], repeat[1]};
+}
+
 }  // namespace
 
 MjcfMaterials::MjcfMaterials(const std::filesystem::path& file, const files::XmlElement& root,
@@ -32,11 +37,11 @@ MjcfMaterials::MjcfMaterials(const std::filesystem::path& file, const files::Xml
       if (!name || name->empty()) element.fail("material without a name; add name=\"...\"");
       const MjcfAttributes attributes = defaults.resolve(element);
       Color color = read_color(attributes, {1, 1, 1, 1});
-      std::filesystem::path picture;
+      Picture picture{{}, read_repeat(attributes)};
       // A grid of two colors looks like their mean from afar.
       if (attributes.has("texture")) {
         const std::string texture = attributes.text("texture");
-        picture = textures.picture(texture, attributes.source("texture"));
+        picture.file = textures.picture(texture, attributes.source("texture"));
         const auto mean = textures.mean_color(texture, attributes.source("texture"));
         if (mean) color = {color.red * mean->x, color.green * mean->y, color.blue * mean->z, color.alpha};
       }
@@ -54,9 +59,9 @@ Color MjcfMaterials::color_of(const MjcfAttributes& geom, const std::string& of_
   return material && own == Color{} ? material->color : own;
 }
 
-std::filesystem::path MjcfMaterials::picture_of(const MjcfAttributes& geom, const std::string& of_mesh) const {
+MjcfMaterials::Picture MjcfMaterials::picture_of(const MjcfAttributes& geom, const std::string& of_mesh) const {
   const Material* material = find(geom, of_mesh);
-  return material ? material->picture : std::filesystem::path();
+  return material ? material->picture : Picture{};
 }
 
 /// Null: the geom has none.

@@ -95,9 +95,9 @@ files::XmlVocabulary make_rules() {
                                  "hflip", "vflip", "colorspace", "nchannel"}};
   rules["asset/model"] = {.used = {"name", "file"}, .unused = {"content_type"}};
   rules["attach"] = {.used = {"model", "body", "prefix"}};
-  rules["material"] = {.used = {"name", "class", "rgba", "texture"},
-                       .unused = {"texrepeat", "texuniform", "emission", "specular", "shininess", "reflectance",
-                                  "metallic", "roughness"},
+  rules["material"] = {.used = {"name", "class", "rgba", "texture", "texrepeat"},
+                       .unused = {"texuniform", "emission", "specular", "shininess", "reflectance", "metallic",
+                                  "roughness"},
                        .unused_children = {"layer"}};
   rules["mesh"] = {.used = {"name", "class", "file", "vertex", "face", "scale", "refpos", "refquat", "inertia",
                             "material"},

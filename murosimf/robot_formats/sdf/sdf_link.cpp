@@ -20,9 +20,17 @@ Transformd place_of(const std::map<std::string, Transformd>& places, const files
   return found == places.end() ? Transformd{} : found->second;
 }
 
-/// The color of `material`, with the transparency of the visual.
+/// The file of the diffuse texture as the file spells it; empty: none.
+std::string picture_of(const files::XmlElement& visual) {
+  const auto material = urdf::only_child(visual, "material");
+  const auto pbr = material ? urdf::only_child(*material, "pbr") : std::nullopt;
+  const auto metal = pbr ? urdf::only_child(*pbr, "metal") : std::nullopt;
+  return metal ? child_text(*metal, "albedo_map", "") : "";
+}
+
+/// The color of `material`, white with a texture alone, with the transparency of the visual.
 Color color_of(const files::XmlElement& visual) {
-  Color color;
+  Color color = picture_of(visual).empty() ? Color{} : Color{1, 1, 1};
   if (const auto material = urdf::only_child(visual, "material")) {
     const auto diffuse = urdf::only_child(*material, "diffuse");
     const auto element = diffuse ? diffuse : urdf::only_child(*material, "ambient");
@@ -153,7 +161,13 @@ void SdfLinks::add_mesh(const Shape& shape, const files::XmlElement& mesh, urdf:
   const auto found = meshes.find(uri, vector(mesh, "scale", {1, 1, 1}), mesh.where());
   if (!shape.collides) {
     if (!found) return log_.warn(mesh, fmt::format("for the eye, {}; it is left out", meshes.complaint(uri)));
-    body.visuals.push_back({name, shape.owner.where(), found->name, shape.place, shape.color});
+    body.visuals.push_back(
+        {name, shape.owner.where(), found->name, shape.place, shape.color, shape.owner.children("material").empty()});
+    const std::string texture = picture_of(shape.owner);
+    if (texture.empty()) return;
+    const auto picture = meshes.find_picture(texture);
+    if (!picture) return log_.warn(shape.owner, fmt::format("for the eye, there is no texture '{}'", texture));
+    body.visuals.back().picture = picture->string();
     return;
   }
   try {

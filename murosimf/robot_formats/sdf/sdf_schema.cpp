@@ -56,9 +56,13 @@ void add_shape_rules(files::XmlVocabulary& rules) {
                    .children = {"uri", "scale"},
                    .unused_children = {"convex_decomposition"},
                    .unsupported_children = {"submesh"}};
-  rules["material"] = {.children = {"diffuse", "ambient"},
-                       .unused_children = {"script", "shader", "lighting", "specular", "emissive", "shininess", "pbr",
+  rules["material"] = {.children = {"diffuse", "ambient", "pbr"},
+                       .unused_children = {"script", "shader", "lighting", "specular", "emissive", "shininess",
                                            "render_order", "double_sided"}};
+  rules["pbr"] = {.children = {"metal"}, .unused_children = {"specular"}};
+  rules["metal"] = {.children = {"albedo_map"},
+                    .unused_children = {"normal_map", "roughness", "roughness_map", "metalness", "metalness_map",
+                                        "environment_map", "ambient_occlusion_map", "emissive_map", "light_map"}};
 }
 
 void add_joint_rules(files::XmlVocabulary& rules) {

@@ -3,6 +3,7 @@
 /// A mesh is named after the stem of its file; another file or another scale with the same stem gets a number.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,6 +27,9 @@ class UrdfMeshes {
   /// The same for a file by its name, at a scale; `where` [file:line] refers to it.
   [[nodiscard]] std::optional<robot_formats::MeshDescription> find(const std::string& name, const Vec3d& scale,
                                                                    const std::string& where);
+
+  /// The file of a picture, found as meshes are; nothing if it does not exist.
+  [[nodiscard]] std::optional<std::filesystem::path> find_picture(const std::string& name) { return paths_.find(name); }
 
   /// Its convex parts for contact. Throws SetupError: the line of the element, then what is wrong with the mesh.
   [[nodiscard]] const std::vector<robot_formats::mesh::ConvexPart>& parts(const robot_formats::MeshDescription& mesh,

@@ -101,7 +101,7 @@ robot_formats::RobotDescription read_root(const std::filesystem::path& file, con
   description.fixed_base = tree.bolted;
   const Compiler compiler = read_compiler(robot);
   UrdfMeshes meshes(mesh_paths(file, options, compiler), options.part_per_group, description, log);
-  UrdfShapes shapes(read_colors(robot), std::move(meshes), log);
+  UrdfShapes shapes(read_paints(robot), std::move(meshes), log);
   // Couplings, blocks and transmissions refer to bodies and joints.
   read_bodies(tree, compiler.balance, shapes, description, log);
   description.mimics = read_mimics(tree, log);

@@ -33,7 +33,8 @@ void add_link_rules(files::XmlVocabulary& rules) {
   rules["capsule"] = {.used = {"radius", "length"}};
   rules["sphere"] = {.used = {"radius"}};
   rules["mesh"] = {.used = {"filename", "scale"}};
-  rules["material"] = {.used = {"name"}, .children = {"color"}, .unused_children = {"texture"}};
+  rules["material"] = {.used = {"name"}, .children = {"color", "texture"}};
+  rules["texture"] = {.used = {"filename"}};
   rules["color"] = {.used = {"rgba"}};
 }
 

@@ -9,17 +9,21 @@
 namespace murosimf::robot_formats::urdf {
 namespace {
 
-std::optional<Color> own_color(const files::XmlElement& material) {
-  const auto color = only_child(material, "color");
-  if (!color) return std::nullopt;
-  const auto rgba = needed_numbers(*color, needed_text(*color, "rgba"), 4, "rgba of <color>");
-  return Color{rgba[0], rgba[1], rgba[2], rgba[3]};
+std::optional<UrdfPaint> own_paint(const files::XmlElement& material) {
+  const auto color = only_child(material, "color"), texture = only_child(material, "texture");
+  UrdfPaint paint{{1, 1, 1}};
+  if (texture) paint.picture = needed_text(*texture, "filename");
+  if (color) {
+    const auto rgba = needed_numbers(*color, needed_text(*color, "rgba"), 4, "rgba of <color>");
+    paint.color = {rgba[0], rgba[1], rgba[2], rgba[3]};
+  }
+  return color || texture ? std::optional(paint) : std::nullopt;
 }
 
-void add_color(const files::XmlElement& material, UrdfColors& colors) {
+void add_paint(const files::XmlElement& material, UrdfPaints& paints) {
   const std::string name = material.attribute("name").value_or("");
-  const auto color = own_color(material);
-  if (color && !name.empty()) colors.emplace(name, *color);
+  const auto paint = own_paint(material);
+  if (paint && !name.empty()) paints.emplace(name, *paint);
 }
 
 /// Reads a primitive. Lengths of URDF are whole ones, those of shapes half ones.
@@ -68,24 +72,24 @@ PlacedShape placed_shape(const Shape& shape, const Transformd& place, const Colo
   return placed;
 }
 
-UrdfColors read_colors(const files::XmlElement& robot) {
-  UrdfColors colors;
-  for (const files::XmlElement& material : robot.children("material")) add_color(material, colors);
+UrdfPaints read_paints(const files::XmlElement& robot) {
+  UrdfPaints paints;
+  for (const files::XmlElement& material : robot.children("material")) add_paint(material, paints);
   // Materials are global: a link may use one that a later link defines.
   for (const files::XmlElement& link : robot.children("link")) {
     for (const files::XmlElement& visual : link.children("visual")) {
-      for (const files::XmlElement& material : visual.children("material")) add_color(material, colors);
+      for (const files::XmlElement& material : visual.children("material")) add_paint(material, paints);
     }
   }
-  return colors;
+  return paints;
 }
 
-Color UrdfShapes::color_of(const files::XmlElement& visual) {
+UrdfPaint UrdfShapes::paint_of(const files::XmlElement& visual) {
   const auto material = only_child(visual, "material");
   if (!material) return {};
-  if (const auto color = own_color(*material)) return *color;
+  if (const auto paint = own_paint(*material)) return *paint;
   const std::string name = material->attribute("name").value_or("");
-  if (const auto found = colors_.find(name); found != colors_.end()) return found->second;
+  if (const auto found = paints_.find(name); found != paints_.end()) return found->second;
   log_.note(*material, fmt::format("material '{}' has no color; gray is taken", name));
   return {};
 }
@@ -93,9 +97,9 @@ Color UrdfShapes::color_of(const files::XmlElement& visual) {
 void UrdfShapes::add(const files::XmlElement& link, robot_formats::BodyDescription& body) {
   const auto visuals = link.children("visual");
   // Collision shapes have no color of their own: they get that of the first visual.
-  const Color color = visuals.empty() ? Color{} : color_of(visuals[0]);
-  for (const files::XmlElement& collision : link.children("collision")) add_part({collision, true, color}, body);
-  for (const files::XmlElement& visual : visuals) add_part({visual, false, color_of(visual)}, body);
+  const UrdfPaint paint = visuals.empty() ? UrdfPaint{} : paint_of(visuals[0]);
+  for (const files::XmlElement& collision : link.children("collision")) add_part({collision, true, paint}, body);
+  for (const files::XmlElement& visual : visuals) add_part({visual, false, paint_of(visual)}, body);
   const auto friction = own_friction(link);
   for (robot_formats::ShapeDescription& shape : body.shapes) {
     if (friction) shape.placed.surface.friction = *friction;
@@ -107,9 +111,9 @@ void UrdfShapes::add_part(const Part& part, robot_formats::BodyDescription& body
   const std::string tag = shape.tag();
   if (tag == "mesh") return add_mesh(part, shape, body);
   if (!is_primitive(tag)) return;  // the schema has reported it
-  body.shapes.push_back({part.element.attribute("name").value_or(""), part.element.where(),
-                         placed_shape(read_primitive(shape), read_origin(part.element), part.color, part.collides),
-                         ""});
+  body.shapes.push_back(
+      {part.element.attribute("name").value_or(""), part.element.where(),
+       placed_shape(read_primitive(shape), read_origin(part.element), part.paint.color, part.collides), ""});
 }
 
 void UrdfShapes::add_mesh(const Part& part, const files::XmlElement& mesh, robot_formats::BodyDescription& body) {
@@ -127,7 +131,12 @@ void UrdfShapes::add_visual_mesh(const Part& part, const files::XmlElement& mesh
   const auto found = meshes_.find(mesh);
   if (!found) return log_.warn(mesh, fmt::format("for the eye, {}; it is left out", meshes_.complaint(mesh)));
   body.visuals.push_back({part.element.attribute("name").value_or(""), part.element.where(), found->name,
-                          read_origin(part.element), part.color, part.element.children("material").empty()});
+                          read_origin(part.element), part.paint.color, part.element.children("material").empty()});
+  if (part.paint.picture.empty()) return;
+  const auto picture = meshes_.find_picture(part.paint.picture);
+  if (!picture)
+    return log_.warn(part.element, fmt::format("for the eye, there is no texture '{}'", part.paint.picture));
+  body.visuals.back().picture = picture->string();
 }
 
 void UrdfShapes::add_collision_mesh(const Part& part, const files::XmlElement& mesh,
@@ -139,7 +148,7 @@ void UrdfShapes::add_collision_mesh(const Part& part, const files::XmlElement& m
     MUROSIMF_ASSERT(convex.shape.hull != nullptr);
     const Transformd at_middle = place * Transformd{convex.middle, {}};
     body.shapes.push_back({part.element.attribute("name").value_or(""), part.element.where(),
-                           placed_shape(convex.shape, at_middle, part.color, true), found->name, convex.middle});
+                           placed_shape(convex.shape, at_middle, part.paint.color, true), found->name, convex.middle});
   }
 }
 

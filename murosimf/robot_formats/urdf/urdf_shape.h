@@ -12,9 +12,14 @@
 
 namespace murosimf::robot_formats::urdf {
 
-/// Colors by name of material, independent of where the file defines them; the first definition counts.
-using UrdfColors = std::map<std::string, Color>;
-[[nodiscard]] UrdfColors read_colors(const files::XmlElement& robot);
+/// A `material`: one with a texture and no color is white.
+struct UrdfPaint {
+  Color color;
+  std::string picture{};  ///< file name of the texture as the file spells it; empty: none
+};
+/// By name of material, independent of where the file defines them; the first definition counts.
+using UrdfPaints = std::map<std::string, UrdfPaint>;
+[[nodiscard]] UrdfPaints read_paints(const files::XmlElement& robot);
 
 inline constexpr double standard_friction = 1.0;  ///< [1] default of Gazebo and MuJoCo for URDF files
 
@@ -24,8 +29,8 @@ inline constexpr double standard_friction = 1.0;  ///< [1] default of Gazebo and
 
 class UrdfShapes {
  public:
-  UrdfShapes(UrdfColors colors, UrdfMeshes meshes, UrdfLog& log)
-      : colors_(std::move(colors)), meshes_(std::move(meshes)), log_(log) {}
+  UrdfShapes(UrdfPaints paints, UrdfMeshes meshes, UrdfLog& log)
+      : paints_(std::move(paints)), meshes_(std::move(meshes)), log_(log) {}
 
   /// Adds the shapes of a link to its body, with the friction that Bullet's `contact` gives the link. Shapes that collide have the color of
   /// the link's first visual. Throws SetupError: impossible sizes, missing or unreadable collision mesh. A missing visual mesh is a warning.
@@ -36,15 +41,15 @@ class UrdfShapes {
   struct Part {
     files::XmlElement element;
     bool collides = false;
-    Color color{};
+    UrdfPaint paint{};
   };
   void add_part(const Part& part, robot_formats::BodyDescription& body);
   void add_mesh(const Part& part, const files::XmlElement& mesh, robot_formats::BodyDescription& body);
   void add_visual_mesh(const Part& part, const files::XmlElement& mesh, robot_formats::BodyDescription& body);
   void add_collision_mesh(const Part& part, const files::XmlElement& mesh, robot_formats::BodyDescription& body);
-  [[nodiscard]] Color color_of(const files::XmlElement& visual);
+  [[nodiscard]] UrdfPaint paint_of(const files::XmlElement& visual);
 
-  UrdfColors colors_;
+  UrdfPaints paints_;
   UrdfMeshes meshes_;
   UrdfLog& log_;
 };

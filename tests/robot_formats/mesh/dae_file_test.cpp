@@ -94,6 +94,27 @@ TEST(DaeFile, MaterialsThatAreNotUnderstoodHaveNoColor) {
   EXPECT_TRUE(read_primitive(triangles).materials.empty());
 }
 
+// Rule: COLLADA 1.4.1, "Determining Transparency".
+TEST(DaeFile, MaterialsAreAsOpaqueAsTheirEffectsSay) {
+  const auto opacity = [](const std::string& words) {
+    return read_materials("<color>0 0.5 1 1</color></diffuse>" + words + "<diffuse>").materials[1].color->alpha;
+  };
+  const auto words = [](const std::string& kind, const std::string& color, const std::string& factor) {
+    return "<transparent" + kind + "><color>" + color + "</color></transparent><transparency><float>" + factor +
+           "</float></transparency>";
+  };
+  EXPECT_EQ(opacity(""), 1);
+  EXPECT_EQ(opacity("<transparency><float>0.25</float></transparency>"), 0.25);
+  EXPECT_EQ(opacity("<transparent><color>0 0 0 0.5</color></transparent>"), 0.5);
+  EXPECT_EQ(opacity(words("", "1 1 1 0.5", "0.5")), 0.25);
+  EXPECT_EQ(opacity(words(" opaque='A_ZERO'", "1 1 1 0.5", "0.5")), 0.75);
+  EXPECT_NEAR(opacity(words(" opaque='RGB_ONE'", "1 0 0 1", "0.5")), 0.5 * 0.212671, 1e-9);
+  EXPECT_NEAR(opacity(words(" opaque='RGB_ZERO'", "0 1 0 1", "1")), 1 - 0.71516, 1e-9);
+  EXPECT_EQ(opacity(words("", "1 1 1 1", "0")), 1) << "of old exporters";
+  EXPECT_EQ(opacity(words("", "1 1 1", "0.5")), 1) << "no color";
+  EXPECT_EQ(opacity("<transparent><texture texture='a'/></transparent>"), 1);
+}
+
 /// A tetrahedron of one material, whose effect has these parameters and this diffuse texture; the file's image is "img".
 MeshFile read_pictured(const std::string& parameters, const std::string& texture) {
   const std::string places =

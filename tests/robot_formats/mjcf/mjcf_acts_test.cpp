@@ -88,8 +88,8 @@ std::string text_of(const Model& model, int i) {
   }
   if (const Visuals* visuals = model.find(properties::visuals, i)) {
     for (const VisualMesh& v : *visuals) {
-      text += fmt::format("  {} {} {} {} {} {}\n", v.file, v.picture, text_of(v.scale), text_of(v.position),
-                          text_of(v.orientation), text_of(v.color));
+      text += fmt::format("  {} {} {} {} {} {} {} {}\n", v.file, v.picture, v.picture_repeat[0], v.picture_repeat[1],
+                          text_of(v.scale), text_of(v.position), text_of(v.orientation), text_of(v.color));
     }
   }
   if (const Sole* sole = model.find(properties::sole, i)) {
@@ -279,12 +279,15 @@ std::map<std::string, Place> make_places() {
   parts.link = "<joint name='j' axis='0 1 0'/><geom type='mesh' mesh='mesh'/>";
   places["mesh"] = {parts, {{"name", "mesh"}, {"file", "a.obj"}}};
   parts.defaults = "<default><default class='c'><material rgba='0 1 0 1'/></default></default>";
-  parts.assets = "<asset><material %/><texture name='paint' builtin='flat' rgb1='.5 .5 .5'/></asset>";
-  parts.link = "<joint name='j' axis='0 1 0'/><geom size='.1' material='red'/>";
+  parts.assets =
+      "<asset><material %/><texture name='paint' builtin='flat' rgb1='.5 .5 .5'/>"
+      "<mesh name='mesh' file='a.obj'/></asset>";
+  parts.link =
+      "<joint name='j' axis='0 1 0'/><geom size='.1' material='red'/>"
+      "<geom type='mesh' mesh='mesh' contype='0' conaffinity='0' mass='0' material='red'/>";
   places["material"] = {parts, {{"name", "red"}}};
   parts.assets = "<asset><material name='red' texture='paint'/><texture %/></asset>";
   parts.assets += "<asset><mesh name='mesh' file='a.obj'/></asset>";
-  parts.link += "<geom type='mesh' mesh='mesh' contype='0' conaffinity='0' mass='0' material='red'/>";
   places["texture"] = {parts, {{"name", "paint"}, {"builtin", "checker"}}};
   parts = {};
   parts.defaults = "<default><default class='c'><joint axis='1 0 0'/></default></default>";
@@ -437,7 +440,8 @@ std::map<std::string, Probes> make_probes() {
   probes["material"] = {{"name", {"red", "blue"}},
                         {"class", {"-", "c"}},
                         {"rgba", {"1 0 0 1", "1 0 0 .5"}},
-                        {"texture", {"-", "paint"}}};
+                        {"texture", {"-", "paint"}},
+                        {"texrepeat", {"1 1", "2 1"}}};
   probes["texture"] = {{"name", {"paint", "other"}},
                        {"type", {"2d", "cube", {{"builtin", "-"}, {"file", "a.png"}}}},
                        {"file", {"a.png", "b.png", {{"builtin", "-"}, {"type", "2d"}}}},

@@ -82,6 +82,25 @@ TEST_F(SdfLink, HasMeshes) {
                        "robot.sdf:2: there is no mesh file"));
 }
 
+// Rule: sdformat's specification, material/pbr/metal/albedo_map; without a material the mesh's own ones count.
+TEST_F(SdfLink, ShowsTexturesOfMeshes) {
+  write("meshes/m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+  write("meshes/skin.png", "");
+  const auto visual = [](const std::string& material) {
+    return with(shape("<mesh><uri>meshes/m.obj</uri></mesh>", material, "visual")).bodies.at(0).visuals.at(0);
+  };
+  const auto map = [](const std::string& name, const std::string& more = "") {
+    return "<material>" + more + "<pbr><metal><albedo_map>" + name + "</albedo_map></metal></pbr></material>";
+  };
+  const auto skin = visual(map("meshes/skin.png"));
+  EXPECT_EQ(std::filesystem::path(skin.picture).filename(), "skin.png");
+  EXPECT_EQ(skin.color, (Color{1, 1, 1}));
+  EXPECT_EQ(visual(map("meshes/skin.png", "<diffuse>0 1 0 1</diffuse>")).color, (Color{0, 1, 0}));
+  EXPECT_EQ(visual(map("lost.png")).picture, "");
+  EXPECT_FALSE(skin.mesh_colors);
+  EXPECT_TRUE(visual("").mesh_colors);
+}
+
 TEST_F(SdfLink, CarriesSensors) {
   const auto robot = with(
       "<sensor name='i' type='imu'><pose relative_to='f'>0 0 1 0 0 0</pose><update_rate>100</update_rate>"

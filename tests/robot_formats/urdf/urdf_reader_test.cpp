@@ -164,6 +164,26 @@ TEST(UrdfReader, FindsColorsByNameWhereverTheyAreDefined) {
   EXPECT_TRUE(any_contains(description.notes, "material 'green' has no color"));
 }
 
+// Rule: the texture of a material colors meshes that have places for it; its color multiplies it.
+TEST(UrdfReader, FindsTexturesAsMeshes) {
+  write("t.obj", tetrahedron());
+  write("skins/Skin.png", "");
+  const std::string mesh = "<mesh filename='t.obj'/>";
+  const auto description = read(
+      "<robot name='r'><material name='skin'><texture filename='skins/skin.png'/></material><link name='base'>" +
+      visual(mesh, "<material name='skin'/>") +
+      visual(mesh, "<material name='tinted'><texture filename='skins/skin.png'/><color rgba='1 .5 0 1'/></material>") +
+      visual(mesh, "<material name='lost'><texture filename='lost.png'/></material>") + "</link></robot>");
+  const auto& visuals = description.bodies.at(0).visuals;
+  ASSERT_EQ(visuals.size(), 3U);
+  EXPECT_EQ(std::filesystem::path(visuals[0].picture).filename(), "Skin.png");
+  EXPECT_EQ(visuals[0].color, (Color{1, 1, 1}));
+  EXPECT_EQ(visuals[1].picture, visuals[0].picture);
+  EXPECT_EQ(visuals[1].color, (Color{1, 0.5, 0}));
+  EXPECT_EQ(visuals[2].picture, "");
+  EXPECT_TRUE(any_contains(description.warnings, "there is no texture 'lost.png'"));
+}
+
 TEST(UrdfReader, ReadsWhoFollowsWhom) {
   const auto description = read(robot_xml(
       link("a", solid()) + link("b", solid()) + joint("revolute", "base", "a", any_limit, "lead") +
