@@ -7,8 +7,8 @@ include everything. The public headers, include/murosimf/, include each other an
 plug-ins, in its folder plugin, also those of the library); of the library only the folder `api`, which implements them,
 includes them, as "murosimf/scene.h". No two headers of the library have one name. Every header begins with `/// name.h -
 what it is for` and has `#pragma once`. A file that names a property, or what the standard library declares
-(scripts/standard_headers.py) or another header of the project (scripts/own_headers.py), includes, directly or not, the header that
-has it: precompiled headers and sources that are compiled as one hide that some do not.
+(scripts/standard_headers.py) or another header of the project (scripts/own_headers.py), includes, directly or not, the
+header that has it: precompiled headers and sources that are compiled as one hide that some do not.
 Prints each violation as file:line: message and exits with 1 if there is one.
 
     scripts/check_includes.py [root of the source tree]

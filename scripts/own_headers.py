@@ -1,20 +1,21 @@
 """Which header of the project declares which name: scripts/check_includes.py looks whether the files that use it include it.
 
-Reads C++ as the project's format has it, without a compiler: what stands at namespace scope in a header is declared there, and a file
-that uses such a name includes, directly or not, a header that mentions it. Members, and names that a file declares itself, are not
-looked for. So a missing include is found that sources compiled as one hide, most of the time (CONTRIBUTING.md says how often);
-`scripts/check_clang --all` finds the rest.
+Reads C++ as the project's format has it, without a compiler: what stands at namespace scope in a header is declared there,
+and a file that uses such a name includes, directly or not, a header that mentions it. Members, and names that a file declares
+itself, are not looked for. So most missing includes are found (CONTRIBUTING.md says how many) that sources compiled as one hide;
+`scripts/check_clang --all` finds the others.
 """
 
 import itertools
 import re
 
-not_code = re.compile(r'//[^\n]*|/\*.*?\*/|R"([^(\s]*)\(.*?\)\1"|"(?:[^"\\\n]|\\.)*"|(?<!\w)\'(?:[^\'\\\n]|\\.)+\'|^[ \t]*#[^\n]*',
-                      re.DOTALL | re.MULTILINE)
+not_code = re.compile(r'//[^\n]*|/\*.*?\*/|R"([^(\s]*)\(.*?\)\1"|"(?:[^"\\\n]|\\.)*"|(?<!\w)\'(?:[^\'\\\n]|\\.)+\''
+                      r'|^[ \t]*#[^\n]*', re.DOTALL | re.MULTILINE)
 token = re.compile(r"(?P<word>[A-Za-z_]\w*)|::|->|\d[\w.']*|[^\s\w]")
 macro = re.compile(r"^#\s*define (\w+)", re.MULTILINE)
 others_header = re.compile(r"^#include <(?:.*/)?(\w+)\.h(?:pp)?>", re.MULTILINE)  # often named after what it declares
-keywords = {"and", "auto", "case", "co_return", "co_yield", "const", "decltype", "delete", "else", "new", "not", "or", "return", "sizeof", "throw"}
+keywords = {"and", "auto", "case", "co_return", "co_yield", "const", "decltype", "delete", "else", "new", "not", "or",
+            "return", "sizeof", "throw"}
 classes = ("class", "struct", "enum", "union")
 specifiers = {"inline", "constexpr", "static", "extern", "final", "template"}
 overloads = 4  # in more headers: found by its arguments
