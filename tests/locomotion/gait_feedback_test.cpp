@@ -85,13 +85,13 @@ TEST(GaitFeedback, EveryNumberActs) {
   }
 }
 
-/// [m] (along, across) of a walk to a side, its command 0.1 m/s for 8 s; `along` is negative if it went to the other side.
+/// [m] (along, across) of a walk to a side, its command 0.1 m/s for 5 s; `along` is negative if it went to the other side.
 Vec3d walked(const std::string& model, const std::string& level, double side) {
   scene::Scene scene("walk",
                      {.overrides = {"walker.model=" + model, "walker.controller=motions", "walker.level=" + level,
                                     "walker.position=[0,0]", fmt::format("walker.command=[0,{},0]", 0.1 * side)},
                       .cameras = false});
-  scene.simulation().run(std::chrono::seconds(8));
+  scene.simulation().run(std::chrono::seconds(5));
   Entity& robot = scene.simulation().world().entity("walker");
   EXPECT_EQ(robot.base().get(properties::motion_state).falls, 0) << model << " at " << level;
   const Vec3d came = robot.base().get(properties::position);
@@ -99,9 +99,9 @@ Vec3d walked(const std::string& model, const std::string& level, double side) {
 }
 
 TEST(GaitFeedback, RobotsGoToTheSideThatTheyAreTold) {
-  // [m] of 0.8 m; servos of T1 and G1 yield, and they have no numbers against that (docs/motions.md).
+  // [m] of 0.5 m; servos of T1 and G1 yield, and they have no numbers against that (docs/motions.md).
   const std::map<std::string, double> least{
-      {"kid21", 0.6}, {"spark_nao0", 0.6}, {"booster_k1", 0.64}, {"booster_t1", 0.2}, {"unitree_g1", 0.2}};
+      {"kid21", 0.35}, {"spark_nao0", 0.35}, {"booster_k1", 0.35}, {"booster_t1", 0.1}, {"unitree_g1", 0.1}};
   for (const char* level : {"simplified_dynamics", "full_dynamics", "articulated_dynamics"}) {
     for (const auto& [model, way] : least) {
       for (const double side : {1.0, -1.0})
