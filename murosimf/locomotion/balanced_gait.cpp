@@ -139,6 +139,34 @@ void BalancedGait::find_deviation(const GaitClock& clock, GaitState& state) cons
   state.deviation.outward = cut(state.deviation.outward, zone, feedback_.most_deviation);
 }
 
+/// Odometry sways with the steps, so ways are taken between the same instants of two periods: where the same foot begins to stand.
+void BalancedGait::follow_command(double dt, std::size_t stood, const GaitClock& clock, const GaitLimits& limits,
+                                  const WalkSenses& senses, GaitState& state) const noexcept {
+  MUROSIMF_ASSERT(dt > 0 && stood < 2);
+  if (feedback_.trim == 0) return;
+  if (clock.amplitude() < 1 || clock.is_idle(limits)) {
+    state.passed = {};
+    return;
+  }
+  for (double& time : state.passed) time += time > 0 ? dt : 0;
+  const std::size_t stands = clock.standing();
+  if (stands == stood) return;
+  const Vec3d& here = senses.odometry();
+  if (const double time = state.passed[stands]; time > 0) {
+    const Vec3d& from = state.mark[stands];
+    const Vec3d way = rotation_z(-0.5 * (from.z + here.z)) * Vec3d{here.x - from.x, here.y - from.y, 0};
+    const Vec3d came{way.x, way.y, here.z - from.z};
+    // Both feet take part: each period counts twice.
+    state.trim += 0.5 * feedback_.trim * (time * clock.wanted(limits) - came);
+    constexpr double most = 0.7;  // [1] of the largest velocity
+    const Vec3d limit = most * walk_.fastest;
+    state.trim = {std::clamp(state.trim.x, -limit.x, limit.x), std::clamp(state.trim.y, -limit.y, limit.y),
+                  std::clamp(state.trim.z, -limit.z, limit.z)};
+  }
+  state.mark[stands] = here;
+  state.passed[stands] = dt;
+}
+
 /// Decides on stepping: learns the upright signals at rest, starts to step where ankles are not enough, ends when the deviation is small.
 void BalancedGait::watch(double dt, GaitClock& clock, GaitState& state) const noexcept {
   constexpr double calm = 1.0;  // [s] of steps on the spot, after the last deviation
@@ -270,9 +298,11 @@ GaitPose BalancedGait::step(double dt, GaitClock& clock, const WalkSenses& sense
   MUROSIMF_ASSERT(dt > 0 && walk_.period > 0);
   // The rest of the step at the present rate, but no more than twice the nominal one.
   const double left = (1 - clock.share()) * walk_.period / 2 / std::max(0.5, rate);
-  const GaitLimits limits{walk_.period, walk_.slew, intent.stops ? Vec3d{} : walk_.fastest, intent.velocity};
+  const GaitLimits limits{walk_.period, walk_.slew, intent.stops ? Vec3d{} : walk_.fastest, intent.velocity,
+                          state.trim};
   const double width = state.alarm > 0 || !clock.is_idle(limits) ? 0 : stands_wider_;
   clock.advance(dt, limits, rate, state.alarm > 0 || !has_width(state, width));
+  follow_command(dt, stood, clock, limits, senses, state);
   move_apart(dt, clock, width, state);
   place_steps(dt, clock, stood, left, state);
   if (clock.standing() != stood) senses.change_foot(clock.standing(), state);

@@ -41,6 +41,8 @@ class BalancedGait {
   [[nodiscard]] bool has_width(const GaitState& state, double width) const noexcept;
   void feel_slope(double dt, const GaitClock& clock, const WalkSenses& senses, GaitState& state) const noexcept;
   void move_apart(double dt, const GaitClock& clock, double width, GaitState& state) const noexcept;
+  void follow_command(double dt, std::size_t stood, const GaitClock& clock, const GaitLimits& limits,
+                      const WalkSenses& senses, GaitState& state) const noexcept;
   void watch(double dt, GaitClock& clock, GaitState& state) const noexcept;
   [[nodiscard]] double phase_rate(const GaitState& state) const noexcept;
   void place_steps(double dt, const GaitClock& clock, std::size_t stood, double left, GaitState& state) const noexcept;

@@ -34,7 +34,8 @@ void GaitClock::initialize() noexcept {
 void GaitClock::advance(double dt, const GaitLimits& limits, double rate, bool steps) noexcept {
   MUROSIMF_ASSERT(dt > 0 && limits.period > 0);
   MUROSIMF_ASSERT(limits.fastest.x >= 0 && limits.fastest.y >= 0 && limits.fastest.z >= 0);
-  const Vec3d aim = goal(limits);
+  const Vec3d plain = wanted(limits);
+  const Vec3d aim = is_zero(plain) ? plain : clipped(plain + limits.trim, limits.fastest);
   const Vec3d& slew = limits.slew;
   velocity_ = {approach(velocity_.x, aim.x, dt * slew.x), approach(velocity_.y, aim.y, dt * slew.y),
                approach(velocity_.z, aim.z, dt * slew.z)};
@@ -43,11 +44,13 @@ void GaitClock::advance(double dt, const GaitLimits& limits, double rate, bool s
   phase_ = amplitude_ > 0 ? std::fmod(phase_ + rate * 2 * pi * dt / limits.period, 2 * pi) : 0.0;
 }
 
-Vec3d GaitClock::goal(const GaitLimits& limits) const noexcept {
+Vec3d GaitClock::wanted(const GaitLimits& limits) const noexcept {
   return halted_ != 0 ? Vec3d{} : clipped(limits.velocity.value_or(command_), limits.fastest);
 }
 
-bool GaitClock::is_idle(const GaitLimits& limits) const noexcept { return is_zero(goal(limits)) && is_zero(velocity_); }
+bool GaitClock::is_idle(const GaitLimits& limits) const noexcept {
+  return is_zero(wanted(limits)) && is_zero(velocity_);
+}
 
 void GaitClock::start_at(double phase, double amplitude) noexcept {
   MUROSIMF_ASSERT(phase >= 0 && phase < 2 * pi && amplitude >= 0 && amplitude <= 1);

@@ -17,6 +17,7 @@ struct GaitLimits {
   Vec3d slew;                       ///< [m/s^2, m/s^2, rad/s^2] of the velocity
   Vec3d fastest;                    ///< [m/s, m/s, rad/s]
   std::optional<Vec3d> velocity{};  ///< [m/s, m/s, rad/s] instead of walk_command
+  Vec3d trim{};                     ///< [m/s, m/s, rad/s] added to it where it is not zero
 };
 
 class GaitClock {
@@ -38,10 +39,10 @@ class GaitClock {
   /// [1] of the step of that foot
   [[nodiscard]] double share() const noexcept { return (phase_ < pi ? phase_ : phase_ - pi) / pi; }
   [[nodiscard]] double amplitude() const noexcept { return amplitude_; }  ///< [1] 0 stands, 1 walks
+  /// [m/s, m/s, rad/s] The command, or what replaces it, within the limits and without the trim; zero while halted.
+  [[nodiscard]] Vec3d wanted(const GaitLimits& limits) const noexcept;
 
  private:
-  [[nodiscard]] Vec3d goal(const GaitLimits& limits) const noexcept;
-
   const Vec3d& command_;
   const double& halted_;  // 1: a referee requests a halt
   Vec3d& velocity_;

@@ -65,6 +65,8 @@ const std::array rows{
     Row{"compliant_lag", &GaitFeedback::compliant_lag, none, "rad",
         "mean lag of the legs' joints of the compliant table", above(0), 1},
     Row{"slope", &GaitFeedback::slope, none, "1", "of the ground's slope that the feet follow", 0, 1},
+    Row{"trim", &GaitFeedback::trim, rate, "1/s",
+        "how quickly strides correct a velocity that, by odometry, is not the wanted one", 0, 5},
     Row{"still_rate", &GaitFeedback::still_rate, rate, "rad/s", "below which a robot stands still", 0, 10},
     Row{"step_at", &GaitFeedback::step_at, length, "m", "deviation at which a robot that stands steps", 0, farthest},
 };

@@ -8,6 +8,7 @@
 ///     standing ankle  pitch: p d_pitch + d d_gyro_y + a e_x, roll likewise                             (center of pressure)
 ///     swinging sole   turned and moved back by a share of the tilt's deviation
 ///     standing hip    a share of the measured lag of its roll joint is added to its target             (droop)
+///     strides         v + t instead of the velocity v; over each period of a mean velocity w by odometry, t += k (v - w) T (trim)
 ///     both feet       on a plane of the pitch s [rad, above 0 downhill], z -= x tan s and soles turned by s: the mean pitch of the
 ///                     standing sole, by attitude and encoders, less a dead zone, which is larger the less the servos yield (slope)
 /// Source: Pratt et al., "Capture Point", Humanoids 2006; Takenaka et al., IROS 2009, and Englsberger et al., "Three-dimensional
@@ -57,6 +58,8 @@ struct GaitFeedback {
   double most_deviation = 0.3;     ///< [m] of e: what is larger counts as this
   double compliant_lag = 0.03;     ///< [rad] mean lag of the legs' joints at which their servos count as compliant
   double slope = 1;                ///< [1] of the ground's slope that the feet follow, so that the robot stays upright
+  double trim =
+      0;  ///< [1/s] k: how quickly strides make up for what the robot by its odometry does not follow the command
   // standing
   double step_at = 0.035;    ///< [m] of e while it stands: it steps
   double still_rate = 0.05;  ///< [rad/s] of a robot that stands still

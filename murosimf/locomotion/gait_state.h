@@ -34,7 +34,10 @@ struct GaitState {
   double alarm = 0;                     ///< [s] for which it continues to step on the spot
   std::array<double, 2> width{};        ///< [m] by which each ankle is farther from the middle than in the walk
   double slope = 0;                     ///< [rad] pitch of the ground under the standing sole: above 0 downhill
-  Vec3d foot;                           ///< [m, m, rad] standing ankle and heading of the base, from where it started
+  Vec3d trim;                 ///< [m/s, m/s, rad/s] that strides differ from the command, so that the robot follows it
+  std::array<Vec3d, 2> mark;  ///< [m, m, rad] odometry where that foot began to stand
+  std::array<double, 2> passed{};  ///< [s] since then; 0: it has not stood in this walk
+  Vec3d foot;                      ///< [m, m, rad] standing ankle and heading of the base, from where it started
 };
 
 }  // namespace murosimf::locomotion

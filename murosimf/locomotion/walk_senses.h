@@ -42,6 +42,7 @@ class WalkSenses {
   [[nodiscard]] double sole_pitch(std::size_t side, const GaitState& state) const noexcept;
   /// [rad | m] of all objects, as measured.
   [[nodiscard]] std::span<const double> joints() const noexcept { return q_; }
+  [[nodiscard]] const Vec3d& odometry() const noexcept { return odometry_; }  ///< [m, m, rad]
   [[nodiscard]] const Vec3d& rate() const noexcept { return rate_; }  ///< [rad/s] gyroscope less bias, axes of the base
 
  private:
