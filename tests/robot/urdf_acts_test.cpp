@@ -17,8 +17,8 @@ using namespace robot_formats::urdf::urdf_files;
 std::string whole_robot(const std::string& gazebo = "") {
   return "<robot name='whole'>"
          "<mujoco><compiler meshdir='meshes' strippath='true' balanceinertia='false'/></mujoco>"
-         "<material name='blue'><color rgba='0 0 1 1'/></material><material name='red'><color rgba='1 0 0 "
-         "1'/></material>"
+         "<material name='blue'><color rgba='0 0 1 1'/><texture filename='x/a.png'/></material>"
+         "<material name='red'><color rgba='1 0 0 1'/></material>"
          "<link name='trunk'><inertial><origin xyz='0 0 0.01' rpy='0 0 0.1'/><mass value='3'/>"
          "<inertia ixx='0.03' ixy='0.001' ixz='0.002' iyy='0.032' iyz='0.003' izz='0.034' iyx='0.001' izx='0.002' "
          "izy='0.003'/></inertial>"
@@ -72,7 +72,8 @@ std::string text_of(const robot_formats::RobotDescription& robot) {
       vector(robot_formats::unit_inertia(shape.placed.shape).xx * Vec3d{1, 1, 1});
       place(shape.placed.place());
     }
-    for (const auto& visual : body.visuals) put(visual.name, visual.mesh, visual.color.red, visual.color.blue);
+    for (const auto& visual : body.visuals)
+      put(visual.name, visual.mesh, visual.color.red, visual.color.blue, visual.picture);
   }
   for (const auto& mimic : robot.mimics) put(mimic.joint, mimic.leader, mimic.ratio, mimic.offset);
   for (const auto& mesh : robot.meshes) put(mesh.file.string(), mesh.scale.y);
@@ -133,6 +134,7 @@ const std::map<std::string, Change>& attribute_probes() {
       {"mesh.scale", {"1 2 1", "1 3 1"}},
       {"material.name", {"<material name='blue'/>", "<material name='red'/>"}},
       {"color.rgba", {"0 1 0 1", "0 0.5 0 1"}},
+      {"texture.filename", {"x/a.png", "x/b.png"}},
       {"joint.name", {"name='third'", "name='fourth'"}},
       {"joint.type", {"name='third' type='revolute'", "name='third' type='prismatic'"}},
       {"parent.link", {"<parent link='arm'/><child link='flat'/>", "<parent link='trunk'/><child link='flat'/>"}},
@@ -157,6 +159,7 @@ const std::map<std::string, Change>& attribute_probes() {
 TEST(UrdfActs, EveryUsedAttributeMakesADifference) {
   write("meshes/t.obj", tetrahedron());
   write("meshes/u.obj", tetrahedron());
+  for (const char* picture : {"meshes/a.png", "meshes/b.png"}) write(picture, "found, and not read");
   const std::string base = whole_robot();
   const std::string before = meaning(base);
   ASSERT_TRUE(contains(before, "whole")) << before;
