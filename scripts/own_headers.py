@@ -14,6 +14,7 @@ not_code = re.compile(r'//[^\n]*|/\*.*?\*/|R"([^(\s]*)\(.*?\)\1"|"(?:[^"\\\n]|\\
 token = re.compile(r"(?P<word>[A-Za-z_]\w*)|::|->|\d[\w.']*|[^\s\w]")
 macro = re.compile(r"^#\s*define (\w+)", re.MULTILINE)
 others_header = re.compile(r"^#include <(?:.*/)?(\w+)\.h(?:pp)?>", re.MULTILINE)  # often named after what it declares
+system_header = re.compile(r"^#include <(?:(?:sys|net|netinet|arpa)/)?\w+\.h>", re.MULTILINE)
 keywords = {"and", "auto", "case", "co_return", "co_yield", "const", "decltype", "delete", "else", "new", "not", "or",
             "return", "sizeof", "throw"}
 classes = ("class", "struct", "enum", "union")
@@ -115,6 +116,7 @@ class OwnHeaders:
         self.named = {path: {word for word, _ in words} for path, words in self.words.items()}
         self.macros = {path: set(macro.findall(text)) for path, text in texts.items()}
         self.others = {path: set(others_header.findall(text)) for path, text in texts.items()}
+        self.calls_the_system = {path for path, text in texts.items() if system_header.search(text)}
         for path in (path for path in texts if path.endswith(".h")):
             for name, space in declared_in([word for word, _ in self.words[path]]) | {(name, "") for name in self.macros[path]}:
                 for key in (name, (space, name)):
@@ -143,6 +145,8 @@ class OwnHeaders:
                 continue
             if is_declared(before, word, after):
                 declared.add(word)
+            elif path in self.calls_the_system and before[-1] != "::" and word.islower():
+                continue  # read() of <unistd.h>, not that of a header
             elif key := self.key_of(before, word, after, part):
                 used.setdefault(key, line)
         return {key: line for key, line in used.items() if name_of(key) not in declared}

@@ -53,6 +53,8 @@ class Missing(unittest.TestCase):
         self.assertEqual(self.found("TEST(Ball, IsRound) {}"), [])
         self.assertEqual(self.found('// Ball\nconst char* text = "Ball"; /* Ball */'), [])
         self.assertEqual(self.found("#include <other/Ball.hpp>\nusing namespace other;\nBall ball;"), [])
+        self.assertEqual(self.found("#include <unistd.h>\nint x = rolled(1);"), [])  # the system's, perhaps
+        self.assertEqual(self.found("#include <unistd.h>\nint x = soccer::rolled(1);"), ["rolled"])
         self.assertEqual(self.found("Player* player;"), [])  # no header defines it
 
 
