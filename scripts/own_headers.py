@@ -88,6 +88,7 @@ def declared_in(words):
 
 
 def is_member(before):
+    """Whether a word after these is a member of something, or names a test: TEST(Word, Word)."""
     return before[-1] in (".", "->") or bool(tests & {before[-2], before[-4]})
 
 

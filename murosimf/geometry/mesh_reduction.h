@@ -2,9 +2,9 @@
 ///
 /// Edges are drawn together one after the other, each time the one that costs least: the squared distance of the
 /// triangles' planes from the vertex that is left, times their area. Creases and open borders cost by their length as
-/// well, which keeps outlines, thin sheets and the seams
-/// of pictures. One queue for all meshes: each gets the triangles that its form
-/// needs, and details that are invisible from afar are removed first. Meshes need not be closed, nor fit together anywhere.
+/// well, which keeps outlines, thin sheets and the seams of pictures. One queue for all meshes: each gets the triangles
+/// that its form needs, and details that are invisible from afar are removed first. Meshes need not be closed, nor fit
+/// together anywhere.
 /// Source: Garland, Heckbert, "Surface simplification using quadric error metrics", SIGGRAPH 1997.
 #pragma once
 

@@ -58,8 +58,7 @@ struct GaitFeedback {
   double most_deviation = 0.3;     ///< [m] of e: what is larger counts as this
   double compliant_lag = 0.03;     ///< [rad] mean lag of the legs' joints at which their servos count as compliant
   double slope = 1;                ///< [1] of the ground's slope that the feet follow, so that the robot stays upright
-  double trim =
-      0;  ///< [1/s] k: how quickly strides make up for what the robot by its odometry does not follow the command
+  double trim = 0;                 ///< [1/s] k: strides make up for what the velocity by odometry lacks of the command
   // standing
   double step_at = 0.035;    ///< [m] of e while it stands: it steps
   double still_rate = 0.05;  ///< [rad/s] of a robot that stands still

@@ -25,7 +25,7 @@ struct LitPrograms {
 /// Pieces that show a picture, likewise.
 struct PicturedPrograms {
   explicit PicturedPrograms(std::string_view shadows)
-      : solid({light_source, pictured_vertex}, {light_source, shadows, pictured_fragment}) {}
+      : solid({light_source, with_picture, solid_vertex}, {light_source, shadows, with_picture, solid_fragment}) {}
   GlProgram solid;
 };
 

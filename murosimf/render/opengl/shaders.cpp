@@ -85,6 +85,10 @@ layout(location = 4) in vec4 row_z;
 layout(location = 5) in vec3 normal_scale;
 layout(location = 6) in vec4 color;
 layout(location = 7) in uint label;
+#ifdef PICTURED
+layout(location = 8) in vec2 in_picture;
+out vec2 at;
+#endif
 out vec3 seen;
 out vec3 n;
 out vec3 own;  // of the solid
@@ -98,6 +102,9 @@ void main() {
   vec3 m = normal * normal_scale;
   n = vec3(dot(row_x.xyz, m), dot(row_y.xyz, m), dot(row_z.xyz, m));
   own = place;
+#ifdef PICTURED
+  at = in_picture;
+#endif
   base = light_of(color.rgb);
   alpha = color.a;
   what = label;
@@ -111,67 +118,26 @@ in vec3 n;
 flat in vec3 base;
 flat in float alpha;
 flat in uint what;
-layout(location = 0) out vec4 color;
-layout(location = 1) out float depth;
-layout(location = 2) out uint label;
-
-void main() {
-  vec3 unit = normalize(n);
-  color = vec4(shown(base, seen, unit, lit_at(seen, unit)), alpha);
-  depth = seen.z;
-  label = what;
-}
-)";
-
-const std::string_view pictured_vertex = R"(
-layout(location = 0) in vec3 place;
-layout(location = 1) in vec3 normal;
-layout(location = 2) in vec4 row_x;    // of the instance: solid to optical frame
-layout(location = 3) in vec4 row_y;
-layout(location = 4) in vec4 row_z;
-layout(location = 5) in vec3 normal_scale;
-layout(location = 6) in vec4 color;
-layout(location = 7) in uint label;
-layout(location = 8) in vec2 in_picture;
-out vec3 seen;
-out vec3 n;
-out vec2 at;
-flat out vec3 base;
-flat out float alpha;
-flat out uint what;
-
-void main() {
-  vec4 p = vec4(place, 1.0);
-  seen = vec3(dot(row_x, p), dot(row_y, p), dot(row_z, p));
-  vec3 m = normal * normal_scale;
-  n = vec3(dot(row_x.xyz, m), dot(row_y.xyz, m), dot(row_z.xyz, m));
-  at = in_picture;
-  base = light_of(color.rgb);
-  alpha = color.a;
-  what = label;
-  gl_Position = clip * vec4(seen, 1.0);
-}
-)";
-
-const std::string_view pictured_fragment = R"(
-in vec3 seen;
-in vec3 n;
+#ifdef PICTURED
 in vec2 at;
-flat in vec3 base;
-flat in float alpha;
-flat in uint what;
 uniform sampler2D picture;
+#endif
 layout(location = 0) out vec4 color;
 layout(location = 1) out float depth;
 layout(location = 2) out uint label;
 
 void main() {
-  vec3 unit = normalize(n);
-  color = vec4(shown(base * texture(picture, at).rgb, seen, unit, lit_at(seen, unit)), alpha);
+  vec3 unit = normalize(n), own_light = base;
+#ifdef PICTURED
+  own_light *= texture(picture, at).rgb;
+#endif
+  color = vec4(shown(own_light, seen, unit, lit_at(seen, unit)), alpha);
   depth = seen.z;
   label = what;
 }
 )";
+
+const std::string_view with_picture = "#define PICTURED\n";
 
 const std::string_view ball_fragment = R"(
 in vec3 seen;

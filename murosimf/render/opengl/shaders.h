@@ -16,8 +16,8 @@ extern const std::string_view shadow_source, soft_shadow_source, no_shadow_sourc
 
 /// Pieces: unit solids, scaled, turned and moved by instance.
 extern const std::string_view solid_vertex, solid_fragment;
-/// Pieces that show a picture.
-extern const std::string_view pictured_vertex, pictured_fragment;
+/// Precedes both of these for pieces that show a picture.
+extern const std::string_view with_picture;
 /// Balls with panels, with patterns.
 extern const std::string_view ball_fragment;
 /// The same for the lamp's view: nothing but depth.
