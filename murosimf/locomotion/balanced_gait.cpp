@@ -158,7 +158,7 @@ void BalancedGait::follow_command(double dt, std::size_t stood, const GaitClock&
     const Vec3d came{way.x, way.y, here.z - from.z};
     // Both feet take part: each period counts twice.
     state.trim += 0.5 * feedback_.trim * (time * clock.wanted(limits) - came);
-    constexpr double most = 0.7;  // [1] of the largest velocity
+    constexpr double most = 0.7;  // [1] of the largest velocity: a robot that is held does not add up for ever
     const Vec3d limit = most * walk_.fastest;
     state.trim = {std::clamp(state.trim.x, -limit.x, limit.x), std::clamp(state.trim.y, -limit.y, limit.y),
                   std::clamp(state.trim.z, -limit.z, limit.z)};
