@@ -113,9 +113,12 @@ class BalanceRun {
 
 }  // namespace
 
-/// Two rounds judge a candidate: the first walks without feedback, the second with what was learned.
-LearnedSteps steps_for(const VariedRobot& robot, const OptionValues& balance, int threads, const StopRequest& stop) {
-  StepLearningOptions options{.model = robot.file().string(), .rigid = {"full_dynamics"}, .duration = 4, .rounds = 2};
+LearnedSteps steps_for(const VariedRobot& robot, const OptionValues& balance, const LearningEffort& effort, int threads,
+                       const StopRequest& stop) {
+  StepLearningOptions options{.model = robot.file().string(),
+                              .rigid = {"full_dynamics"},
+                              .duration = effort.duration,
+                              .rounds = effort.rounds};
   options.robot = robot.kind(1, 1);
   options.balance = balance;
   options.common.threads = threads;
@@ -133,7 +136,7 @@ std::vector<BalanceOutcome> balance_trials(const VariedRobot& robot, const Balan
                                            const std::vector<TuningCase>& cases) {
   std::vector<LearnedSteps> steps(candidates.size());
   run_in_parallel(candidates.size(), task.threads, task.stop,
-                  [&](std::size_t i) { steps[i] = steps_for(robot, candidates[i], 1, task.stop); });
+                  [&](std::size_t i) { steps[i] = steps_for(robot, candidates[i], task.learning, 1, task.stop); });
   if (task.stop && task.stop()) return {};
   std::vector<BalanceOutcome> all(candidates.size());
   // What a candidate costs that falls too often while it learns; the runs below replace it for the others.

@@ -1,6 +1,6 @@
 /// balance_trials.h - walks with feedback of many candidates, undisturbed and pushed, and their costs.
 ///
-/// Every candidate first learns how its own steady walk looks (step_learning.h, two rounds of walks of 4 s at `full_dynamics` and
+/// Every candidate first learns how its own steady walk looks (step_learning.h, by walks at `full_dynamics` and
 /// `articulated_dynamics`): if it falls in more than a quarter of these, it costs 2 and the share of falls, and is not tried further.
 /// Else twelve of it are in every case at once:
 ///
@@ -22,10 +22,17 @@ namespace murosimf::studies {
 
 inline constexpr std::size_t robots_of_a_balance = 12;
 
+/// What a candidate learns its steady walk from. Of two rounds the first walks without feedback, the second with what was learned.
+struct LearningEffort {
+  double duration = 4;  ///< [s] of each walk
+  int rounds = 2;
+};
+
 struct BalanceTask {
   double speed = 0.15;  ///< [m/s]
   double impulse = 3;   ///< [N s]
   double duration = 7;  ///< [s] of each run; the push begins at 3 s or within a step after that
+  LearningEffort learning{};
   int threads = 1;
   StopRequest stop{};
 };
@@ -46,7 +53,7 @@ struct LearnedSteps {
   double fell = 0;                 ///< [1] of the walks
 };
 /// As the trials learn them.
-[[nodiscard]] LearnedSteps steps_for(const VariedRobot& robot, const OptionValues& balance, int threads,
-                                     const StopRequest& stop);
+[[nodiscard]] LearnedSteps steps_for(const VariedRobot& robot, const OptionValues& balance,
+                                     const LearningEffort& effort, int threads, const StopRequest& stop);
 
 }  // namespace murosimf::studies

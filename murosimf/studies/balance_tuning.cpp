@@ -14,7 +14,6 @@
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/recording/attached_files.h"
-#include "murosimf/studies/balance_trials.h"
 #include "murosimf/studies/tuned_numbers.h"
 
 namespace murosimf::studies {
@@ -46,6 +45,7 @@ std::string what_balances(const BalanceTuningOptions& options, double impulse, c
                             {"speed", options.speed},
                             {"impulse", impulse},
                             {"duration", options.duration},
+                            {"learning", {options.learning.duration, options.learning.rounds}},
                             {"cases", options.cases},
                             {"seed", options.budget.seed},
                             {"lenient", options.common.lenient},
@@ -92,6 +92,7 @@ BalanceTuning tune_balance(const BalanceTuningOptions& options) {
   const BalanceTask task{.speed = options.speed,
                          .impulse = tuning.impulse,
                          .duration = options.duration,
+                         .learning = options.learning,
                          .threads = options.common.threads,
                          .stop = options.common.stop};
   const auto cases = tuning_cases(options.levels, options.cases, options.budget.seed, "tuning");
@@ -117,7 +118,7 @@ BalanceTuning tune_balance(const BalanceTuningOptions& options) {
   tuning.after = values_at(numbers, tuning.search.best);
   if (const OptionValues* own = robot.model().find(properties::given_balance, 0))
     tuning.kept = without(*own, tuning.after);
-  tuning.steps = steps_for(robot, tuning.after, task.threads, {}).table;
+  tuning.steps = steps_for(robot, tuning.after, task.learning, task.threads, {}).table;
   if (!tuning.search.stopped) tuning.checks = check_balances(robot, task, options, tuning);
   return tuning;
 }

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "murosimf/locomotion/step_table.h"
+#include "murosimf/studies/balance_trials.h"
 #include "murosimf/studies/motion_tuning.h"
 
 namespace murosimf::studies {
@@ -20,9 +21,10 @@ namespace murosimf::studies {
 struct BalanceTuningOptions {
   std::string model;  ///< as in scenes: a file, or the name of one that comes with the program
   std::vector<std::string> levels = usual_tuning_levels();
-  double speed = 0.15;                ///< [m/s] at which it is pushed while it walks
-  std::optional<double> impulse{};    ///< [N s]; nothing: 0.45 m sqrt(g l), mass m, thigh and shin l
-  double duration = 7;                ///< [s] of each run
+  double speed = 0.15;              ///< [m/s] at which it is pushed while it walks
+  std::optional<double> impulse{};  ///< [N s]; nothing: 0.45 m sqrt(g l), mass m, thigh and shin l
+  double duration = 7;              ///< [s] of each run
+  LearningEffort learning{};
   std::size_t cases = 2, checks = 6;  ///< of every level: of the search, and afterwards
   TuningBudget budget;
   scene::SceneOptions common{};  ///< threads, stop, lenient

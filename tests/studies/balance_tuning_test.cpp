@@ -21,7 +21,7 @@ namespace {
 
 std::size_t stood(const VariedRobot& robot, double impulse, const OptionValues& numbers = {}) {
   const auto cases = tuning_cases({"full_dynamics"}, 1, 1, "tuning");
-  const BalanceTask task{.impulse = impulse, .duration = 5, .threads = 2};
+  const BalanceTask task{.impulse = impulse, .duration = 5, .learning = {2.5, 1}, .threads = 2};
   const std::vector<BalanceOutcome> outcomes = balance_trials(robot, task, {numbers}, cases);
   EXPECT_EQ(outcomes.size(), 1u);
   return std::accumulate(outcomes[0].stood.begin(), outcomes[0].stood.end(), std::size_t{0});
@@ -47,8 +47,13 @@ TEST(BalanceTrials, RefuseAGaitThatFallsBeforeItIsPushed) {
 }
 
 BalanceTuningOptions short_search(int threads) {
-  BalanceTuningOptions options{
-      .model = "kid21", .levels = {"simplified_dynamics"}, .impulse = 3, .duration = 4.5, .cases = 1, .checks = 1};
+  BalanceTuningOptions options{.model = "kid21",
+                               .levels = {"simplified_dynamics"},
+                               .impulse = 3,
+                               .duration = 4.5,
+                               .learning = {2.5, 1},
+                               .cases = 1,
+                               .checks = 1};
   options.budget.evaluations = 18;
   options.common.threads = threads;
   return options;
