@@ -54,7 +54,8 @@ GaitFeet gait_feet(const std::array<Leg, 2>& legs, const WalkParameters& p, doub
     feet.ankle[side] = {s.xi * velocity.x * stance_time - p.setback - setback,
                         outward * p.half_width - leg.hip.y + s.xi * velocity.y * stance_time - sway,
                         -p.hip_height + leg.ankle_height + amplitude * p.lift * s.lift};
-    feet.sole[side] = rotation_z(s.xi * velocity.z * stance_time);
+    const double splayed = 0.5 * outward * p.splay * std::abs(velocity.z);
+    feet.sole[side] = rotation_z((s.xi * velocity.z + splayed) * stance_time);
     const double standing = side == 0 ? std::sin(phase) : -std::sin(phase);
     feet.roll[side] = standing > 0 ? outward * amplitude * p.hip_roll * standing : 0;
   }

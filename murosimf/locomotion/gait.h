@@ -3,7 +3,7 @@
 /// Phase ph in [0, 2 pi); the left foot stands during (0, pi). With xi and lift of stride.h for p = ph - pi (left) or ph
 /// (right) and d = double_support pi/2, the ankle in the level frame of the pelvis, x and z from the hip center, y from the middle:
 ///     x = xi vx Ts - x0                        z = -h + ankle height + hz lift
-///     y = +-fy + xi vy Ts - ay sin(ph + lead)  yaw = xi wz Ts
+///     y = +-fy + xi vy Ts - ay sin(ph + lead)  yaw = xi wz Ts +- s |wz| Ts/2
 /// with Ts = T (pi + 2 d)/(2 pi); the pelvis leans forward by `pitch`, and the standing leg's hip roll lifts the
 /// swinging side by `hip_roll` sin(ph) against the droop of its servos.
 /// Source: the project's walk study (parameters found by random search in MuJoCo on the kid21 robot).
@@ -27,6 +27,7 @@ struct WalkParameters {
   double half_width = 0.0557;      ///< [m] fy, ankle from the middle
   double lead = -0.128;            ///< [rad] of the sway
   double hip_roll = 0.055;         ///< [rad] against droop
+  double splay = 0;                ///< [1] s: 1: legs turn outward only
   double arm_swing = 0;            ///< [1] of what balances the legs about the vertical (arm_swing.h)
   Vec3d slew{0.375, 0.25, 2};      ///< [m/s^2, m/s^2, rad/s^2] of the walking velocity
   Vec3d fastest{0.25, 0.10, 0.8};  ///< [m/s, m/s, rad/s] commands beyond are clipped

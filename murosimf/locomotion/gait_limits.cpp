@@ -81,6 +81,19 @@ double used_rate_at_full_speed(const std::array<Leg, 2>& legs, const Rates& larg
 
 }  // namespace
 
+void fit_splay(const std::array<Leg, 2>& legs, WalkParameters& p) {
+  WalkParameters tried = p;
+  tried.splay = 0;
+  constexpr int steps = 4;
+  for (int i = 0; i <= 2 * steps; ++i) {
+    // 0, 1/4, -1/4, 1/2 ... -1
+    tried.splay = (i % 2 == 1 ? 1.0 : -1.0) * ((i + 1) / 2) / steps;
+    if (!reaches(legs, tried, {0, 0, p.fastest.z})) continue;
+    p.splay = tried.splay;
+    return;
+  }
+}
+
 void fit_to_reach(const std::array<Leg, 2>& legs, WalkParameters& p) {
   // Bounded loops: a robot with legs that never reach keeps its parameters, and the simulation starts.
   constexpr double lower = 0.99;

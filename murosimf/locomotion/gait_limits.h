@@ -7,6 +7,10 @@
 
 namespace murosimf::locomotion {
 
+/// Where legs turn farther outward than inward, or the other way round, and do not reach the fastest turn on the spot therefore, the least
+/// splay with which they do; none if they reach it with none.
+void fit_splay(const std::array<Leg, 2>& legs, WalkParameters& parameters);
+
 /// Where the legs do not reach the ends of the strides at full speed (ranges or offsets of the hinges), hips are lowered, by up to 11 %,
 /// and strides made shorter until they do.
 void fit_to_reach(const std::array<Leg, 2>& legs, WalkParameters& parameters);

@@ -113,6 +113,7 @@ void lift_over_droop(const Model& model, const std::array<Leg, 2>& legs, WalkPar
 
 WalkParameters seeded_parameters(const std::array<Leg, 2>& legs) {
   WalkParameters p = scaled_by_length(legs);
+  fit_splay(legs, p);
   fit_to_reach(legs, p);
   p.sway = pendulum_sway(0.5 * (legs[0].hip.y - legs[1].hip.y), 1.072 * p.hip_height, p.period);
   return p;
@@ -130,6 +131,7 @@ WalkParameters walk_parameters(const Model& model, const OptionValues& given) {
   if (!all.contains("setback")) center(model, legs, p);
   lift_over_droop(model, legs, p);
   apply_walk_options(all, p);
+  if (!all.contains("splay")) fit_splay(legs, p);
   fit_to_reach(legs, p);
   const auto sway = [&](const WalkParameters& now) {
     return all.contains("sway") ? now.sway : sway_of_masses(model, legs, now);

@@ -36,6 +36,8 @@ const std::array rows{
         longest},
     Row{"double_support", [](auto& p) -> double& { return p.double_support; }, "1",
         "share of the period with both feet on the ground", 0, 0.5},
+    Row{"splay", [](auto& p) -> double& { return p.splay; }, "1",
+        "of half the turn of a step, by which both feet point outward: 1 for legs that turn outward only", -1, 1},
     Row{"arm_swing", [](auto& p) -> double& { return p.arm_swing; }, "1",
         "of the swing of arms that balances the legs about the vertical", 0, 3},
     Row{"speed", [](auto& p) -> double& { return p.fastest.x; }, "m/s", "largest, forward and back", 0, fastest},
