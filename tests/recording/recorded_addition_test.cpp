@@ -274,6 +274,10 @@ TEST(RecordedAddition, IsPartOfASavedState) {
   EXPECT_EQ(scene.parts().additions.size(), 2U);
   scene.simulation().run(500ms);
   EXPECT_EQ(scene.simulation().state_hash(), later);
+  const RecordedRun branch(file);
+  const auto other = branch.build({});
+  branch.begin(*other, branch.end());
+  EXPECT_EQ(other->simulation().state_hash(), there) << "from the file alone";
   recording::load_state(scene, file);  // back: all of them are there
   EXPECT_EQ(scene.simulation().state_hash(), there);
   EXPECT_EQ(scene.parts().additions.size(), 2U);
