@@ -418,12 +418,15 @@ def spawn_models(node, call):
 def spawn_when_written(program, folder):
     """A table, a page and a state have a model that comes, and what a scene keeps."""
     table, page, state = (str(Path(folder) / name) for name in ("run.csv", "run.html", "run.state"))
-    run = Run(program, folder, DOMAIN + 1, "--html", page, "--log", "guest.pelvis.position.x", "--out", table, "--save-state", state)
+    run = Run(program, folder, DOMAIN + 1, "--html", page, "--log", "guest.pelvis.position.x", "--out", table,
+              "--save-state", state)
     node = Node(DOMAIN + 1)
     call, pictures = Services(node), node.subscribe("/guest/camera/image_raw", ros.Image)
     call("set_simulation_state", 2)
-    for uri, name in (("kid21", "guest"), ("reserve", "")):
-        result = call("spawn_entity", name, False, si.Resource(uri), "", ros.PoseStamped()).result
+    for uri, name, x in (("kid21", "guest", -2.0), ("reserve", "", 2.0)):
+        place = ros.Pose(ros.Point(x, 1.0, 0.5), ros.Quaternion(0.0, 0.0, 0.0, 1.0))
+        pose = ros.PoseStamped(header=ros.Header(frame_id="world"), pose=place)
+        result = call("spawn_entity", name, False, si.Resource(uri), "", pose).result
         expect(f"{uri} comes to a run that is written", result.result == 1, result)
         expect("steps", call("step_simulation", 100).result.result == 1, "")
 
