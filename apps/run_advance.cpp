@@ -75,8 +75,7 @@ void RunAdvance::run_steered(Steering& steering) {
                                     .stays = stays_at_end(options_),
                                     .publish_overruns = tell,
                                     .record = outputs_.record_switch(),
-                                    .no_way_back = no_way_back(options_),
-                                    .no_additions = no_additions(options_)});
+                                    .no_way_back = no_way_back(options_)});
   steering.begin(session, scene_, options_, outputs_);
   struct AtEnd {  // also if software crashes
     Steering& steering;

@@ -155,15 +155,12 @@ bool is_steered(const RunOptions& options) {
 
 bool stays_at_end(const RunOptions& options) { return !options.web.web.empty() || !options.supervision.where.empty(); }
 
-std::string no_additions(const RunOptions& options) {
+/// They keep what happens, in the order of time.
+std::string no_way_back(const RunOptions& options) {
+  if (!options.record.file.empty()) return "it is recorded (--record)";
   if (!options.log.empty()) return "its numbers are logged (--log)";
   if (!options.web.html.empty()) return "it is written as HTML (--html)";
   return options.game.log.empty() ? "" : "what comes from outside is written down (--game-log)";
-}
-
-/// A recording keeps what comes, in the order of time.
-std::string no_way_back(const RunOptions& options) {
-  return options.record.file.empty() ? no_additions(options) : "it is recorded (--record)";
 }
 
 std::optional<double> speed_of(const RunOptions& options) {

@@ -57,8 +57,6 @@ void check_vendors(const scene_file::SceneSpec& spec, const RunOptions& options)
 [[nodiscard]] bool stays_at_end(const RunOptions& options);
 /// Why a steered run cannot go back in time; empty: it can.
 [[nodiscard]] std::string no_way_back(const RunOptions& options);
-/// Why no robots and bodies can come to it; empty: they can.
-[[nodiscard]] std::string no_additions(const RunOptions& options);
 /// Simulated seconds per wall second; nothing: as fast as possible. Throws SetupError.
 [[nodiscard]] std::optional<double> speed_of(const RunOptions& options);
 

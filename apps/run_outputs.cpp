@@ -23,7 +23,9 @@ void RunOutputs::attach(scene::Scene& scene, const scene::SceneOptions& scene_op
   game_ = game;
   if (!options_.log.empty()) {
     log_.emplace(scene.simulation(), options_.log,
-                 logging::RunLogOptions{.step_rate = scene.spec().rate, .property_rate = options_.log_rate});
+                 logging::RunLogOptions{.step_rate = scene.spec().rate,
+                                        .property_rate = options_.log_rate,
+                                        .others_come = is_steered(options_) || !options_.from.empty()});
   }
   description_ = description_of(options_.scene, scene, scene_options);
   if (game) description_.outside.emplace_back("a GameController or other teams");

@@ -36,7 +36,8 @@ void StateSaver::begin(scene::Scene& scene, const files::FilesRead& files, const
   options_ = {.program = this_program(),
               .command_line = paths.in_command_line(command_line()),
               .run = paths.in_description(std::move(described)),
-              .files = recording::files_now(files.list(), paths)};
+              .files = recording::files_now(files.list(), paths),
+              .paths = paths};
   for (Request& request : requests_) {
     if (request.time < scene.simulation().now()) continue;
     scene.simulation().at(request.time, [this, &request] {

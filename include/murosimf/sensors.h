@@ -69,7 +69,7 @@ struct Image {
       labels;  ///< (height, width) what each pixel shows, as numbers of Camera::labels(); empty: without
 };
 
-/// Draws only if it was requested (Robot::camera) before the first step, or is `always_on` in its file.
+/// Draws only if it was requested (Robot::camera), from then on, or is `always_on` in its file.
 class MUROSIMF_API Camera {
  public:
   // moving copies: no handle is ever empty

@@ -91,13 +91,11 @@ Camera Robot::camera(std::string_view name) const {
     api::throw_unknown(fmt::format("camera of '{}'", this->name()), name, {known.begin(), known.end()});
   }
   Entity& entity = scene_->entity(number_);
-  // before the first step a handle requests drawing; later the set of columns is fixed
-  if (!scene_->begun) (void)api::told([&] { return &sensors::want_frames(entity, name); });
+  (void)api::told([&] { return &sensors::want_frames(entity, name); });  // a handle requests drawing
   const auto* frame = sensors::frames_of(entity)[static_cast<std::size_t>(place - known.begin())];
   if (scene_->begun && !frame->draws) {
-    throw InputError(
-        fmt::format("camera '{}' of '{}' does not draw: ask for it before the first step, or set its always_on", name,
-                    this->name()));
+    throw InputError(fmt::format("camera '{}' of '{}' does not draw: nothing is drawn for cameras of this scene", name,
+                                 this->name()));
   }
   return Camera(std::make_shared<api::CameraInside>(api::CameraInside{scene_, frame}));
 }

@@ -83,6 +83,7 @@ std::optional<std::filesystem::path> look_for_data_file(std::string_view name, s
     const fs::path folder = beside.empty() ? beside : moved->to_there(fs::absolute(beside).lexically_normal());
     if (const std::string* found = moved->found(look_up_key(name, kind, extension, folder))) {
       const fs::path here = found->empty() ? fs::path{} : moved->to_here(*found);
+      note_name_found(look_up_key(name, kind, extension, beside), here);
       return here.empty() || !may_be_read(here) ? std::nullopt : std::optional(here);
     }
   }

@@ -6,7 +6,9 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "murosimf/files/moved_files.h"
@@ -24,8 +26,11 @@ class FilesRead {
   void note(const std::filesystem::path& file);
   /// `key`: look_up_key(); an empty path: none was found.
   void note_name(const std::string& key, const std::filesystem::path& file);
+  /// In which some of them stand only as long as it lives.
+  void keep(std::shared_ptr<const void> folder) { kept_.push_back(std::move(folder)); }
 
  private:
+  std::vector<std::shared_ptr<const void>> kept_;
   std::vector<std::filesystem::path> list_;
   FoundNames names_;
 };

@@ -30,18 +30,18 @@ struct Search {
   std::vector<std::string> parts;
 };
 
-std::vector<Search> searches(const World& world, const std::vector<std::string>& parts) {
+std::vector<Search> searches(const std::vector<Entity*>& entities, const std::vector<std::string>& parts) {
   std::vector<Search> found;
-  for (const auto& entity : world.entities()) {
+  for (Entity* entity : entities) {
     MUROSIMF_ASSERT(!parts.empty());
-    if (matches(parts[0], entity->name())) found.push_back({entity.get(), {parts.begin() + 1, parts.end()}});
+    if (matches(parts[0], entity->name())) found.push_back({entity, {parts.begin() + 1, parts.end()}});
   }
   if (!found.empty() || parts.size() < 2) return found;
-  for (const auto& entity : world.entities()) {
+  for (Entity* entity : entities) {
     const std::string& team = entity->options().team;
     const bool member = matches(parts[1], entity->name()) || team + parts[1] == entity->name();
     if (!team.empty() && matches(parts[0], team) && member) {
-      found.push_back({entity.get(), {parts.begin() + 2, parts.end()}});
+      found.push_back({entity, {parts.begin() + 2, parts.end()}});
     }
   }
   return found;
@@ -171,14 +171,25 @@ bool has_object(const Search& search) {
   throw SetupError(fmt::format("'{}' has nothing of that name", entity));
 }
 
+std::vector<LoggedNumber> numbers_meant(const std::vector<Search>& all) {
+  auto meant = sensors_meant(all);
+  if (meant.empty()) meant = properties_meant(all);
+  if (meant.empty()) meant = joints_meant(all);
+  return meant;
+}
+
+std::vector<Entity*> all_of(const World& world) {
+  std::vector<Entity*> all;
+  for (const auto& entity : world.entities()) all.push_back(entity.get());
+  return all;
+}
+
 std::vector<LoggedNumber> meant_by(const World& world, const std::string& pattern) {
   return with_context(fmt::format("--log '{}'", pattern), [&] {
     const auto parts = path_parts(pattern);
     if (std::find(parts.begin(), parts.end(), "") != parts.end()) throw SetupError("the path has an empty part");
-    const auto all = searches(world, parts);
-    auto meant = sensors_meant(all);
-    if (meant.empty()) meant = properties_meant(all);
-    if (meant.empty()) meant = joints_meant(all);
+    const auto all = searches(all_of(world), parts);
+    auto meant = numbers_meant(all);
     if (all.empty()) refuse_entity(world, parts[0]);
     if (meant.empty()) {
       const auto sensing = std::find_if(all.begin(), all.end(),
@@ -189,6 +200,19 @@ std::vector<LoggedNumber> meant_by(const World& world, const std::string& patter
   });
 }
 
+/// Patterns may overlap: every number is logged once.
+template <class Find>
+std::vector<LoggedNumber> each_once(const std::vector<std::string>& patterns, const Find& find) {
+  std::vector<LoggedNumber> logged;
+  std::set<std::tuple<const Entity*, std::string, int, std::string, std::size_t>> known;
+  for (const std::string& pattern : patterns) {
+    for (LoggedNumber& n : find(pattern)) {
+      if (known.insert({n.entity, n.sensor, n.object, n.property, n.index}).second) logged.push_back(std::move(n));
+    }
+  }
+  return logged;
+}
+
 }  // namespace
 
 std::string LoggedNumber::name() const {
@@ -196,16 +220,18 @@ std::string LoggedNumber::name() const {
   return unit.empty() || unit == "-" ? text : fmt::format("{} [{}]", text, unit);
 }
 
-/// Patterns may overlap: every number is logged once.
+bool denotes_somebody(const World& world, const std::string& pattern) {
+  return !searches(all_of(world), path_parts(pattern)).empty();
+}
+
 std::vector<LoggedNumber> find_logged(const World& world, const std::vector<std::string>& patterns) {
-  std::vector<LoggedNumber> logged;
-  std::set<std::tuple<const Entity*, std::string, int, std::string, std::size_t>> known;
-  for (const std::string& pattern : patterns) {
-    for (LoggedNumber& n : meant_by(world, pattern)) {
-      if (known.insert({n.entity, n.sensor, n.object, n.property, n.index}).second) logged.push_back(std::move(n));
-    }
-  }
-  return logged;
+  return each_once(patterns, [&](const std::string& pattern) { return meant_by(world, pattern); });
+}
+
+std::vector<LoggedNumber> find_logged(Entity& newcomer, const std::vector<std::string>& patterns) {
+  return each_once(patterns, [&](const std::string& pattern) {
+    return numbers_meant(searches({&newcomer}, path_parts(pattern)));
+  });
 }
 
 }  // namespace murosimf::logging

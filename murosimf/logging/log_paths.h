@@ -30,5 +30,9 @@ struct LoggedNumber {
 /// when all algorithms are attached. Throws SetupError for a pattern without a number: the unknown part,
 /// with the nearest name.
 [[nodiscard]] std::vector<LoggedNumber> find_logged(const World& world, const std::vector<std::string>& patterns);
+/// Those of one that has come to the world; none, if no pattern denotes any.
+[[nodiscard]] std::vector<LoggedNumber> find_logged(Entity& newcomer, const std::vector<std::string>& patterns);
+/// Whether an entity of the world has a name as the pattern says.
+[[nodiscard]] bool denotes_somebody(const World& world, const std::string& pattern);
 
 }  // namespace murosimf::logging

@@ -29,32 +29,59 @@ LoggedSensor& sensor_named(std::vector<LoggedSensor>& sensors, const std::string
 }  // namespace
 
 RunLog::RunLog(Simulation& simulation, const std::vector<std::string>& patterns, const RunLogOptions& options)
-    : simulation_(simulation), property_rate_(options.property_rate) {
+    : simulation_(simulation),
+      patterns_(patterns),
+      step_rate_(options.step_rate),
+      property_rate_(options.property_rate) {
   check_rate(options);
-  const std::vector<LoggedNumber> logged = find_logged(simulation.world(), patterns);
-  attach_sensor_logs(logged, options.step_rate);
+  add(logged_at_start(options));
+  // scheduled after the simulation's own events: a loaded state does not contain the log
+  simulation_.after_start([this] {
+    notes_begun_ = !properties_.empty();
+    if (notes_begun_) simulation_.at(Duration{}, [this] { note_properties(); });
+  });
+  simulation_.after_addition([this](Entity& entity) { add_newcomer(entity); });
+}
+
+std::vector<LoggedNumber> RunLog::logged_at_start(const RunLogOptions& options) const {
+  if (!options.others_come) return find_logged(simulation_.world(), patterns_);
+  std::vector<std::string> known;
+  for (const std::string& pattern : patterns_) {
+    if (denotes_somebody(simulation_.world(), pattern)) {
+      known.push_back(pattern);
+    } else {
+      simulation_.warn(
+          fmt::format("--log '{}': nobody is called so yet; its columns begin when somebody comes", pattern));
+    }
+  }
+  return find_logged(simulation_.world(), known);
+}
+
+void RunLog::add(const std::vector<LoggedNumber>& logged) {
+  for (const auto& entity : simulation_.world().entities()) attach_sensor_log(*entity, logged);
   for (const LoggedNumber& number : logged) {
     if (number.sensor.empty()) add_property(number);
   }
-  // scheduled after the simulation's own events: a loaded state does not contain the log
-  if (!properties_.empty()) {
-    simulation_.after_start([this] { simulation_.at(Duration{}, [this] { note_properties(); }); });
-  }
 }
 
-void RunLog::attach_sensor_logs(const std::vector<LoggedNumber>& logged, double rate) {
-  for (const auto& entity : simulation_.world().entities()) {
-    std::vector<LoggedSensor> sensors;
-    for (const LoggedNumber& number : logged) {
-      if (number.entity != entity.get() || number.sensor.empty()) continue;
-      LoggedSensor& sensor = sensor_named(sensors, number.sensor);
-      sensor.numbers.push_back(number.index);
-      sensor.names.push_back(number.name());
-    }
-    if (!sensors.empty()) {
-      sensor_logs_.push_back(&simulation_.attach<SensorLog>("sensor_log", *entity, rate, sensors));
-    }
+/// In a running simulation: properties are noted with the next ones of all, the first ones at the instants that they would have had.
+void RunLog::add_newcomer(Entity& entity) {
+  add(find_logged(entity, patterns_));
+  if (notes_begun_ || properties_.empty()) return;
+  notes_begun_ = true;
+  note_again(simulation_.now());
+}
+
+void RunLog::attach_sensor_log(Entity& entity, const std::vector<LoggedNumber>& logged) {
+  std::vector<LoggedSensor> sensors;
+  for (const LoggedNumber& number : logged) {
+    if (number.entity != &entity || number.sensor.empty()) continue;
+    LoggedSensor& sensor = sensor_named(sensors, number.sensor);
+    sensor.numbers.push_back(number.index);
+    sensor.names.push_back(number.name());
   }
+  if (sensors.empty()) return;
+  sensor_logs_.push_back(&simulation_.attach<SensorLog>("sensor_log", entity, step_rate_, sensors));
 }
 
 /// Numbers of one property follow each other: they share one series, whose row is read at once.
@@ -74,10 +101,15 @@ void RunLog::note_properties() {
     one.series.times.push_back(simulation_.now());
     for (const std::size_t number : one.numbers) one.series.values.push_back(quantity.numbers[number]);
   }
+  note_again(simulation_.now() + Duration{1});
+}
+
+/// At the next of its instants that is not before `earliest`: after a state was loaded, it is not just the next one.
+void RunLog::note_again(Duration earliest) {
   Duration next{};
   do {
     next = from_seconds(static_cast<double>(++notes_) / property_rate_);
-  } while (next <= simulation_.now());  // after a state was loaded there is more than one
+  } while (next < earliest);
   simulation_.at(next, [this] { note_properties(); });
 }
 

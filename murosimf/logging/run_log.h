@@ -20,9 +20,11 @@ namespace murosimf::logging {
 struct RunLogOptions {
   double step_rate = 1000;     ///< [Hz] of the simulation
   double property_rate = 100;  ///< [Hz] at which properties are recorded: by the first step at or after each instant
+  bool others_come = false;    ///< patterns may denote an entity that is yet to come: a warning of the run, no error
 };
 
-/// Must outlive the run. Logging changes no result.
+/// Must outlive the run. Logging changes no result. An entity that comes to the run has columns, too, if a pattern denotes it: behind those of the
+/// others, empty until then.
 class RunLog {
  public:
   /// Construct when everything else is attached, before the first step. Throws SetupError as find_logged does, and for
@@ -45,13 +47,19 @@ class RunLog {
     std::vector<std::size_t> numbers;
     LogSeries series;
   };
-  void attach_sensor_logs(const std::vector<LoggedNumber>& logged, double rate);
+  [[nodiscard]] std::vector<LoggedNumber> logged_at_start(const RunLogOptions& options) const;
+  void add(const std::vector<LoggedNumber>& logged);
+  void add_newcomer(Entity& entity);
+  void attach_sensor_log(Entity& entity, const std::vector<LoggedNumber>& logged);
   void add_property(const LoggedNumber& number);
   void note_properties();
+  void note_again(Duration earliest);
   [[nodiscard]] std::vector<const LogSeries*> noted() const;
 
   Simulation& simulation_;
-  double property_rate_;                       // [Hz]
+  std::vector<std::string> patterns_;
+  double step_rate_, property_rate_;           // [Hz]
+  bool notes_begun_ = false;                   // of properties
   std::int64_t notes_ = 0;                     // number of recorded rows of properties
   std::vector<const SensorLog*> sensor_logs_;  // one per entity
   std::deque<PropertyLog> properties_;

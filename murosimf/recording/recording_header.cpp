@@ -1,11 +1,7 @@
 #include "murosimf/recording/recording_header.h"
 
-#include <algorithm>
-#include <iterator>
-
 #include <fmt/format.h>
 
-#include "murosimf/recording/recorded_addition.h"
 #include "murosimf/recording/state_file.h"
 
 namespace murosimf::recording {
@@ -15,55 +11,14 @@ void RecordingHeader::take_files() {
   if (options_.files) {
     paths_ = RecordedPaths(options_.files->list(), options_.files->names());
     files_ = files_now(options_.files->list(), paths_);
-    for (const auto& [name, what] : files_.list.values) known_files_.insert(name);
+    additions_.know(files_);
   }
   take_additions();
 }
 
-void RecordingHeader::take_additions() {
-  const std::vector<scene::Addition>& all = scene_.parts().additions;
-  if (taken_ == all.size()) return;
-  if (options_.files) take_files_of_additions();
-  for (; taken_ < all.size(); ++taken_) additions_.push_back(json_of(all[taken_]));
-}
+void RecordingHeader::take_additions() { additions_.take(scene_, first_, paths_); }
 
-/// Several of a kind are read once.
-void RecordingHeader::take_files_of_additions() {
-  const files::FilesRead& read = *scene_.parts().files_of_additions;
-  paths_.extend(read.list(), read.names());
-  std::vector<std::filesystem::path> added;
-  for (const std::filesystem::path& file : read.list()) {
-    if (known_files_.insert(paths_.reduced(file)).second) added.push_back(file);
-  }
-  AttachedFiles now = files_now(added, paths_);
-  later_files_.list.name = now.list.name;
-  later_files_.list.values.merge(now.list.values);
-  later_files_.folders = std::move(now.folders);
-  std::ranges::move(now.contents, std::back_inserter(later_files_.contents));
-}
-
-/// One that came before the first frame is part of all states.
-std::string RecordingHeader::json_of(const scene::Addition& addition) const {
-  const scene::SceneParts& parts = scene_.parts();
-  RecordedAddition recorded{.what = addition.what};
-  recorded.time = std::max(addition.time, first_);
-  recorded.in_state = recorded.time == scene_.simulation().now();
-  if (parts.outside.notes) recorded.channels = parts.outside.notes->names();
-  if (options_.files) {
-    RunDescription names;
-    names.names = parts.files_of_additions->names();
-    recorded.names = paths_.in_description(std::move(names)).names;
-  }
-  std::visit([&](auto& spec) { spec.model = paths_.in_text(spec.model); }, recorded.what);
-  return to_json(recorded);
-}
-
-void RecordingHeader::write_additions(McapWriter& file) {
-  if (!later_files_.list.values.empty()) attach_files(file, std::exchange(later_files_, {}));
-  for (const std::string& addition : std::exchange(additions_, {})) {
-    attach(file, fmt::format("{}{}.json", additions_prefix, ++written_), addition);
-  }
-}
+void RecordingHeader::write_additions(McapWriter& file) { additions_.write(file, scene_.simulation().now()); }
 
 void RecordingHeader::write(McapWriter& file, Duration start) {
   Metadata run = run_metadata(scene_, options_.program, paths_.in_command_line(options_.command_line));

@@ -3,14 +3,13 @@
 /// It owns what names of files are called in a recording (recorded_paths.h).
 #pragma once
 
-#include <cstddef>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "murosimf/files/files_read.h"
+#include "murosimf/recording/additions_now.h"
 #include "murosimf/recording/attached_files.h"
 #include "murosimf/recording/mcap/mcap_reader.h"
 #include "murosimf/recording/mcap/mcap_writer.h"
@@ -32,7 +31,8 @@ struct HeaderOptions {
 class RecordingHeader {
  public:
   /// The scene outlives it.
-  RecordingHeader(const scene::Scene& scene, HeaderOptions options) : scene_(scene), options_(std::move(options)) {}
+  RecordingHeader(const scene::Scene& scene, HeaderOptions options)
+      : scene_(scene), options_(std::move(options)), additions_(options_.files != nullptr) {}
 
   [[nodiscard]] const RecordedPaths& paths() const noexcept { return paths_; }
 
@@ -54,16 +54,12 @@ class RecordingHeader {
  private:
   void attach(McapWriter& file, const std::string& name, const std::string& text) const;
   [[nodiscard]] std::string run_json(Duration start) const;
-  void take_files_of_additions();
-  [[nodiscard]] std::string json_of(const scene::Addition& addition) const;
 
   const scene::Scene& scene_;
   HeaderOptions options_;
   RecordedPaths paths_;
-  AttachedFiles files_, later_files_;  // not written yet
-  std::vector<std::string> additions_;
-  std::set<std::string> known_files_;    // by their names in the recording
-  std::size_t taken_ = 0, written_ = 0;  // additions
+  AttachedFiles files_;  // not written yet
+  AdditionsNow additions_;
   Duration first_{};
   std::vector<std::pair<std::string, std::string>> texts_;
 };

@@ -2,20 +2,26 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <span>
+#include <variant>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "murosimf/files/file_access.h"
 #include "murosimf/files/input_file.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/math/assert.h"
 #include "murosimf/model/error.h"
+#include "murosimf/recording/additions_now.h"
 #include "murosimf/recording/frame_writer.h"
 #include "murosimf/recording/recorded_addition.h"
 #include "murosimf/recording/recorded_series.h"
 #include "murosimf/recording/recorded_states.h"
 #include "murosimf/recording/recording_schemas.h"
 #include "murosimf/recording/scratch_folder.h"
+#include "murosimf/recording/unpacked_files.h"
 
 namespace murosimf::recording {
 
@@ -37,6 +43,101 @@ Attachment text_attachment(const std::string& name, const std::string& text, Dur
           .data = text};
 }
 
+namespace {
+
+void attach_additions(McapWriter& out, const scene::Scene& scene, const StateFileOptions& options) {
+  RecordedPaths paths = options.paths;
+  AdditionsNow additions(true);
+  additions.know(options.files);
+  additions.take(scene, Duration{}, paths);
+  additions.write(out, scene.simulation().now());
+}
+
+/// Those of a state that the scene lacks: it may have had them before, as one that goes back.
+std::vector<RecordedAddition> missing_in(const scene::Scene& scene, const McapReader& reader, Duration state) {
+  std::vector<RecordedAddition> missing = recorded_additions(reader);
+  std::erase_if(missing, [&](const RecordedAddition& one) {
+    const auto name = [](const auto& what) { return std::visit([](const auto& spec) { return spec.name; }, what); };
+    const auto& there = scene.parts().additions;
+    const bool is_there = std::ranges::any_of(there, [&](const scene::Addition& addition) {
+      return name(addition.what) == name(one.what);
+    });
+    return is_there || !is_part_of(one, state);
+  });
+  return missing;
+}
+
+files::FoundNames names_of(const McapReader& reader, const std::vector<RecordedAddition>& additions) {
+  const std::string run = attached_text(reader, "run.json");
+  files::FoundNames names = run.empty() ? files::FoundNames{} : parse_run_description(run).names;
+  for (const RecordedAddition& addition : additions) names.insert(addition.names.begin(), addition.names.end());
+  return names;
+}
+
+/// Where the file of a model stands now; as it is called, if the state does not have it. The scene is where it always is, so that names in it mean what
+/// they meant from there.
+std::string place_of(const std::string& model, const files::FoundNames& names, const files::MovedFiles& moved) {
+  const auto name = names.lower_bound(model + "\nmodels\n");
+  const bool is_found = name != names.end() && name->first.starts_with(model + "\nmodels\n") && !name->second.empty();
+  const bool is_reduced = model.starts_with('/') && std::filesystem::exists(moved.to_here(model));
+  if (!is_found && !is_reduced) return model;
+  return moved.to_here(is_found ? name->second : model).string();
+}
+
+/// From the files that the state has with it, which stay as long as the scene may name them.
+void add_all(scene::Scene& scene, const McapReader& reader, const std::vector<RecordedAddition>& additions) {
+  if (additions.empty()) return;
+  const auto unpacked = std::make_shared<const UnpackedFiles>(reader);
+  const files::FoundNames names = names_of(reader, additions);
+  const auto moved = std::make_shared<const files::MovedFiles>(unpacked->folder(), names);
+  scene.parts().files_of_additions->keep(unpacked);
+  const files::FileScope scope({.moved = moved});
+  for (RecordedAddition addition : additions) {
+    std::visit([&](auto& spec) { spec.model = place_of(spec.model, names, *moved); }, addition.what);
+    add_to(scene, addition);
+  }
+}
+
+void let_leave(scene::Scene& scene, std::size_t first) {
+  const auto& all = scene.parts().additions;
+  for (std::size_t i = first; i < all.size(); ++i) {
+    const std::string name = std::visit([](const auto& spec) { return spec.name; }, all[i].what);
+    if (scene.simulation().world().entity(name).present()) scene.leave(name);
+  }
+}
+
+enum class Additions { taken, refused };
+
+void load(scene::Scene& scene, const std::filesystem::path& file, Additions additions) {
+  const McapReader reader(file);
+  const RecordedStates states(reader);
+  const RecordedState* last = states.last_until(Duration::max());
+  if (!last) throw SetupError(fmt::format("{}: there is no whole state in it (--record-what states)", file.string()));
+  const std::vector<RecordedAddition> missing = missing_in(scene, reader, last->time);
+  if (additions == Additions::refused && !missing.empty()) {
+    throw SetupError(
+        fmt::format("{}: {} came to that run after its start, which this one does not have", file.string(),
+                    missing.size() == 1 ? "a robot or body" : fmt::format("{} robots and bodies", missing.size())));
+  }
+  const std::size_t before = scene.parts().additions.size();
+  try {
+    with_context(file.string(), [&] { add_all(scene, reader, missing); });
+    states.load(scene, *last);
+  } catch (const SetupError&) {
+    let_leave(scene, before);
+    throw;
+  }
+}
+
+/// Plain states of older versions have no container.
+void load_any(scene::Scene& scene, const std::filesystem::path& file, Additions additions) {
+  if (is_recording(file)) return load(scene, file, additions);
+  const std::string bytes = files::read_input_file(file, files::most_state_bytes);
+  with_context(file.string(), [&] { scene.load(std::as_bytes(std::span(bytes))); });
+}
+
+}  // namespace
+
 /// Through a file, since the writer needs one; its folder goes with it.
 std::string state_bytes(scene::Scene& scene, const StateFileOptions& options) {
   const Duration now = scene.simulation().now();
@@ -48,6 +149,7 @@ std::string state_bytes(scene::Scene& scene, const StateFileOptions& options) {
   RunDescription run = options.run;
   run.start = now;
   out.attach(text_attachment("run.json", to_json(run), now));
+  attach_additions(out, scene, options);
   const auto schema = out.add_schema("murosimf.State", "protobuf", descriptors_of(find_schema("murosimf.State")));
   const auto channel = out.add_channel("/state", "protobuf", schema);
   std::string bytes;
@@ -64,7 +166,7 @@ void write_state(scene::Scene& scene, const std::filesystem::path& file, const S
 void load_state_bytes(scene::Scene& scene, const std::string& bytes, const std::string& name) {
   const ScratchFolder folder;
   files::write_file(folder.path() / name, bytes);
-  load_state(scene, folder.path() / name);
+  load_any(scene, folder.path() / name, Additions::refused);
 }
 
 /// Older files do not say it.
@@ -77,24 +179,6 @@ std::optional<bool> was_pushable(const std::filesystem::path& file) {
   return parse_run_description(attached_text(reader, "run.json")).pushable;
 }
 
-/// Plain states of older versions have no container.
-void load_state(scene::Scene& scene, const std::filesystem::path& file) {
-  if (!is_recording(file)) {
-    const std::string bytes = files::read_input_file(file, files::most_state_bytes);
-    return with_context(file.string(), [&] { scene.load(std::as_bytes(std::span(bytes))); });
-  }
-  const McapReader reader(file);
-  const RecordedStates states(reader);
-  const RecordedState* last = states.last_until(Duration::max());
-  if (!last) throw SetupError(fmt::format("{}: there is no whole state in it (--record-what states)", file.string()));
-  const auto additions = recorded_additions(reader);
-  const auto in_it = std::ranges::count_if(additions, [&](const auto& one) { return is_part_of(one, last->time); });
-  if (in_it > 0) {
-    throw SetupError(fmt::format(
-        "{}: {} came to that run after its start, which the scene does not have; 'murosimf branch' goes on from it",
-        file.string(), in_it == 1 ? "a robot or body" : fmt::format("{} robots and bodies", in_it)));
-  }
-  states.load(scene, *last);
-}
+void load_state(scene::Scene& scene, const std::filesystem::path& file) { load_any(scene, file, Additions::taken); }
 
 }  // namespace murosimf::recording

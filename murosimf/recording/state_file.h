@@ -1,5 +1,5 @@
 /// state_file.h - the state of a run at an instant as a file from which it can continue: a recording with that state only, the
-/// scene, its files, and the start parameters of the run.
+/// scene, its files, the start parameters of the run, and the robots and bodies that have come to it, with their files.
 #pragma once
 
 #include <filesystem>
@@ -7,6 +7,7 @@
 #include <string>
 
 #include "murosimf/recording/attached_files.h"
+#include "murosimf/recording/recorded_paths.h"
 #include "murosimf/recording/run_description.h"
 #include "murosimf/scene/scene.h"
 
@@ -16,6 +17,7 @@ struct StateFileOptions {
   std::string program, command_line;
   RunDescription run;
   AttachedFiles files;
+  RecordedPaths paths{};  ///< names of these files
 };
 
 /// The contents of such a file. Between two steps. Throws SetupError.
@@ -23,11 +25,11 @@ struct StateFileOptions {
 /// The file is complete or absent.
 void write_state(scene::Scene& scene, const std::filesystem::path& file, const StateFileOptions& options);
 
-/// Continues from the last whole state of such a file, of a recording, or of bytes of Scene::save. Throws SetupError with the
-/// mismatch, and changes nothing then.
+/// Continues from the last whole state of such a file, of a recording, or of bytes of Scene::save. What has come to that run, and not to
+/// this scene, is added first. Throws SetupError with the mismatch, and changes nothing then, except that what was added stays, absent.
 void load_state(scene::Scene& scene, const std::filesystem::path& file);
 
-/// The same for such a file's bytes, called `name` in messages.
+/// The same for such a file's bytes, called `name` in messages; they come from elsewhere, so nothing is added.
 void load_state_bytes(scene::Scene& scene, const std::string& bytes, const std::string& name);
 
 /// SceneOptions::pushable of the run; nothing if the file does not contain it.

@@ -26,6 +26,13 @@ void Simulation::initialize() {
   start();
 }
 
+Entity& Simulation::add(std::string name, ModelPtr model, const EntityOptions& options,
+                        const std::function<void(Entity&)>& furnish, const std::function<void(Entity&)>& prepare) {
+  Entity& entity = registry_.add(std::move(name), std::move(model), options, furnish, prepare);
+  for (const auto& call : after_addition_) call(entity);
+  return entity;
+}
+
 /// What the first start and every reset have in common.
 void Simulation::start() {
   const StandardFloatingPoint modes;

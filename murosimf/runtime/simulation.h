@@ -80,9 +80,10 @@ class Simulation {
   /// simulation they are then initialized, with `prepare` as for enter(). Throws SetupError, and leaves everything as it was, if one
   /// of that fails.
   Entity& add(std::string name, ModelPtr model, const EntityOptions& options,
-              const std::function<void(Entity&)>& furnish, const std::function<void(Entity&)>& prepare = {}) {
-    return registry_.add(std::move(name), std::move(model), options, furnish, prepare);
-  }
+              const std::function<void(Entity&)>& furnish, const std::function<void(Entity&)>& prepare = {});
+  /// Has `call` done after each of these, with what came. It may attach algorithms that only observe; what it throws, add() throws, though the
+  /// entity stays.
+  void after_addition(std::function<void(Entity&)> call) { after_addition_.push_back(std::move(call)); }
 
   /// Takes an algorithm out and destroys it, between two steps; unused columns are removed (views keep theirs,
   /// column_view.h). Throws SetupError, and changes nothing, if it is a level, or if another one reads what only it writes.
@@ -241,6 +242,7 @@ class Simulation {
   Scheduler scheduler_;
   AlgorithmRegistry registry_{world_, tasks_, scheduler_, log_};
   std::vector<std::function<void()>> before_start_, after_start_;
+  std::vector<std::function<void(Entity&)>> after_addition_;
   StopRequest stop_;
 };
 

@@ -56,6 +56,20 @@ Camera::Camera(Setup& setup, const SensorSpec& spec, const SensorSurroundings& s
       fold_warning_(shared_fold_warning(frame_.info->lens.spec())) {
   read_motion_of_all(setup, surroundings);
   frame_.wanted = eye_.spec().always_on;
+  frame_.heed = [this] { heed(); };
+}
+
+/// The drawing begins with the next sample.
+void Camera::heed() {
+  wanted_ = wanted_ || frame_.wanted;
+  offered_ = offered_ || frame_.offered;
+  if (started_ && !source_) open();
+}
+
+void Camera::open() {
+  source_ = (frame_.wanted || frame_.offered) && find_source_ ? find_source_() : nullptr;
+  frame_.draws = source_ && is_asked(frame_);
+  if (source_) eye_.open();
 }
 
 /// The new entity gets a label.
@@ -79,9 +93,10 @@ std::string Camera::diagnostic(const LevelTraits&) const { return *fold_warning_
 void Camera::start() {
   frame_.time = Duration{};
   frame_.number = 0;
-  source_ = (frame_.wanted || frame_.offered) && find_source_ ? find_source_() : nullptr;
-  frame_.draws = source_ && is_asked(frame_);
-  if (source_) eye_.open();
+  frame_.wanted = frame_.wanted || wanted_;
+  frame_.offered = frame_.offered || offered_;
+  started_ = true;
+  open();
 }
 
 void Camera::measure(std::span<double> values) noexcept {

@@ -39,6 +39,8 @@ class Camera final : public Sensor {
  private:
   void measure(std::span<double> values) noexcept override;
   void start() override;
+  void heed();
+  void open();
   void memory(StateArchive& archive) override;
   void draw_anew(std::uint64_t seed) override { eye_.reseed(seed); }
   void taken(std::uint64_t sample) noexcept override;
@@ -49,7 +51,8 @@ class Camera final : public Sensor {
   Mounting mounting_;
   std::function<ViewSource*()> find_source_;
   CameraFrame& frame_;
-  ViewSource* source_ = nullptr;  // none: it draws nothing
+  ViewSource* source_ = nullptr;                             // none: it draws nothing
+  bool started_ = false, wanted_ = false, offered_ = false;  // at a reset its frame is as when it was attached
   std::vector<CameraPicture> on_the_way_;
   std::shared_ptr<const std::string> fold_warning_;  // empty: the lens is fine
   imaging::ColorImage colors_behind_;                // a mosaic's; memory that pictures take turns in

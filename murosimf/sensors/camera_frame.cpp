@@ -85,12 +85,14 @@ const CameraFrame& want_frames(Entity& entity, std::string_view camera) {
   CameraFrame& frame = frame_of(entity, camera);
   // cameras draw only on request: pictures cost more than all else
   frame.wanted = true;
+  if (frame.heed) frame.heed();
   return frame;
 }
 
 CameraFrame& offer_frames(Entity& entity, std::string_view camera) {
   CameraFrame& frame = frame_of(entity, camera);
   frame.offered = true;
+  if (frame.heed) frame.heed();
   return frame;
 }
 

@@ -8,6 +8,7 @@
 /// changes nothing.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -45,10 +46,11 @@ struct CameraFrame {
   imaging::DepthImage depth{};  ///< [m] along the optical axis, infinite where nothing is
   imaging::LabelImage labels{};
   std::shared_ptr<const CameraInfo> info{};
-  bool wanted = false;   ///< its frames are requested
-  bool offered = false;  ///< they may be asked for
-  bool asked = false;    ///< they are drawn at present, if offered; may change between two steps
-  bool draws = false;    ///< of its last sample, or as it starts: a frame comes of it
+  bool wanted = false;           ///< its frames are requested
+  bool offered = false;          ///< they may be asked for
+  bool asked = false;            ///< they are drawn at present, if offered; may change between two steps
+  bool draws = false;            ///< of its last sample, or as it starts: a frame comes of it
+  std::function<void()> heed{};  ///< its camera takes note of the above: of requests that come after its start
 };
 
 void append_hash(Hasher& hasher, const CameraFrame& frame);
@@ -63,10 +65,11 @@ void state(StateArchive& archive, CameraFrame& frame);
 /// SetupError with the nearest name if there is none.
 [[nodiscard]] const CameraFrame& read_frame(Setup& setup, std::string_view camera);
 
-/// From outside, before the simulation is initialized: the camera draws. Throws SetupError with the nearest name.
+/// From outside, before the simulation is initialized or between two steps: the camera draws from then on, also after a reset. Throws SetupError
+/// with the nearest name.
 const CameraFrame& want_frames(Entity& entity, std::string_view camera);
 
-/// From outside, before the simulation is initialized: the camera draws while `asked` is set, for observers that come and go.
+/// From outside, at the same times: the camera draws while `asked` is set, for observers that come and go.
 /// Pictures are those of a camera that draws all the time. Throws SetupError with the nearest name.
 CameraFrame& offer_frames(Entity& entity, std::string_view camera);
 

@@ -142,7 +142,6 @@ void LiveSource::load(const std::function<void(scene::Scene&)>& load) {
 
 /// States of before do not fit the scene any more.
 void LiveSource::extend(const std::function<void(scene::Scene&)>& add) {
-  if (!options_.no_additions.empty()) throw SetupError("nothing is added to this run: " + options_.no_additions);
   add(scene_);
   begin_branch();
   live_ = {timeline_.present(), simulation_.now()};

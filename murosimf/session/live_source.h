@@ -10,7 +10,6 @@ namespace murosimf::session {
 struct LiveOptions {
   TimelineOptions timeline{};  ///< states kept for going back
   std::string no_way_back{};   ///< reason why reset and going back are impossible ("it is recorded"); empty: possible
-  std::string no_additions{};  ///< reason why nothing can be added ("its numbers are logged"); empty: possible
 };
 
 class LiveSource final : public PlaybackSource {

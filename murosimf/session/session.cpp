@@ -16,8 +16,7 @@ constexpr Duration never = Duration::max();
 
 Session::Session(scene::Scene& scene, const SessionOptions& options)
     : Session(std::make_unique<LiveSource>(scene, LiveOptions{.timeline = options.timeline,
-                                                              .no_way_back = options.no_way_back,
-                                                              .no_additions = options.no_additions}),
+                                                              .no_way_back = options.no_way_back}),
               options) {}
 
 Session::Session(std::unique_ptr<PlaybackSource> source, const SessionOptions& options)

@@ -38,8 +38,7 @@ struct SessionOptions {
   std::function<void(const Overrun&)> publish_overruns{};  ///< called by the thread that runs it (Clock)
   /// Starts or stops a recording; called between two steps by the thread that runs it. None: recording is not available.
   std::function<void(bool on)> record{};
-  std::string no_way_back{};   ///< reason why reset and going back are impossible ("it is recorded"); empty: possible
-  std::string no_additions{};  ///< reason why nothing can be added ("its numbers are logged"); empty: possible
+  std::string no_way_back{};  ///< reason why reset and going back are impossible ("it is recorded"); empty: possible
 };
 
 /// A snapshot between two steps.
@@ -62,7 +61,7 @@ class Session {
  public:
   /// The scene must outlive it. Initializes the scene. Throws SetupError for an impossible speed.
   explicit Session(scene::Scene& scene, const SessionOptions& options = {});
-  /// For another source than a computed scene: a recording. `timeline`, `no_way_back` and `no_additions` are handled by the source.
+  /// For another source than a computed scene: a recording. `timeline` and `no_way_back` are handled by the source.
   explicit Session(std::unique_ptr<PlaybackSource> source, const SessionOptions& options = {});
   ~Session();
   Session(const Session&) = delete;
@@ -95,7 +94,7 @@ class Session {
   /// Several, in order between the same two steps: all of them, or none if one fails.
   std::future<void> change(std::vector<std::string> texts);
   /// `add` adds entities by Scene::add between two steps, or throws SetupError and changes nothing. The run continues as a branch without a
-  /// parent: there is no way back to before. A recording keeps it and repeats it. Refused by SessionOptions::no_additions.
+  /// parent: there is no way back to before. A recording keeps it and repeats it.
   std::future<void> extend(std::function<void(scene::Scene&)> add);
   /// Returns to the start, with another seed if given, as a new branch; continues or stays paused as before.
   std::future<void> reset(std::optional<std::uint64_t> seed = {});

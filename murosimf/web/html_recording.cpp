@@ -65,6 +65,7 @@ HtmlRecording::HtmlRecording(scene::Scene& scene, HtmlOptions options)
 void HtmlRecording::start() {
   times_.clear();
   frames_.clear();
+  document_ = {};
   drawings_ = {};
   drawn_.reset();
   scene_.simulation().at(scene_.simulation().now(), [this] { look(); });
@@ -79,12 +80,28 @@ void HtmlRecording::look() {
 
 void HtmlRecording::take_frame() {
   const Simulation& simulation = scene_.simulation();
-  if (document_.entities == 0) document_ = scene_document(scene_);
+  const std::size_t rows = document_.moving.size();
+  const bool grows = simulation.world().entities().size() != document_.entities;
+  if (grows) document_ = scene_document(scene_);
   poses_.time = simulation.now();
   take_poses(simulation.world(), poses_);
   times_.push_back(poses_.time);
   frames_.push_back(pose_message(document_, poses_, 0, false));
+  if (grows && frames_.size() > 1) lengthen_frames(rows);
   take_drawings();
+}
+
+/// Frames are of one size: those of before an entity came have the rows of the last one for it, as of one that is not present.
+void HtmlRecording::lengthen_frames(std::size_t rows) {
+  const std::size_t size = frames_.front().size();
+  const std::string& last = frames_.back();
+  MUROSIMF_ASSERT(last.size() >= size);
+  const std::string absent = rows_of_absent(document_, rows, last.substr(size));
+  const std::string count = last.substr(count_in_pose_message, 2);
+  for (std::size_t i = 0; i + 1 < frames_.size(); ++i) {
+    MUROSIMF_ASSERT(frames_[i].size() == size);
+    frames_[i].replace(count_in_pose_message, 2, count) += absent;
+  }
 }
 
 /// Drawings are taken only when one of the counters has changed.

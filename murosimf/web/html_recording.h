@@ -5,7 +5,8 @@
 ///     scene.simulation().run(60s);
 ///     recording.finish();
 ///
-/// Poses are rounded as in pose_message.h, drawings to 1 mm, and stored as docs/web.md says. Recording changes no result.
+/// Poses are rounded as in pose_message.h, drawings to 1 mm, and stored as docs/web.md says. An entity that comes to the run is shown from the next frame on; looks are
+/// those of the first frame, or of the one in which the last one came. Recording changes no result.
 #pragma once
 
 #include <cstdint>
@@ -53,6 +54,7 @@ class HtmlRecording {
  private:
   void start();
   void look();
+  void lengthen_frames(std::size_t rows);
   void take_drawings();
   [[nodiscard]] nlohmann::json lines() const;
   [[nodiscard]] std::string packed() const;

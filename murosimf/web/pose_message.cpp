@@ -30,6 +30,8 @@ void put_body(std::string& out, const Vec3d& offset, const Mat3d& orientation, d
   for (const double number : {q.x, q.y, q.z, q.w}) put_i16(out, nearest_i16(sign * number * most_steps));
 }
 
+std::size_t row_bytes(const ShownEntity& shown) { return 20 + 14 * shown.objects.size(); }
+
 void put_entity(std::string& out, const ShownEntity& shown, const PoseFrame& frame) {
   MUROSIMF_ASSERT(shown.index + 1 < frame.first.size() && !shown.objects.empty());
   const std::size_t first = frame.first[shown.index];
@@ -72,6 +74,18 @@ std::string pose_message(const SceneDocument& document, const PoseFrame& frame, 
     put_vector(out, contact.force);
   }
   return out;
+}
+
+/// The flags of a row are its first number.
+std::string rows_of_absent(const SceneDocument& document, std::size_t first, std::string rows) {
+  std::size_t at = 0;
+  for (std::size_t i = first; i < document.moving.size(); ++i) {
+    MUROSIMF_ASSERT(at + row_bytes(document.moving[i]) <= rows.size());
+    rows[at] = static_cast<char>(static_cast<unsigned char>(rows[at]) & ~1U);
+    at += row_bytes(document.moving[i]);
+  }
+  MUROSIMF_ASSERT(at == rows.size());
+  return rows;
 }
 
 }  // namespace murosimf::web

@@ -9,6 +9,7 @@
 /// The step is 2^-13 m (0.12 mm) while all of an entity is within 4 m of its base, else the smallest sufficient multiple by a power of two.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -22,5 +23,11 @@ enum class MessageKind : std::uint8_t { poses = 1, picture = 2, scene = 3 };
 /// `frame` contains the entities of the document.
 [[nodiscard]] std::string pose_message(const SceneDocument& document, const PoseFrame& frame, std::uint64_t jumps,
                                        bool contacts);
+
+/// Where its number of entities is [byte].
+inline constexpr std::size_t count_in_pose_message = 2;
+
+/// The rows of a message for the entities of the document from number `first` on, as if none of these was present.
+[[nodiscard]] std::string rows_of_absent(const SceneDocument& document, std::size_t first, std::string rows);
 
 }  // namespace murosimf::web

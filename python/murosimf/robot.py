@@ -129,7 +129,7 @@ class Robot(Entity):
 
     @property
     def cameras(self) -> Mapping[str, Camera]:
-        """By name; to be asked for before the first step (Camera)."""
+        """By name; each draws from when it was asked for (Camera)."""
         return ByName(self._core.cameras, lambda name: Camera(self._core.camera(name)))
 
     @property
@@ -163,7 +163,7 @@ class Robot(Entity):
         self._controllers[self.name] = (controller, start, step)  # the core borrows them
 
     def _facts(self) -> dict[str, str]:
-        # before the first step nothing is asked that would begin the run: cameras may still be asked for
+        # before the first step nothing is asked that would begin the run: it may still be changed
         now = {"position": _place(self._core), "falls": str(self.falls)} if self._core.begun() else {}
         return {
             "level": self.level,

@@ -255,7 +255,7 @@ class Scene:
         rows = []
         for name in self.robots:
             robot = self[name]
-            # before the first step nothing is asked that would begin the run: cameras may still be asked for
+            # before the first step nothing is asked that would begin the run: it may still be changed
             now = (_place(robot._core), f"{robot.falls} falls") if self.time > 0 else ("", "")
             rows.append((name, robot.level, *now))
         return rows

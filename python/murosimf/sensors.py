@@ -106,8 +106,7 @@ class Sensor(_Device):
 
 
 class Camera(_Device):
-    """Draws from the start on only if it was asked for (`robot.cameras["head"]`) before the first step, or is always_on in its
-    file."""
+    """Draws from when it was asked for (`robot.cameras["head"]`), or from the start on, if it is always_on in its file."""
 
     def __init__(self, core: CoreCamera) -> None:
         super().__init__(core)

@@ -31,7 +31,7 @@ TEST(ApiSensor, ShowsTheSpecificForceOfARobotAtRest) {
   EXPECT_THROW((void)imu.values("gyro"), UnknownName);
 }
 
-TEST(ApiCamera, DrawsIfItIsAskedForInTime) {
+TEST(ApiCamera, DrawsIfItIsAskedForAtTheStart) {
   Scene scene("six_cameras");
   const Robot robot = scene.robot("blue1");
   ASSERT_EQ(robot.cameras(), std::vector<std::string>{"camera"});
@@ -46,14 +46,28 @@ TEST(ApiCamera, DrawsIfItIsAskedForInTime) {
   EXPECT_GT(camera.period(), 0);
 }
 
-TEST(ApiCamera, SaysThatItIsTooLate) {
+TEST(ApiCamera, DrawsFromWhenItIsAskedFor) {
+  Scene scene("six_cameras", {.set = {"*.sensors.camera.always_on=false"}});
+  scene.run(0.1);
+  const Camera of_file = scene.robot("blue1").camera("camera");
+  Robot guest = scene.add(NewRobot{.name = "guest", .model = "kid21", .position = {0, 1.5, 0}});
+  for (const std::string& name : guest.cameras()) (void)guest.camera(name);
+  EXPECT_EQ(of_file.pictures(), 0U);
+  scene.run(0.2);
+  EXPECT_GT(of_file.pictures(), 0U);
+  EXPECT_GT(of_file.picture().rgb.size(), 100U);
+  for (const std::string& name : guest.cameras()) EXPECT_GT(guest.camera(name).pictures(), 0U) << name;
+}
+
+TEST(ApiCamera, SaysThatNothingIsDrawn) {
   Scene scene("six_cameras", {.cameras = false});
   scene.step();
   try {
     (void)scene.robot("blue1").camera("camera");
     FAIL() << "it draws nothing";
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("before the first step"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("nothing is drawn for cameras of this scene"), std::string::npos)
+        << error.what();
   }
 }
 

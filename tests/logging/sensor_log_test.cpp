@@ -1,6 +1,7 @@
 // Logs of a run: every sample once, under its own instant; patterns; tables that other programs read.
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -188,6 +189,79 @@ TEST(RunLog, LeavesOutPropertiesThatTheLevelHasNoLonger) {
   EXPECT_FALSE(rows[10][1].empty());
   EXPECT_TRUE(rows[11][1].empty());
   EXPECT_FALSE(rows[20][2].empty());
+}
+
+scene_file::RobotSpec newcomer(const std::string& name) {
+  return {.name = name,
+          .model = "kid21",
+          .where = "test",
+          .level = "kinematic_walking",
+          .controller = "none",
+          .position = {1, 1, 0}};
+}
+
+// Who comes has columns from then on, behind those of the others of its kind; empty cells before, in every row.
+TEST(RunLog, HasColumnsOfWhoComes) {
+  Walk walk;
+  RunLog log(walk.simulation(), {"w*.tilt.orientation.w", "*.imu.gyroscope.x", "*.pelvis.position.x"});
+  walk.simulation().run(100ms);
+  (void)walk.scene.add(newcomer("guest"));
+  (void)walk.scene.add(newcomer("wanderer"));
+  walk.simulation().run(100ms);
+  const auto rows = cells_of(log.csv());
+  const std::vector<std::string> names{"time [s]",
+                                       "walker.tilt.orientation.w [1]",
+                                       "walker.imu.gyroscope.x [rad/s]",
+                                       "guest.imu.gyroscope.x [rad/s]",
+                                       "wanderer.imu.gyroscope.x [rad/s]",
+                                       "walker.pelvis.position.x [m]",
+                                       "guest.pelvis.position.x [m]",
+                                       "wanderer.pelvis.position.x [m]"};
+  ASSERT_EQ(rows[0], names);
+  std::size_t samples = 0, notes = 0;
+  for (std::size_t row = 1; row < rows.size(); ++row) {
+    ASSERT_EQ(rows[row].size(), names.size());
+    const double time = std::stod(rows[row][0]);
+    EXPECT_EQ(rows[row][6].empty(), rows[row][5].empty() || time < 0.1) << "at the instants of the others: " << time;
+    EXPECT_EQ(rows[row][6].empty(), rows[row][7].empty());
+    EXPECT_TRUE(time >= 0.1 || rows[row][3].empty()) << time;
+    samples += rows[row][3].empty() ? 0 : 1;
+    notes += rows[row][6].empty() ? 0 : 1;
+  }
+  EXPECT_GT(samples, 5U);
+  EXPECT_EQ(notes, 10U) << "from 0.10 to 0.19 s";
+}
+
+TEST(RunLog, HasOnlyColumnsOfWhoComes) {
+  Walk walk;
+  EXPECT_THROW(RunLog(walk.simulation(), {"guest.pelvis.position.x"}), SetupError) << "unless others may come";
+  RunLog log(walk.simulation(), {"guest.pelvis.position.x"}, {.others_come = true});
+  ASSERT_EQ(walk.simulation().warnings().size(), 1U);
+  EXPECT_NE(walk.simulation().warnings()[0].find("'guest.pelvis.position.x': nobody is called so yet"),
+            std::string::npos);
+  walk.simulation().run(55ms);
+  (void)walk.scene.add(newcomer("guest"));
+  walk.simulation().run(50ms);
+  const auto rows = cells_of(log.csv());
+  ASSERT_EQ(rows.size(), 6U);
+  EXPECT_EQ(rows[1][0], "0.06") << "at the instants that all have";
+  EXPECT_EQ(rows[5][0], "0.1");
+  EXPECT_NEAR(std::stod(rows[5][1]), 1, 1e-6);
+}
+
+TEST(RunLog, OfWhoComesChangesNothing) {
+  const auto hash = [](bool logs) {
+    Walk walk;
+    std::optional<RunLog> log;
+    if (logs) log.emplace(walk.simulation(), std::vector<std::string>{"*.imu", "*.pelvis.position"});
+    walk.simulation().run(100ms);
+    scene_file::RobotSpec robot = newcomer("guest");
+    robot.level = "articulated_dynamics";
+    (void)walk.scene.add(robot);
+    walk.simulation().run(300ms);
+    return walk.simulation().state_hash();
+  };
+  EXPECT_EQ(hash(false), hash(true));
 }
 
 TEST(RunLog, RefusesImpossibleRates) {

@@ -415,15 +415,35 @@ def spawn_models(node, call):
     expect("and come", spawn("guest", uri="kid21", at=(-2.0, 1.0, 0.5))[0] == 1, "")
 
 
-def refuse_when_written(program, folder):
-    run = Run(program, folder, DOMAIN + 1, "--html", str(Path(folder) / "run.html"))
-    call = Services(Node(DOMAIN + 1))
-    result, kept = (call("spawn_entity", "", True, si.Resource(uri), "", ros.PoseStamped()).result
-                    for uri in ("kid21", "reserve"))
-    expect("no model in a run that is written as HTML", result.result == 4 and "HTML" in result.error_message, result)
-    expect("but what its scene has", kept.result == 1, kept)
+def spawn_when_written(program, folder):
+    """A table, a page and a state have a model that comes, and what a scene keeps."""
+    table, page, state = (str(Path(folder) / name) for name in ("run.csv", "run.html", "run.state"))
+    run = Run(program, folder, DOMAIN + 1, "--html", page, "--log", "guest.pelvis.position.x", "--out", table,
+              "--save-state", state)
+    node = Node(DOMAIN + 1)
+    call, pictures = Services(node), node.subscribe("/guest/camera/image_raw", ros.Image)
+    call("set_simulation_state", 2)
+    for uri, name, x in (("kid21", "guest", -2.0), ("reserve", "", 2.0)):
+        place = ros.Pose(ros.Point(x, 1.0, 0.5), ros.Quaternion(0.0, 0.0, 0.0, 1.0))
+        pose = ros.PoseStamped(header=ros.Header(frame_id="world"), pose=place)
+        result = call("spawn_entity", name, False, si.Resource(uri), "", pose).result
+        expect(f"{uri} comes to a run that is written", result.result == 1, result)
+        expect("steps", call("step_simulation", 100).result.result == 1, "")
+
+    def sees():
+        call("step_simulation", 50)
+        return any(len(set(bytes(picture.data))) > 10 for picture in pictures.take(N=10))
+
+    expect("its camera draws for a node", wait_for(sees, 20), "")
     call("set_simulation_state", 3)
     expect("exit code", run.process.wait(60) == 0, "")
+    rows = Path(table).read_text().splitlines()
+    expect("the table has it from then on", "guest.pelvis.position.x [m]" in rows[0] and len(rows) > 5, rows[:2])
+    expect("the page has it", Path(page).stat().st_size > 100000, page)
+    scene = str(Path(folder) / "ros2.toml")
+    again = subprocess.run([program, "run", scene, "--from", state, "--duration", "30"], capture_output=True, text=True,
+                           check=False)
+    expect("a state has it", again.returncode == 0 and "guest" in again.stdout, again.stdout + again.stderr)
 
 
 def repeat_recorded(program, folder):
@@ -578,7 +598,7 @@ def main():
         code = run.process.wait(60)
         said = run.process.stderr.read()
         expect("exit code", code == 0, (code, said[-500:]))
-        refuse_when_written(program, folder)
+        spawn_when_written(program, folder)
         repeat_recorded(program, folder)
     end()
 

@@ -2,10 +2,14 @@
 #include "murosimf/recording/recorded_addition.h"
 
 #include <fstream>
+#include <functional>
+#include <memory>
+#include <string>
 
 #include <gtest/gtest.h>
 
 #include "murosimf/files/data_path.h"
+#include "murosimf/files/output_file.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/recording/mcap/mcap_repair.h"
@@ -237,17 +241,101 @@ TEST(RecordedAddition, IsRecordedAgain) {
   expect_repeatable(again);
 }
 
-// The scene of the file alone has another number of entities than the state.
-TEST(RecordedAddition, IsMissingInTheSceneItself) {
-  const auto file = record("refused.mcap", usual_run());
+/// The state of a run of `nudge` at its end, as a file.
+std::string saved(const std::function<void(scene::Scene&)>& play) {
+  const auto read = std::make_shared<files::FilesRead>();
+  scene::Scene scene("nudge", {.cameras = false, .files = {.noted = read}});
+  scene.simulation().initialize();
+  const recording::RecordedPaths paths(read->list(), read->names());
+  play(scene);
+  recording::RunDescription run{.scene = "nudge"};
+  run.names = read->names();
+  return recording::state_bytes(scene, {.run = paths.in_description(std::move(run)),
+                                        .files = recording::files_now(read->list(), paths),
+                                        .paths = paths});
+}
+
+// Law: a state is of all that was there, so a scene as it was started goes on from it as the run did.
+TEST(RecordedAddition, IsPartOfASavedState) {
+  std::uint64_t there = 0, later = 0;
+  const std::string bytes = saved([&](scene::Scene& scene) { play(scene); });
+  {
+    scene::Scene scene("nudge", {.cameras = false});
+    play(scene);
+    there = scene.simulation().state_hash();
+    scene.simulation().run(500ms);
+    later = scene.simulation().state_hash();
+  }
+  const auto file = fixtures::temp_folder() / "additions.state";
+  files::write_file(file, bytes);
   scene::Scene scene("nudge", {.cameras = false});
+  recording::load_state(scene, file);
+  EXPECT_EQ(scene.simulation().state_hash(), there);
+  EXPECT_EQ(scene.parts().additions.size(), 2U);
+  scene.simulation().run(500ms);
+  EXPECT_EQ(scene.simulation().state_hash(), later);
+  const RecordedRun branch(file);
+  const auto other = branch.build({});
+  branch.begin(*other, branch.end());
+  EXPECT_EQ(other->simulation().state_hash(), there) << "from the file alone";
+  recording::load_state(scene, file);  // back: all of them are there
+  EXPECT_EQ(scene.simulation().state_hash(), there);
+  EXPECT_EQ(scene.parts().additions.size(), 2U);
+}
+
+TEST(RecordedAddition, OfAStateNeedsNoFilesBesideIt) {
+  const auto model = own_model("model_of_a_state");
+  const auto file = fixtures::temp_folder() / "moved.state";
+  files::write_file(file, saved([&](scene::Scene& scene) { play(scene, model.string()); }));
+  std::filesystem::remove_all(model.parent_path());
+  scene::Scene scene("nudge", {.cameras = false});
+  recording::load_state(scene, file);
+  const recording::McapReader reader(file);
+  EXPECT_EQ(scene.simulation().state_hash(), recording::RecordedStates(reader).all().back().hash);
+}
+
+// A run that goes on from such a state is recorded with what came before it.
+TEST(RecordedAddition, OfAStateIsInTheRecordingThatGoesOnFromIt) {
+  const auto model = own_model("model_of_before");
+  const auto state = fixtures::temp_folder() / "before.state";
+  files::write_file(state, saved([&](scene::Scene& scene) { play(scene, model.string()); }));
+  std::filesystem::remove_all(model.parent_path());
+  RepeatableRun run = run_with([](scene::Scene& scene, recording::Recorder&) { scene.simulation().run(1s); });
+  run.when_initialized = [state](scene::Scene& scene) { recording::load_state(scene, state); };
+  const auto file = record("goes_on.mcap", run);
+  EXPECT_EQ(RecordedRun(file).additions().size(), 2U);
+  expect_repeatable(file);
+}
+
+// What a supervisor sends names no files, so it brings nobody.
+TEST(RecordedAddition, IsRefusedInAStateThatComesFromElsewhere) {
+  const std::string bytes = saved([&](scene::Scene& scene) { play(scene); });
+  scene::Scene scene("nudge", {.cameras = false});
+  scene.simulation().initialize();
+  const std::uint64_t before = scene.simulation().state_hash();
   try {
-    recording::load_state(scene, file);
+    recording::load_state_bytes(scene, bytes, "sent.state");
     ADD_FAILURE() << "it was loaded";
   } catch (const SetupError& error) {
     EXPECT_NE(std::string(error.what()).find("2 robots and bodies came to that run"), std::string::npos)
         << error.what();
   }
+  EXPECT_EQ(scene.simulation().state_hash(), before);
+  play(scene);
+  const std::uint64_t there = scene.simulation().state_hash();
+  scene.simulation().run(100ms);
+  recording::load_state_bytes(scene, bytes, "sent.state");
+  EXPECT_EQ(scene.simulation().state_hash(), there) << "of a scene that has them";
+}
+
+// Law: a state that does not fit leaves what it brought, absent.
+TEST(RecordedAddition, IsAbsentWhereTheStateDoesNotFit) {
+  const auto file = fixtures::temp_folder() / "other.state";
+  files::write_file(file, saved([&](scene::Scene& scene) { play(scene); }));
+  scene::Scene scene("walk", {.cameras = false});
+  EXPECT_THROW(recording::load_state(scene, file), SetupError);
+  for (const char* name : {"guest", "crate"}) EXPECT_FALSE(scene.simulation().world().entity(name).present());
+  EXPECT_EQ(scene.simulation().now(), 0ns);
 }
 
 TEST(RecordedAddition, IsWrittenWithAllDigits) {

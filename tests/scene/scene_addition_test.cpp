@@ -229,6 +229,30 @@ labels = true
   EXPECT_GT(std::ranges::count(frame->labels.pixels(), label), 50);
 }
 
+// Its own camera draws for who asks when it is there, as that of a robot of the file.
+TEST(SceneAddition, HasCamerasThatDrawWhenTheyAreAskedFor) {
+  const std::string camera = R"(
+[robots.sensors.camera]
+type = "camera"
+width = 64
+height = 48
+)";
+  const Scene file(scene_with(camera));
+  scene_file::RobotSpec robot = file.spec().robots[0];
+  robot.name = "guest";
+  robot.position.y = 1;
+  Scene scene(scene_with(""));
+  scene.simulation().run(100ms);
+  Entity& guest = scene.add(robot);
+  for (const bool wanted : {false, true}) {
+    if (wanted) (void)sensors::want_frames(guest, "camera");
+    scene.simulation().run(200ms);
+    const auto* frame = sensors::frames_of(guest)[0];
+    EXPECT_EQ(frame->number > 0, wanted);
+    EXPECT_EQ(frame->color.empty(), !wanted);
+  }
+}
+
 // Law: an addition that is refused leaves no trace.
 TEST(SceneAddition, OfSomebodyRefusedLeavesNoTrace) {
   Scene scene(scene_with("")), twin(scene_with(""));

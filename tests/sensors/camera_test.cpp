@@ -127,6 +127,39 @@ TEST(Camera, DrawsWhileItIsAskedTo) {
   for (const std::uint64_t number : {4u, 5u, 6u}) EXPECT_EQ(once.at(number), always.at(number)) << number;
 }
 
+// Law: who asks while it runs gets the pictures of one that was asked for from the start, and after a reset all of them.
+TEST(Camera, DrawsFromWhenItIsAskedForWhileItRuns) {
+  const auto pictures_of = [](bool late, bool again) {
+    CameraRig rig;
+    Entity& box = rig.add_box("box");
+    SensorSpec spec = camera({{"always_on", 0}, {"read_noise", 0.05}});
+    spec.delay = 0.033;
+    rig.attach_camera(box, spec);
+    if (!late) (void)want_frames(box, "eye");
+    rig.begin();
+    RangeRig::put(box, {0, 0, 1});
+    rig.simulation.run(50ms);
+    const CameraFrame& frame = late ? want_frames(box, "eye") : *frames_of(box)[0];
+    EXPECT_TRUE(frame.draws);
+    if (again) {
+      rig.simulation.run(70ms);
+      rig.simulation.reset();
+      RangeRig::put(box, {0, 0, 1});
+    }
+    std::map<std::uint64_t, std::uint64_t> pictures;
+    for (int step = 0; step < 150; ++step) {
+      rig.simulation.step();
+      if (frame.number > 0) pictures[frame.number] = hash_of(frame);
+    }
+    return pictures;
+  };
+  const auto always = pictures_of(false, false), late = pictures_of(true, false);
+  ASSERT_FALSE(late.empty());
+  EXPECT_EQ(late.begin()->first, 4U) << "of 60 ms, the first sample since then";
+  for (const auto& [number, hash] : late) EXPECT_EQ(always.at(number), hash) << number;
+  EXPECT_EQ(pictures_of(true, true), pictures_of(false, true));
+}
+
 TEST(Camera, WithoutAnybodyWhoDrawsThereAreNoFrames) {
   RangeRig rig;
   Entity& box = rig.add_box("box");

@@ -194,14 +194,11 @@ TEST(Session, SaysWhatIsWrongAndGoesOn) {
 }
 
 TEST(Session, HasNoWayBackWhereItIsToldSo) {
-  Running running(1s, {.paused = true, .no_way_back = "it is logged", .no_additions = "it is logged"});
+  Running running(1s, {.paused = true, .no_way_back = "it is logged"});
   running.session.step(10);
   running.comes_to(10ms);
   EXPECT_THROW(running.session.seek(0s).get(), SetupError);
   EXPECT_THROW(running.session.reset().get(), SetupError);
-  bool added = false;
-  EXPECT_THROW(running.session.extend([&](scene::Scene&) { added = true; }).get(), SetupError);
-  EXPECT_FALSE(added);
 }
 
 // As a recorded run, which keeps what comes.
