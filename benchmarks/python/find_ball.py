@@ -27,9 +27,10 @@ LAYERS = ((5, 2, 3, 16), (3, 2, 16, 48), (3, 1, 48, 64), (4, 1, 64, 4))  # size,
 class Net:
     """Of each window: a score, shift of the ball's middle [BALL], logarithm of its size [BALL]."""
 
-    def __init__(self, random):
-        self.weights = [random.normal(0, np.sqrt(2 / (k * k * i)), (k * k * i, o)).astype(np.float32) for k, _, i, o in LAYERS]
-        self.biases = [np.zeros(o, np.float32) for *_, o in LAYERS]
+    def __init__(self, random, layers=LAYERS):
+        self.layers = layers
+        self.weights = [random.normal(0, np.sqrt(2 / (k * k * i)), (k * k * i, o)).astype(np.float32) for k, _, i, o in layers]
+        self.biases = [np.zeros(o, np.float32) for *_, o in layers]
         self.moments = [(np.zeros_like(p), np.zeros_like(p)) for p in self.parameters()]
         self.steps = 0
 
@@ -38,7 +39,7 @@ class Net:
 
     def forward(self, x):
         self.columns, self.shapes = [], []
-        for (k, stride, _, out), w, b in zip(LAYERS, self.weights, self.biases, strict=True):
+        for (k, stride, _, out), w, b in zip(self.layers, self.weights, self.biases, strict=True):
             view = np.lib.stride_tricks.sliding_window_view(x, (k, k), (1, 2))[:, ::stride, ::stride]
             n, rows, columns = view.shape[:3]
             flat = view.transpose(0, 1, 2, 4, 5, 3).reshape(n * rows * columns, -1)
@@ -52,8 +53,8 @@ class Net:
 
     def backward(self, gradient):
         gradients, g = [], gradient[:, None, None]
-        for layer in reversed(range(len(LAYERS))):
-            k, stride, channels, out = LAYERS[layer]
+        for layer in reversed(range(len(self.layers))):
+            k, stride, channels, out = self.layers[layer]
             if out != 4:
                 g = np.where(self.outputs[layer] > 0, g, 0.1 * g)
             flat = g.reshape(-1, out)
@@ -78,7 +79,7 @@ class Net:
 
     def in_opencv(self):
         nodes, values, name = [], [], "picture"
-        for i, ((k, stride, channels, out), w, b) in enumerate(zip(LAYERS, self.weights, self.biases, strict=True)):
+        for i, ((k, stride, channels, out), w, b) in enumerate(zip(self.layers, self.weights, self.biases, strict=True)):
             kernel = np.ascontiguousarray(w.reshape(k, k, channels, out).transpose(3, 2, 0, 1))
             values += [numpy_helper.from_array(kernel, f"w{i}"), numpy_helper.from_array(b, f"b{i}")]
             nodes.append(helper.make_node("Conv", [name, f"w{i}", f"b{i}"], [f"c{i}"], kernel_shape=[k, k],
@@ -117,14 +118,14 @@ class Pictures:
         return cv2.imread(str(file)), box, asked
 
 
-def crop(picture, middle, side):
-    """A square window, grown at the borders, as WINDOW x WINDOW."""
+def crop(picture, middle, side, window=WINDOW):
+    """A square, grown at the borders, as window x window."""
     x, y = np.round(np.array(middle) - side / 2).astype(int)
     n = max(2, round(side))
     h, w = picture.shape[:2]
     rows, columns = np.clip(np.arange(y, y + n), 0, h - 1), np.clip(np.arange(x, x + n), 0, w - 1)
-    how = cv2.INTER_AREA if n > WINDOW else cv2.INTER_LINEAR
-    return cv2.resize(picture[np.ix_(rows, columns)], (WINDOW, WINDOW), interpolation=how)
+    how = cv2.INTER_AREA if n > window else cv2.INTER_LINEAR
+    return cv2.resize(picture[np.ix_(rows, columns)], (window, window), interpolation=how)
 
 
 def samples(pictures, random, positives=8, negatives=24):
@@ -220,16 +221,17 @@ def hard_negatives(network, pictures, least, most):
     return np.array(windows).reshape(-1, WINDOW, WINDOW, 3)
 
 
-def average_precision(network, pictures, least):
-    """Area under precision over recall, each precision the best at that recall or above; recall; and the number of balls.
+def average_precision(find, pictures):
+    """Of `find`, which says boxes and scores of a picture: area under precision over recall, each precision the best at that
+    recall or above; recall; and the number of balls.
 
     Without balls or finds both are 0."""
     finds, balls = [], 0
     for i in range(len(pictures)):
         picture, box, asked = pictures.read(i)
-        balls += asked
+        balls += int(asked)
         right = False
-        for found, score in zip(*find(network, picture, least), strict=True):
+        for found, score in zip(*find(picture), strict=True):
             hit = box is not None and overlap(found, box) >= 0.5
             if hit and not asked:
                 continue
@@ -266,8 +268,10 @@ def main():
         targets = np.concatenate([targets, np.zeros((len(hard), 4), np.float32)])
         train(net, windows, targets, random, options.epochs, 1e-3)
     print(f"trained in {time.monotonic() - begin:.0f} s")
+    network = net.in_opencv()
     for folder in options.test:
-        precision, recall, balls = average_precision(net.in_opencv(), Pictures(folder, options.least), options.least)
+        pictures = Pictures(folder, options.least)
+        precision, recall, balls = average_precision(lambda picture: find(network, picture, options.least), pictures)
         print(f"{folder}: average precision {precision:.3f}, recall {recall:.3f} of {balls} balls")
 
 
