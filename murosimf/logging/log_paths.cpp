@@ -220,7 +220,7 @@ std::string LoggedNumber::name() const {
   return unit.empty() || unit == "-" ? text : fmt::format("{} [{}]", text, unit);
 }
 
-bool denotes_somebody(const World& world, const std::string& pattern) {
+bool denotes_entity(const World& world, const std::string& pattern) {
   return !searches(all_of(world), path_parts(pattern)).empty();
 }
 

@@ -33,6 +33,6 @@ struct LoggedNumber {
 /// Those of one that has come to the world; none, if no pattern denotes any.
 [[nodiscard]] std::vector<LoggedNumber> find_logged(Entity& newcomer, const std::vector<std::string>& patterns);
 /// Whether an entity of the world has a name as the pattern says.
-[[nodiscard]] bool denotes_somebody(const World& world, const std::string& pattern);
+[[nodiscard]] bool denotes_entity(const World& world, const std::string& pattern);
 
 }  // namespace murosimf::logging

@@ -47,7 +47,7 @@ std::vector<LoggedNumber> RunLog::logged_at_start(const RunLogOptions& options) 
   if (!options.others_come) return find_logged(simulation_.world(), patterns_);
   std::vector<std::string> known;
   for (const std::string& pattern : patterns_) {
-    if (denotes_somebody(simulation_.world(), pattern)) {
+    if (denotes_entity(simulation_.world(), pattern)) {
       known.push_back(pattern);
     } else {
       simulation_.warn(

@@ -53,14 +53,18 @@ void attach_additions(McapWriter& out, const scene::Scene& scene, const StateFil
   additions.write(out, scene.simulation().now());
 }
 
+/// Of a robot or body.
+std::string added_name(const auto& added) {
+  return std::visit([](const auto& spec) { return spec.name; }, added);
+}
+
 /// Those of a state that the scene lacks: it may have had them before, as one that goes back.
 std::vector<RecordedAddition> missing_in(const scene::Scene& scene, const McapReader& reader, Duration state) {
   std::vector<RecordedAddition> missing = recorded_additions(reader);
   std::erase_if(missing, [&](const RecordedAddition& one) {
-    const auto name = [](const auto& what) { return std::visit([](const auto& spec) { return spec.name; }, what); };
     const auto& there = scene.parts().additions;
     const bool is_there = std::ranges::any_of(there, [&](const scene::Addition& addition) {
-      return name(addition.what) == name(one.what);
+      return added_name(addition.what) == added_name(one.what);
     });
     return is_there || !is_part_of(one, state);
   });
@@ -101,7 +105,7 @@ void add_all(scene::Scene& scene, const McapReader& reader, const std::vector<Re
 void let_leave(scene::Scene& scene, std::size_t first) {
   const auto& all = scene.parts().additions;
   for (std::size_t i = first; i < all.size(); ++i) {
-    const std::string name = std::visit([](const auto& spec) { return spec.name; }, all[i].what);
+    const std::string name = added_name(all[i].what);
     if (scene.simulation().world().entity(name).present()) scene.leave(name);
   }
 }
